@@ -1,0 +1,52 @@
+// The renderer core: pose + gaze + camera + scene state -> four composited viewports + stage times.
+// No I/O here; the server hands in what it read and writes what comes out.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "renderer/frame_plan.h"
+#include "renderer/render_settings.h"
+#include "renderer/stage_times.h"
+#include "renderer/viewport_image.h"
+#include "scenes/scene.h"
+#include "sessions/display_profile.h"
+#include "sessions/session.h"
+
+namespace herr {
+
+// One rendered frame. Reuse it for every frame: its storage is kept.
+struct RenderedFrame {
+  std::vector<ViewportImage> viewports;  // in the order of DisplayProfile::viewports
+  StageTimes times;
+  FrameCounters counters;
+  std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
+};
+
+// Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree fails.
+class Renderer {
+ public:
+  // Builds the acceleration structures. `scene` must outlive the renderer.
+  Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings, bool session_has_camera);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  const FramePlan& plan() const;
+  const RenderSettings& settings() const;  // threads and isa resolved to what runs
+  int threads() const;
+
+  void render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
+
+  // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).
+  void parallel_for(int count, const std::function<void(int)>& work);
+
+  struct Impl;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace herr

@@ -1,0 +1,67 @@
+// JSON with the strictness that a tool needs on untrusted files: sizes and depth are bounded, duplicate keys,
+// NUL bytes and numbers out of range are errors, and an unknown key names its nearest known neighbour.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace herr {
+
+struct JsonLimits {
+  std::int64_t max_bytes = 64 << 20;
+  int max_depth = 64;
+  std::int64_t max_values = 2'000'000;
+};
+
+// Parses a whole file / one text. Throws InputError with the line of the first error.
+nlohmann::json parse_json_file(const std::filesystem::path& file, const JsonLimits& limits = {});
+nlohmann::json parse_json_text(std::string_view text, const std::filesystem::path& file, std::int64_t first_line,
+                               const JsonLimits& limits = {});
+
+// The known name nearest to `unknown` by edit distance.
+std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known);
+
+// A view of one JSON object that knows where it stands ("lights[0].path"), so that each error names its field.
+// The document must outlive the view. Every reader throws InputError on a wrong type, range or size.
+class JsonObject {
+ public:
+  JsonObject(const nlohmann::json& value, std::filesystem::path file, std::string where);
+
+  // Throws if a key is present that is not listed here; names the nearest listed key.
+  void allow_only(std::initializer_list<const char*> keys) const;
+  bool has(const char* key) const;
+
+  double number(const char* key, double lowest, double highest) const;
+  double number_or(const char* key, double lowest, double highest, double fallback) const;
+  std::int64_t integer(const char* key, std::int64_t lowest, std::int64_t highest) const;
+  std::int64_t integer_or(const char* key, std::int64_t lowest, std::int64_t highest, std::int64_t fallback) const;
+  bool boolean_or(const char* key, bool fallback) const;
+  std::string text(const char* key) const;
+  std::string text_or(const char* key, const std::string& fallback) const;
+  glm::dvec3 vec3(const char* key, double lowest, double highest) const;
+  glm::dvec3 vec3_or(const char* key, double lowest, double highest, const glm::dvec3& fallback) const;
+  std::vector<double> numbers(const char* key, std::size_t count, double lowest, double highest) const;
+  JsonObject object(const char* key) const;
+  std::vector<JsonObject> objects(const char* key) const;     // an array of objects; empty when absent
+  const nlohmann::json& value(const char* key) const;
+
+  const std::filesystem::path& file() const { return file_; }
+  const std::string& where() const { return where_; }
+  // Throws InputError "FILE: field WHERE.KEY PROBLEM; REMEDY" (KEY may be null: the object itself).
+  [[noreturn]] void fail(const char* key, const std::string& problem, const std::string& remedy) const;
+
+ private:
+  const nlohmann::json* value_;
+  std::filesystem::path file_;
+  std::string where_;
+};
+
+}  // namespace herr
