@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Habits of the house that a line of text can break: headers guarded and introduced, files and lines of a size that
+one can read, no folder for leftovers, no printing or exiting below server/, no flags that change arithmetic.
+Prints one line for each finding, FILE:LINE: what is wrong; exit 1 if there is any."""
+
+import argparse
+import pathlib
+import re
+import sys
+
+from source_tree import ROOTS, code_only, read, source_files
+
+MAX_LINES = 400  # past that there are two concepts in one file
+LEFTOVER_FOLDERS = {"common", "util", "utils", "misc", "helpers"}
+
+# Code of the library never prints or exits: its callers are told by exceptions. The sample generator is a program.
+LIBRARY = ("sessions", "scenes", "renderer")
+PROGRAMS_IN_LIBRARY = ("scenes/samples/",)
+PRINT_OR_EXIT = re.compile(
+    r"\bstd::(?:cout|cerr|clog)\b|(?<![\w.:>])(?:std::)?(?:printf|fprintf|puts|fputs|exit|_exit|quick_exit|abort)\s*\(")
+
+# -ffast-math assumes away the NaNs that the stages count; -march=native makes a build that fits one machine.
+BUILD_FLAGS = re.compile(r"-ffast-math|-Ofast|-march=native")
+
+
+def header_findings(file, text):
+    if "#pragma once" not in code_only(text):
+        yield f"{file}:1: no #pragma once"
+    if not text.startswith("//"):
+        yield f"{file}:1: a header opens with 2-6 comment lines: what it is, what comes before and after, source"
+
+
+def library_findings(file, text):
+    path = file.as_posix()
+    if file.parts[0] not in LIBRARY or path.startswith(PROGRAMS_IN_LIBRARY):
+        return
+    code = code_only(text)
+    for match in PRINT_OR_EXIT.finditer(code):
+        line = code.count("\n", 0, match.start()) + 1
+        yield f"{file}:{line}: {match.group(0).rstrip('( ')}: only server/ prints or exits; throw instead"
+
+
+def build_file_findings(root):
+    files = [root / "CMakeLists.txt", root / "CMakePresets.json"]
+    for folder in ROOTS:
+        files += sorted((root / folder).rglob("CMakeLists.txt"))
+    for file in filter(pathlib.Path.is_file, files):
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            match = BUILD_FLAGS.search(line.split("#")[0])
+            if match:
+                yield f"{file.relative_to(root)}:{number}: {match.group(0)} is not used"
+
+
+def findings(root):
+    root = pathlib.Path(root)
+    found = []
+    for file in source_files(root):
+        text = read(root, file)
+        count = text.count("\n")
+        if count > MAX_LINES:
+            found.append(f"{file}:{MAX_LINES + 1}: {count} lines; split it, {MAX_LINES} is the limit")
+        if LEFTOVER_FOLDERS.intersection(file.parts[:-1]):
+            found.append(f"{file}:1: name the folder by its concept, not by what is left over")
+        if file.suffix == ".h":
+            found += header_findings(file, text)
+        found += library_findings(file, text)
+    return found + list(build_file_findings(root))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("root", type=pathlib.Path, help="top folder of the project")
+    root = parser.parse_args().root
+    files = source_files(root)
+    if not files:
+        sys.exit(f"{root}: no C++ file below {', '.join(ROOTS)}; pass the top folder of the project")
+    found = findings(root)
+    print(*found, f"{len(files)} files, {len(found)} findings", sep="\n")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""Each rule of the house checks fires on a small wicked tree, and none fires on a good one."""
+
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+import check_format
+import check_layers
+import check_text
+
+HEADER = "// What it is.\n#pragma once\n"
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        self.root = pathlib.Path(tempfile.mkdtemp(prefix="herr-house-"))
+        self.addCleanup(shutil.rmtree, self.root)
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def expect_one(self, findings, *parts):
+        self.assertEqual(len(findings), 1, findings)
+        for part in parts:
+            self.assertIn(part, findings[0])
+
+
+class LayerRules(Tree):
+    def findings(self):
+        return check_layers.findings(self.root)
+
+    def test_a_good_tree_has_no_findings(self):
+        self.write("sessions/pose.h", HEADER + "#include <vector>\n")
+        self.write("scenes/scene.h", HEADER + '#include "sessions/pose.h"\n')
+        self.write("renderer/renderer.h", HEADER + '#include "scenes/scene.h"\n#include "sessions/pose.h"\n')
+        self.write("renderer/geometry/embree.h", HEADER + "#include <embree3/rtcore.h>\n")
+        self.write("renderer/kernel.cpp", '#include "hwy/foreach_target.h"\n#include HWY_TARGET_INCLUDE\n')
+        self.write("server/main.cpp", '#include "renderer/renderer.h"\n')
+        self.write("scenes/gltf/load.cpp", "#include <tiny_gltf.h>\n")
+        self.write("tests/server/main_test.cpp", '#include <gtest/gtest.h>\n#include "sessions/pose.h"\n')
+        self.assertEqual(self.findings(), [])
+
+    def test_every_wrong_way_is_found_and_every_right_way_is_not(self):
+        layers = check_layers.LAYERS
+        for here in layers:
+            for there in layers:
+                with self.subTest(here=here, there=there):
+                    self.setUp()
+                    self.write(f"{there}/seen.h", HEADER)
+                    self.write(f"{here}/seer.cpp", f'\n#include "{there}/seen.h"\n')
+                    wrong = layers.index(there) > layers.index(here)
+                    found = self.findings()
+                    if wrong:
+                        self.expect_one(found, f"{here}/seer.cpp:2", f"{there}/seen.h", " <- ")
+                    else:
+                        self.assertEqual(found, [])
+
+    def test_a_wrong_way_in_angle_brackets_or_with_odd_spaces_is_found(self):
+        self.write("server/program.h", HEADER)
+        self.write("sessions/a.cpp", "#include <server/program.h>\n")
+        self.write("sessions/b.cpp", '  #  include   "server/program.h"  // why\n')
+        self.write("sessions/c.cpp", '#include "../server/program.h"\n')
+        self.assertEqual([f.split(":")[0] for f in self.findings()],
+                         ["sessions/a.cpp", "sessions/b.cpp", "sessions/c.cpp"])
+
+    def test_an_include_in_a_comment_or_a_string_is_none(self):
+        self.write("server/program.h", HEADER)
+        self.write("sessions/a.cpp", '// #include "server/program.h"\n/*\n#include "server/program.h"\n*/\n'
+                                     'const char* text = R"(\n#include "server/program.h"\n)";\n'
+                                     "int n = 1'000'000;\n")
+        self.assertEqual(self.findings(), [])
+
+    def test_nothing_but_tests_includes_tests(self):
+        self.write("tests/fakes.h", HEADER)
+        self.write("tests/a_test.cpp", '#include "tests/fakes.h"\n')
+        self.write("server/a.cpp", '#include "tests/fakes.h"\n')
+        self.expect_one(self.findings(), "server/a.cpp:1", "nothing but tests")
+
+    def test_a_cycle_is_found_once_with_its_whole_way(self):
+        self.write("renderer/a.h", HEADER + '#include "renderer/b.h"\n')
+        self.write("renderer/b.h", HEADER + '#include "renderer/c.h"\n')
+        self.write("renderer/c.h", HEADER + '#include "renderer/a.h"\n')
+        self.write("renderer/user.cpp", '#include "renderer/b.h"\n')
+        self.expect_one(self.findings(), "renderer/c.h:3",
+                        "renderer/a.h -> renderer/b.h -> renderer/c.h -> renderer/a.h")
+
+    def test_a_header_that_includes_itself_is_a_cycle(self):
+        self.write("renderer/a.h", HEADER + '#include "a.h"\n')
+        self.expect_one(self.findings(), "renderer/a.h -> renderer/a.h")
+
+    def test_a_diamond_is_no_cycle(self):
+        self.write("renderer/top.h", HEADER)
+        for side in "lr":
+            self.write(f"renderer/{side}.h", HEADER + '#include "renderer/top.h"\n')
+        self.write("renderer/bottom.h", HEADER + '#include "renderer/l.h"\n#include "renderer/r.h"\n')
+        self.assertEqual(self.findings(), [])
+
+    def test_each_foreign_header_is_refused_where_it_does_not_belong(self):
+        for library in check_layers.FOREIGN:
+            for header in library.headers:
+                with self.subTest(library=library.name, header=header):
+                    self.setUp()
+                    self.write("scenes/scene.h", HEADER + f"#include <{header.replace('*', 'x')}>\n")
+                    self.expect_one(self.findings(), "scenes/scene.h:3", library.name)
+
+    def test_a_library_for_one_file_is_refused_in_a_second(self):
+        self.write("scenes/gltf/a.cpp", "#include <tiny_gltf.h>\n")
+        self.write("scenes/gltf/b.cpp", "#include <tiny_gltf.h>\n")
+        self.expect_one(self.findings(), "scenes/gltf/b.cpp:1", "already in scenes/gltf/a.cpp")
+
+    def test_includes_that_name_no_file_are_found(self):
+        self.write("renderer/a.cpp", '#include "renderer/gone.h"\n')
+        self.write("renderer/b.cpp", '#include "vector"\n')
+        found = self.findings()
+        self.assertEqual(len(found), 2, found)
+        self.assertIn("does not exist", found[0])
+        self.assertIn("stand in <>", found[1])
+
+
+class TextRules(Tree):
+    def findings(self):
+        return check_text.findings(self.root)
+
+    def test_a_good_tree_has_no_findings(self):
+        self.write("sessions/pose.h", HEADER)
+        self.write("sessions/pose.cpp", 'int f() { return std::snprintf(b, 9, "exit(1)"); }  // never exit()\n')
+        self.write("server/main.cpp", "int main() { std::cout << 1; std::exit(0); }\n")
+        self.write("scenes/samples/generator/main.cpp", "int main() { std::cerr << 1; }\n")
+        self.write("CMakeLists.txt", "# no -march=native here\n")
+        self.assertEqual(self.findings(), [])
+
+    def test_a_header_without_guard_is_found(self):
+        self.write("sessions/pose.h", "// What it is.\nint x;\n")
+        self.expect_one(self.findings(), "sessions/pose.h:1", "#pragma once")
+
+    def test_a_guard_in_a_comment_is_none(self):
+        self.write("sessions/pose.h", "// #pragma once\n")
+        self.expect_one(self.findings(), "#pragma once")
+
+    def test_a_header_without_opening_lines_is_found(self):
+        self.write("sessions/pose.h", "#pragma once\n// Late.\n")
+        self.expect_one(self.findings(), "sessions/pose.h:1", "opens with")
+
+    def test_400_lines_pass_and_401_do_not(self):
+        self.write("server/long.cpp", "\n" * 400)
+        self.assertEqual(self.findings(), [])
+        self.write("server/long.cpp", "\n" * 401)
+        self.expect_one(self.findings(), "server/long.cpp:401", "split it")
+
+    def test_a_folder_for_leftovers_is_found(self):
+        self.write("renderer/util/a.cpp", "\n")
+        self.expect_one(self.findings(), "renderer/util/a.cpp:1", "concept")
+
+    def test_each_way_to_print_or_exit_is_found_below_the_server(self):
+        for call in ("std::cout << 1", "std::cerr << 1", 'printf("")', 'std::fprintf(f, "")', "exit(1)", "std::abort()"):
+            with self.subTest(call=call):
+                self.setUp()
+                self.write("renderer/a.cpp", f"void f() {{\n  {call};\n}}\n")
+                self.expect_one(self.findings(), "renderer/a.cpp:2", "throw instead")
+
+    def test_flags_that_change_arithmetic_are_found(self):
+        self.write("renderer/CMakeLists.txt", "add_compile_options(-O2\n  -ffast-math)  # fast\n")
+        self.expect_one(self.findings(), "renderer/CMakeLists.txt:2", "-ffast-math")
+
+
+@unittest.skipUnless(shutil.which("clang-format"), "clang-format is missing; run scripts/install-packages")
+class FormatRules(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write(".clang-format", "BasedOnStyle: Google\n")
+
+    def findings(self):
+        return check_format.findings(self.root, shutil.which("clang-format"))
+
+    def test_a_file_in_another_layout_is_found_once_with_its_first_line(self):
+        self.write("sessions/good.cpp", "int f() { return 1; }\n")
+        self.write("sessions/bad.cpp", "int g() { return 1; }\nint  f( )\n{ return  1 ; }\n")
+        self.expect_one(self.findings(), "sessions/bad.cpp:2")
+
+    def test_a_broken_configuration_is_no_pass(self):
+        self.write(".clang-format", "BasedOnStyle: Nobody\n")
+        self.write("sessions/good.cpp", "int f() { return 1; }\n")
+        self.assertNotEqual(self.findings(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
