@@ -8,6 +8,7 @@ import unittest
 
 import check_format
 import check_layers
+import check_readme
 import check_text
 
 HEADER = "// What it is.\n#pragma once\n"
@@ -166,6 +167,26 @@ class TextRules(Tree):
     def test_flags_that_change_arithmetic_are_found(self):
         self.write("renderer/CMakeLists.txt", "add_compile_options(-O2\n  -ffast-math)  # fast\n")
         self.expect_one(self.findings(), "renderer/CMakeLists.txt:2", "-ffast-math")
+
+
+class ReadmeRules(Tree):
+    README = "# X\n## Use\n### A\n```sh\nherr replay S --out DIR\n```\n| `--scene FILE` |\n## State\n`--resume` is not there\n"
+
+    def test_a_link_to_nothing_is_found_and_others_are_not(self):
+        self.write("a/b.h", HEADER)
+        self.write("README.md", "[b](a/b.h) [b](a/b.h#l) [w](https://example.org/x) [here](#state)\n\n![p](gone.png)\n")
+        self.expect_one(list(check_readme.link_findings(self.root)), "README.md:3", "gone.png")
+
+    def test_the_same_options_in_readme_and_help_are_no_finding(self):
+        text = "Usage: herr replay [OPTIONS]\n  --help\n  --out DIR\n  --scene FILE\n"
+        self.assertEqual(list(check_readme.option_findings(self.README, lambda command: text)), [])
+
+    def test_an_option_that_the_program_lacks_is_found(self):
+        self.expect_one(list(check_readme.option_findings(self.README, lambda command: "--out DIR")), "--scene", "not list")
+
+    def test_an_option_that_the_readme_leaves_out_is_found(self):
+        self.expect_one(list(check_readme.option_findings(self.README, lambda command: "--out --scene --threads")),
+                        "leaves out --threads")
 
 
 @unittest.skipUnless(shutil.which("clang-format"), "clang-format is missing; run scripts/install-packages")
