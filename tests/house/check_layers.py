@@ -27,7 +27,7 @@ FOREIGN = (
     Foreign("OpenImageIO", ("OpenImageIO/*",),
             ("sessions/*image*.cpp", "scenes/*image*.cpp", "scenes/*texture*.cpp",
              "scenes/samples/generator/*picture*.cpp", "server/output/png_*.cpp", "tests/*.cpp")),
-    Foreign("OpenEXR", ("OpenEXR/*", "Imf*.h"), ("server/output/*.cpp", "tests/*.cpp")),
+    Foreign("OpenEXR", ("OpenEXR/*", "Imf*.h"), ("server/output/*", "tests/*.cpp")),
     Foreign("Embree", ("embree3/*", "embree4/*"),
             ("renderer/geometry/*", "renderer/bench*.cpp", "tests/renderer/*.cpp")),
     Foreign("CLI11", ("CLI/*",), ("server/cli/*.cpp",)),

@@ -58,6 +58,8 @@ def main():
     parser.add_argument("root", type=pathlib.Path, help="top folder of the project")
     parser.add_argument("--herr", type=pathlib.Path, help="the program; without it only links are checked")
     options = parser.parse_args()
+    if options.herr and not options.herr.is_file():
+        sys.exit(f"{options.herr} is not built yet")
 
     def help_of(command):
         return subprocess.run([options.herr, command, "--help"], text=True, capture_output=True, check=True).stdout
