@@ -1,5 +1,6 @@
-// What there is to see: meshes, materials, textures, instances, lights - flattened to one level, ready for tracing.
-// Before: scene_document reads *.scene.json and gltf files into this. After: renderer/geometry builds Embree scenes.
+// What there is to see: meshes, materials, textures, instances, lights - flattened to one level, ready for
+// tracing. Before: scene_document reads *.scene.json and gltf files into this. After: renderer/geometry
+// builds Embree scenes.
 #pragma once
 
 #include <array>
@@ -21,9 +22,9 @@ enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 struct TextureImage {
   std::string name;
   int width_px = 0, height_px = 0;  // 1 ... 16384
-  bool srgb = true;                 // colour: decode to linear light after the fetch; false: values are linear
+  bool srgb = true;  // colour: decode to linear light after the fetch; false: values are linear
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
-  std::vector<std::uint8_t> rgba;   // 4 * width * height
+  std::vector<std::uint8_t> rgba;  // 4 * width * height
 };
 
 // glTF metallic-roughness in linear light. Mapping to the paper's factors (see README.md of this folder):
@@ -31,37 +32,37 @@ struct TextureImage {
 // roughness^2, reflection = mirror * F (Schlick from F0).
 struct Material {
   std::string name;
-  glm::vec3 base_colour{0.8f};      // [0, 1]
-  float metallic = 0.0f;            // [0, 1]
-  float roughness = 0.8f;           // [0, 1]
-  glm::vec3 emission{0.0f};         // radiance, >= 0
-  float mirror = 0.0f;              // [0, 1] share of the mirror ray that is seen; 0 traces none
-  int base_colour_texture = -1;     // index into Scene::textures, -1 = none
+  glm::vec3 base_colour{0.8f};          // [0, 1]
+  float metallic = 0.0f;                // [0, 1]
+  float roughness = 0.8f;               // [0, 1]
+  glm::vec3 emission{0.0f};             // radiance, >= 0
+  float mirror = 0.0f;                  // [0, 1] share of the mirror ray that is seen; 0 traces none
+  int base_colour_texture = -1;         // index into Scene::textures, -1 = none
   int metallic_roughness_texture = -1;  // G = roughness, B = metallic (linear)
 };
 
 // One triangle mesh with one material (a glTF primitive). Arrays are all the same length or empty.
 struct TriangleMesh {
   std::string name;
-  std::vector<glm::vec3> positions;          // metres in object space, finite
-  std::vector<glm::vec3> normals;            // unit; always present (generated when the file has none)
-  std::vector<glm::vec2> uvs;                // empty when the material has no texture
+  std::vector<glm::vec3> positions;  // metres in object space, finite
+  std::vector<glm::vec3> normals;    // unit; always present (generated when the file has none)
+  std::vector<glm::vec2> uvs;        // empty when the material has no texture
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
 };
 
 struct MeshInstance {
   std::string name;
-  std::uint32_t mesh = 0;      // index into Scene::meshes
-  std::uint32_t material = 0;  // index into Scene::materials
+  std::uint32_t mesh = 0;               // index into Scene::meshes
+  std::uint32_t material = 0;           // index into Scene::materials
   glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
-  bool catcher = false;        // stand-in for a real surface: invisible, receives shadows
+  bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
 };
 
 // An axis-aligned box that radiates intensity_w_sr (W/sr, uniform over its volume) and cannot be seen.
 struct AreaLight {
   std::string name;
   glm::dvec3 centre{0.0};
-  glm::vec3 size{0.0f};          // metres, >= 0 per axis
+  glm::vec3 size{0.0f};            // metres, >= 0 per axis
   glm::vec3 intensity_w_sr{0.0f};  // >= 0
   // Circular path in the horizontal plane about `centre`: radius 0 = static.
   double path_radius_m = 0, path_period_s = 0, path_phase_deg = 0;
@@ -74,10 +75,10 @@ struct Scene {
   std::vector<TextureImage> textures;
   std::vector<MeshInstance> instances;
   std::vector<AreaLight> lights;
-  glm::vec3 ambient{0.0f};       // radiance of the constant ambient term
-  glm::vec3 environment{0.0f};   // radiance that a ray sees which leaves the scene
-  Pose world_from_session;       // where the recording stands in the scene
-  std::vector<std::string> warnings;  // one line each
+  glm::vec3 ambient{0.0f};                   // radiance of the constant ambient term
+  glm::vec3 environment{0.0f};               // radiance that a ray sees which leaves the scene
+  Pose world_from_session;                   // where the recording stands in the scene
+  std::vector<std::string> warnings;         // one line each
   std::vector<std::filesystem::path> files;  // every file that was read
 };
 
@@ -86,7 +87,8 @@ struct SceneState {
   std::vector<AreaLight> lights;  // centres moved along their paths
 };
 
-// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws InputError.
+// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
+// InputError.
 Scene load_scene(const std::filesystem::path& file);
 
 // State at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage.

@@ -1,0 +1,112 @@
+// A glTF 2.0 file as plain structs: what the other stages of this folder read instead of tinygltf's classes.
+// Before: read_gltf fills it, after gltf_checks has proved every index and extent. After: accessor_reader,
+// material_builder, mesh_builder, node_flattener.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace herr {
+
+struct GltfBufferView {
+  int buffer = 0;
+  std::size_t offset = 0, length = 0;
+  std::size_t stride = 0;  // 0 = tightly packed
+};
+
+// GL's names of component types, as glTF uses them.
+enum GltfComponent : int {
+  kByte = 5120,
+  kUByte = 5121,
+  kShort = 5122,
+  kUShort = 5123,
+  kUInt = 5125,
+  kFloat = 5126
+};
+
+struct GltfAccessor {
+  int view = -1;  // -1: all zero
+  std::size_t offset = 0, count = 0;
+  int component_type = kFloat;
+  int components = 1;  // 1 ... 16
+  bool normalised = false;
+  // Sparse: `sparse_count` elements replaced; 0 = none.
+  std::size_t sparse_count = 0, sparse_index_offset = 0, sparse_value_offset = 0;
+  int sparse_index_view = -1, sparse_value_view = -1, sparse_index_type = kUInt;
+};
+
+struct GltfPrimitive {
+  int mode = 4;  // 0 points ... 4 triangles, 5 strip, 6 fan
+  int indices = -1, material = -1;
+  int position = -1, normal = -1;
+  std::vector<int> uv_sets;  // accessor of TEXCOORD_n, -1 = absent
+};
+
+struct GltfMesh {
+  std::string name;
+  std::vector<GltfPrimitive> primitives;
+};
+
+struct GltfTextureUse {
+  int texture = -1;
+  int uv_set = 0;
+};
+
+struct GltfMaterial {
+  std::string name;
+  glm::vec3 base_colour{1.0f}, emission{0.0f};  // linear; emission includes its strength
+  float metallic = 1.0f, roughness = 1.0f;
+  bool unlit = false;
+  GltfTextureUse base_colour_texture, metallic_roughness_texture;
+};
+
+struct GltfTexture {
+  int image = -1;  // -1: only an extension names the image
+  TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+};
+
+// An image still encoded: in `view` when that is >= 0, else in `encoded`; when that is empty, `failure` says
+// why.
+struct GltfImage {
+  std::string name;
+  int view = -1;
+  std::vector<unsigned char> encoded;
+  std::exception_ptr failure;
+};
+
+struct GltfNode {
+  std::string name;
+  int mesh = -1;
+  bool skinned = false;
+  std::vector<int> children;
+  glm::dmat4x3 parent_from_node{1.0};
+};
+
+struct GltfModel {
+  std::filesystem::path file;
+  std::vector<std::vector<unsigned char>> buffers;
+  std::vector<GltfBufferView> views;
+  std::vector<GltfAccessor> accessors;
+  std::vector<GltfMesh> meshes;
+  std::vector<GltfMaterial> materials;
+  std::vector<GltfTexture> textures;
+  std::vector<GltfImage> images;
+  std::vector<GltfNode> nodes;
+  std::vector<int> roots;  // of the scene to show
+  std::vector<std::string> warnings;
+  std::vector<std::filesystem::path> files;  // read, the glTF file first
+};
+
+// "FILE: text" with control characters escaped, as Scene::warnings holds it.
+std::string gltf_warning(const GltfModel& model, const std::string& text);
+
+}  // namespace herr

@@ -1,0 +1,110 @@
+#include "scenes/gltf/load_gltf.h"
+
+#include <map>
+#include <new>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "scenes/gltf/gltf_limits.h"
+#include "scenes/gltf/material_builder.h"
+#include "scenes/gltf/mesh_builder.h"
+#include "scenes/gltf/node_flattener.h"
+#include "scenes/gltf/read_gltf.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+// A primitive once built: where it stands in the scene.
+struct BuiltPrimitive {
+  std::uint32_t mesh, material;
+};
+
+// Builds the meshes of a file when the first instance asks for them.
+class PrimitiveCache {
+ public:
+  PrimitiveCache(const GltfModel& model, Scene& scene)
+      : model_(model), scene_(scene), materials_(model, scene) {}
+
+  const std::vector<BuiltPrimitive>& primitives(int mesh) {
+    const auto [entry, added] = built_.try_emplace(mesh);
+    if (!added) return entry->second;
+    const GltfMesh& from = model_.meshes[static_cast<std::size_t>(mesh)];
+    for (const GltfPrimitive& primitive : from.primitives) {
+      const auto built = build(primitive, from.name);
+      if (built) entry->second.push_back(*built);
+    }
+    return entry->second;
+  }
+
+ private:
+  std::optional<BuiltPrimitive> build(const GltfPrimitive& primitive, const std::string& name) {
+    const int uv_set = materials_.uv_set(primitive.material);
+    BuiltMesh built = build_mesh(model_, primitive, uv_set, budget_);
+    for (const std::string& warning : built.warnings) warn("mesh \"" + printable(name) + "\": " + warning);
+    if (built.mesh.triangles.empty()) return std::nullopt;
+    const bool textured = !built.mesh.uvs.empty();
+    if (uv_set >= 0 && !textured) {
+      warn("mesh \"" + printable(name) + "\" has no texture coordinates; its textures are left out");
+    }
+    built.mesh.name = name;
+    const std::uint32_t material = materials_.material(primitive.material, textured);
+    const auto mesh = static_cast<std::uint32_t>(scene_.meshes.size());
+    // Textures may turn out unusable; then the coordinates have no reader.
+    const Material& made = scene_.materials[material];
+    if (made.base_colour_texture < 0 && made.metallic_roughness_texture < 0) built.mesh.uvs.clear();
+    scene_.meshes.push_back(std::move(built.mesh));
+    return BuiltPrimitive{mesh, material};
+  }
+
+  // Says each thing once, however many primitives it holds for.
+  void warn(const std::string& text) {
+    if (said_.insert(text).second) scene_.warnings.push_back(gltf_warning(model_, text));
+  }
+
+  const GltfModel& model_;
+  Scene& scene_;
+  MaterialBuilder materials_;
+  MeshBudget budget_;
+  std::map<int, std::vector<BuiltPrimitive>> built_;
+  std::set<std::string> said_;
+};
+
+std::vector<MeshInstance> append(const std::filesystem::path& file, Scene& scene) {
+  const GltfModel model = read_gltf(file);
+  scene.files.insert(scene.files.end(), model.files.begin(), model.files.end());
+  scene.warnings.insert(scene.warnings.end(), model.warnings.begin(), model.warnings.end());
+
+  PrimitiveCache cache(model, scene);
+  std::vector<MeshInstance> instances;
+  for (const PlacedMesh& placed : flatten_nodes(model)) {
+    for (const BuiltPrimitive& primitive : cache.primitives(placed.mesh)) {
+      instances.push_back({placed.name, primitive.mesh, primitive.material, placed.gltf_from_mesh, false});
+    }
+    if (static_cast<std::int64_t>(instances.size()) > kMaxInstances) {
+      throw InputError(file, 0, "has more than a million instances", "merge some of its nodes");
+    }
+  }
+  if (instances.empty())
+    scene.warnings.push_back(gltf_warning(model, "shows nothing: its scene has no triangles"));
+  return instances;
+}
+
+}  // namespace
+
+std::vector<MeshInstance> append_gltf(const std::filesystem::path& file, Scene& scene) {
+  // Whatever a library throws over this file is the file's fault, except a lack of memory within our own
+  // limits.
+  try {
+    return append(file, scene);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(file, 0, "cannot be read as glTF: " + printable(error.what()), "export the model again");
+  }
+}
+
+}  // namespace herr

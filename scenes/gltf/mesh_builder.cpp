@@ -1,0 +1,195 @@
+#include "scenes/gltf/mesh_builder.h"
+
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "scenes/gltf/accessor_reader.h"
+#include "scenes/gltf/gltf_limits.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+const GltfAccessor& accessor_of(const GltfModel& model, int index) {
+  return model.accessors[static_cast<std::size_t>(index)];
+}
+
+// Triangles of a run of vertex indices. Every second triangle of a strip is turned, so that all face one way.
+std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& run, int mode) {
+  std::vector<Triangle> triangles;
+  if (run.size() < 3) return triangles;
+  if (mode == 4) {
+    triangles.reserve(run.size() / 3);
+    for (std::size_t i = 0; i + 2 < run.size(); i += 3) triangles.push_back({run[i], run[i + 1], run[i + 2]});
+    return triangles;
+  }
+  triangles.reserve(run.size() - 2);
+  for (std::size_t i = 0; i + 2 < run.size(); ++i) {
+    if (mode == 6) triangles.push_back({run[i + 1], run[i + 2], run[0]});
+    if (mode == 5) triangles.push_back({run[i], run[i + 1 + i % 2], run[i + 2 - i % 2]});
+  }
+  return triangles;
+}
+
+// Numbers the vertices that some triangle uses 0, 1, ... in their old order; returns the old index of each.
+std::vector<std::uint32_t> compact(std::vector<Triangle>& triangles, std::size_t vertex_count) {
+  constexpr std::uint32_t kUnused = ~0u;
+  std::vector<std::uint32_t> new_index(vertex_count, kUnused);
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) new_index[vertex] = 0;
+  }
+  std::vector<std::uint32_t> old_index;
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    if (new_index[i] == kUnused) continue;
+    new_index[i] = static_cast<std::uint32_t>(old_index.size());
+    old_index.push_back(static_cast<std::uint32_t>(i));
+  }
+  for (Triangle& triangle : triangles) {
+    for (std::uint32_t& vertex : triangle) vertex = new_index[vertex];
+  }
+  return old_index;
+}
+
+void spend(std::int64_t& budget, std::size_t amount, const GltfModel& model, const char* what) {
+  budget -= static_cast<std::int64_t>(amount);
+  if (budget < 0)
+    throw InputError(model.file, 0, std::string("has too many ") + what, "split or simplify the model");
+}
+
+std::vector<float> read_attribute(const GltfModel& model, int accessor, int components, std::size_t count,
+                                  const char* name, MeshBudget& budget) {
+  if (accessor_of(model, accessor).count != count) {
+    throw InputError(model.file, 0,
+                     std::string("accessors[") + std::to_string(accessor) + "] has another count as " + name +
+                         " than POSITION has",
+                     "export the model again");
+  }
+  spend(budget.decoded_elements, count, model, "vertices");
+  return read_floats(model, accessor, components);
+}
+
+glm::vec3 cross_of(const TriangleMesh& mesh, const Triangle& triangle) {
+  // In double: tiny triangles have cross products that vanish in float.
+  const glm::dvec3 a(mesh.positions[triangle[0]]);
+  const glm::dvec3 cross =
+      glm::cross(glm::dvec3(mesh.positions[triangle[1]]) - a, glm::dvec3(mesh.positions[triangle[2]]) - a);
+  const double length = glm::length(cross);
+  return length > 0 ? glm::vec3(cross / length) : glm::vec3(0.0f);
+}
+
+// Makes every normal unit; those that have no direction take one from a triangle that uses them. Returns how
+// many.
+std::int64_t repair_normals(TriangleMesh& mesh) {
+  std::vector<std::uint8_t> broken(mesh.normals.size(), 0);
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    const glm::dvec3 normal(mesh.normals[i]);
+    const double length = glm::length(normal);
+    broken[i] = length < 1e-6 ? 1 : 0;
+    count += broken[i];
+    mesh.normals[i] = broken[i] != 0 ? glm::vec3(0, 1, 0) : glm::vec3(normal / length);
+  }
+  if (count == 0) return 0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const glm::vec3 face = cross_of(mesh, triangle);
+    if (face == glm::vec3(0.0f)) continue;
+    for (const std::uint32_t vertex : triangle) {
+      if (broken[vertex] != 0) mesh.normals[vertex] = face;
+    }
+  }
+  return count;
+}
+
+// The run of vertex indices that a primitive draws.
+std::vector<std::uint32_t> index_run(const GltfModel& model, const GltfPrimitive& primitive,
+                                     std::size_t vertices, MeshBudget& budget) {
+  if (primitive.indices >= 0) {
+    spend(budget.decoded_elements, accessor_of(model, primitive.indices).count, model, "indices");
+    return read_indices(model, primitive.indices, vertices);
+  }
+  std::vector<std::uint32_t> run(vertices);
+  std::iota(run.begin(), run.end(), 0u);
+  return run;
+}
+
+}  // namespace
+
+// Decoded elements: positions, normals, uvs and three indices per triangle, each at most once per vertex,
+// doubled for primitives that share vertex arrays.
+MeshBudget::MeshBudget()
+    : triangles(kMaxFileTriangles), decoded_elements(6 * kMaxFileVertices + 6 * kMaxFileTriangles) {}
+
+void make_flat(TriangleMesh& mesh) {
+  TriangleMesh flat;
+  flat.name = mesh.name;
+  flat.positions.reserve(3 * mesh.triangles.size());
+  flat.normals.reserve(3 * mesh.triangles.size());
+  flat.triangles.reserve(mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles) {
+    const glm::vec3 cross = cross_of(mesh, triangle);
+    const glm::vec3 normal = cross == glm::vec3(0.0f) ? glm::vec3(0, 1, 0) : cross;  // degenerate: never hit
+    const auto first = static_cast<std::uint32_t>(flat.positions.size());
+    for (const std::uint32_t vertex : triangle) {
+      flat.positions.push_back(mesh.positions[vertex]);
+      flat.normals.push_back(normal);
+      if (!mesh.uvs.empty()) flat.uvs.push_back(mesh.uvs[vertex]);
+    }
+    flat.triangles.push_back({first, first + 1, first + 2});
+  }
+  mesh = std::move(flat);
+}
+
+BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive, int uv_set, MeshBudget& budget) {
+  BuiltMesh built;
+  TriangleMesh& mesh = built.mesh;
+  if (primitive.mode < 4) {
+    built.warnings.push_back("points and lines are left out");
+    return built;
+  }
+  if (primitive.position < 0) {
+    built.warnings.push_back("a primitive without POSITION is left out");
+    return built;
+  }
+
+  const std::size_t count = accessor_of(model, primitive.position).count;
+  mesh.triangles = triangles_of(index_run(model, primitive, count, budget), primitive.mode);
+  if (mesh.triangles.empty()) {
+    built.warnings.push_back("a primitive with fewer than three vertices is left out");
+    return built;
+  }
+  spend(budget.triangles, mesh.triangles.size(), model, "triangles");
+
+  const std::vector<float> positions =
+      read_attribute(model, primitive.position, 3, count, "POSITION", budget);
+  const std::vector<std::uint32_t> old_index = compact(mesh.triangles, count);
+  mesh.positions.reserve(old_index.size());
+  for (const std::size_t i : old_index) {
+    mesh.positions.emplace_back(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+  }
+  const auto set = static_cast<std::size_t>(uv_set);
+  if (uv_set >= 0 && set < primitive.uv_sets.size()) {
+    const std::vector<float> uvs =
+        read_attribute(model, primitive.uv_sets[set], 2, count, "TEXCOORD", budget);
+    mesh.uvs.reserve(old_index.size());
+    for (const std::size_t i : old_index) mesh.uvs.emplace_back(uvs[2 * i], uvs[2 * i + 1]);
+  }
+  if (primitive.normal < 0) {
+    make_flat(mesh);
+    return built;
+  }
+  const std::vector<float> normals = read_attribute(model, primitive.normal, 3, count, "NORMAL", budget);
+  mesh.normals.reserve(old_index.size());
+  for (const std::size_t i : old_index) {
+    mesh.normals.emplace_back(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+  }
+  const std::int64_t repaired = repair_normals(mesh);
+  if (repaired > 0) {
+    built.warnings.push_back(std::to_string(repaired) +
+                             " normals of length zero are taken from their triangles");
+  }
+  return built;
+}
+
+}  // namespace herr

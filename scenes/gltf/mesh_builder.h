@@ -1,0 +1,32 @@
+// Turns one glTF primitive into one TriangleMesh: strips and fans to triangles, vertices that no triangle
+// uses left out, normals made where the file has none. Before: accessor_reader. After: load_gltf. Source:
+// glTF 2.0 section 3.7.2.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenes/gltf/gltf_model.h"
+
+namespace herr {
+
+// What the primitives of one file may still use, so that many small ones cannot add up to more than the
+// limits.
+struct MeshBudget {
+  std::int64_t triangles, decoded_elements;
+  MeshBudget();
+};
+
+struct BuiltMesh {
+  TriangleMesh mesh;                  // no triangles: nothing to draw, `warnings` says why
+  std::vector<std::string> warnings;  // without the file's name
+};
+
+// `uv_set` < 0: the material needs none. mesh.uvs is empty then, and also when the primitive lacks that set.
+BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive, int uv_set, MeshBudget& budget);
+
+// Flat normals: every triangle gets its own three vertices. As the specification asks when NORMAL is absent.
+void make_flat(TriangleMesh& mesh);
+
+}  // namespace herr

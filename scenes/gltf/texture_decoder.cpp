@@ -1,0 +1,79 @@
+#include "scenes/gltf/texture_decoder.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <cstring>
+
+#include "scenes/gltf/gltf_limits.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+// The reader is chosen by the file's first bytes, never by its name: OpenImageIO would otherwise try every
+// plugin.
+const char* format_of(const unsigned char* bytes, std::size_t size) {
+  if (size >= 8 && std::memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0) return "png";
+  if (size >= 3 && std::memcmp(bytes, "\xff\xd8\xff", 3) == 0) return "jpeg";
+  return nullptr;
+}
+
+// Grey, grey + alpha, RGB or RGBA rows to RGBA, in place from the end.
+void expand_to_rgba(std::vector<std::uint8_t>& rgba, std::size_t pixels, int channels) {
+  const auto width = static_cast<std::size_t>(channels);
+  for (std::size_t i = pixels; i-- > 0;) {
+    std::uint8_t from[4] = {0, 0, 0, 255};
+    std::memcpy(from, &rgba[i * width], width);
+    const bool grey = channels <= 2;
+    const std::uint8_t alpha = channels == 2 ? from[1] : from[3];
+    rgba[4 * i + 0] = from[0];
+    rgba[4 * i + 1] = grey ? from[0] : from[1];
+    rgba[4 * i + 2] = grey ? from[0] : from[2];
+    rgba[4 * i + 3] = alpha;
+  }
+}
+
+}  // namespace
+
+DecodedImage decode_image(const unsigned char* bytes, std::size_t size, std::int64_t max_bytes,
+                          const std::filesystem::path& file, const std::string& name) {
+  const auto fail = [&](const std::string& problem, const char* remedy) {
+    return InputError(file, 0, "image \"" + printable(name) + "\" " + problem, remedy);
+  };
+  const char* format = format_of(bytes, size);
+  if (format == nullptr) throw fail("is neither PNG nor JPEG", "convert it to PNG");
+
+  // Declared before the reader: it must outlive it.
+  OIIO::Filesystem::IOMemReader memory(bytes, size);
+  const auto reader = OIIO::ImageInput::create(format);
+  if (!reader || !reader->set_ioproxy(&memory)) {
+    throw std::runtime_error(std::string("OpenImageIO has no in-memory reader for ") + format);
+  }
+  OIIO::ImageSpec wish, spec;
+  wish["oiio:UnassociatedAlpha"] = 1;
+  if (!reader->open(std::string("texture.") + format, spec, wish)) {
+    throw fail("cannot be decoded (" + printable(reader->geterror()) + ")", "export it again");
+  }
+  const std::int64_t pixels = static_cast<std::int64_t>(spec.width) * spec.height;
+  const std::string dimensions = std::to_string(spec.width) + "x" + std::to_string(spec.height);
+  if (spec.width < 1 || spec.height < 1 || spec.width > kMaxImageSide_px || spec.height > kMaxImageSide_px ||
+      pixels > kMaxImagePixels || 4 * pixels > max_bytes) {
+    throw fail("of " + dimensions + " pixels is too big", "shrink the textures of the model");
+  }
+  if (spec.nchannels < 1 || spec.nchannels > 4)
+    throw fail("has an unusual number of channels", "convert it to RGBA");
+
+  DecodedImage image{spec.width, spec.height, {}};
+  image.rgba.resize(static_cast<std::size_t>(4 * pixels));
+  const bool read = reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.rgba.data());
+  // A file that was cut off may still return pixels; the message tells.
+  const std::string message = reader->geterror();
+  if (!read || !message.empty())
+    throw fail("cannot be decoded (" + printable(message) + ")", "export it again");
+  reader->close();
+  expand_to_rgba(image.rgba, static_cast<std::size_t>(pixels), spec.nchannels);
+  return image;
+}
+
+}  // namespace herr

@@ -1,0 +1,68 @@
+// Which reader a path gets, and the light of a bare glTF file.
+#include <algorithm>
+#include <cctype>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "scenes/gltf/load_gltf.h"
+#include "scenes/scene.h"
+#include "scenes/scene_document.h"
+#include "scenes/transform_checks.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+// One light above the middle, as far from it as the model's own diagonal, so that it stays clear of it. Its
+// irradiance at the middle is pi W/m^2: a white diffuse surface there has radiance 1.
+AreaLight light_above(const Bounds& bounds) {
+  const glm::dvec3 extent = bounds.upper - bounds.lower;
+  const double diagonal_m = std::max(glm::length(extent), 1e-3);
+  const double distance_m = 0.5 * extent.y + diagonal_m;
+  AreaLight light;
+  light.name = "above";
+  light.centre = 0.5 * (bounds.lower + bounds.upper) + glm::dvec3(0, distance_m, 0);
+  light.size = glm::vec3(static_cast<float>(0.25 * diagonal_m), 0.0f, static_cast<float>(0.25 * diagonal_m));
+  light.intensity_w_sr = glm::vec3(static_cast<float>(3.14159265358979 * distance_m * distance_m));
+  return light;
+}
+
+Scene load_bare_gltf(const std::filesystem::path& file) {
+  Scene scene;
+  scene.name = file.stem().string();
+  scene.instances = append_gltf(file, scene);
+  scene.lights.push_back(light_above(scene_bounds(scene)));
+  // A fifth of full light in shadows and all around: shapes stay readable.
+  scene.ambient = scene.environment = glm::vec3(0.2f);
+  return scene;
+}
+
+// No vertex may lie so far out that the ray tracer's floats overflow.
+void check_bounds(const Scene& scene, const std::filesystem::path& file) {
+  const Bounds bounds = scene_bounds(scene);
+  const double farthest = std::max(glm::length(bounds.lower), glm::length(bounds.upper));
+  if (!(farthest <= kFarthest_m)) {
+    throw InputError(file, 0, "reaches farther than 1e12 m", "check its units and scales");
+  }
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  Scene scene;
+  if (extension == ".json") {
+    scene = read_scene_document(file);
+  } else if (extension == ".gltf" || extension == ".glb") {
+    scene = load_bare_gltf(file);
+  } else {
+    throw InputError(file, 0, "is not of a format that can be shown",
+                     "name a .scene.json, .gltf or .glb file (convert other models to .glb first)");
+  }
+  check_bounds(scene, file);
+  return scene;
+}
+
+}  // namespace herr

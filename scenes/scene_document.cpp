@@ -1,0 +1,106 @@
+#include "scenes/scene_document.h"
+
+#include <map>
+#include <utility>
+
+#include "scenes/gltf/load_gltf.h"
+#include "scenes/scene_document_parts.h"
+#include "scenes/transform_checks.h"
+#include "sessions/input_error.h"
+#include "sessions/strict_json.h"
+
+namespace herr {
+namespace {
+
+constexpr double kBrightestRadiance = 1e9;
+
+// A glTF file as it was appended to the scene, for entries that name it again.
+using LoadedFiles = std::map<std::filesystem::path, std::vector<MeshInstance>>;
+
+// The file that an entry names: below the folder of the scene document, so that a scene can be copied as a
+// folder.
+std::filesystem::path model_path(const JsonObject& entry) {
+  const std::string name = entry.text("file");
+  const std::filesystem::path relative(name);
+  bool climbs = name.empty() || relative.is_absolute() || name.find('\0') != std::string::npos;
+  for (const auto& part : relative) climbs = climbs || part == "..";
+  if (climbs) {
+    entry.fail("file", "is \"" + printable(name) + "\", which is not below the folder of the scene",
+               "write a path relative to the scene file, without \"..\"");
+  }
+  const std::filesystem::path file = (entry.file().parent_path() / relative).lexically_normal();
+  std::error_code ignored;  // a file that cannot even be looked up is reported as missing
+  if (std::filesystem::exists(file, ignored)) return file;
+  bool generated = false;
+  for (const auto& part : relative) generated = generated || part == "generated";
+  entry.fail("file", "names " + printable(file.string()) + ", which does not exist",
+             generated ? "build first: `cmake --build` makes the generated meshes" : "check the path");
+}
+
+// The material of an instance with the entry's changes; made once per entry and material.
+std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& change, Scene& scene,
+                               std::map<std::uint32_t, std::uint32_t>& changed) {
+  const auto [entry, added] = changed.try_emplace(original, 0);
+  if (added) {
+    entry->second = static_cast<std::uint32_t>(scene.materials.size());
+    Material material = change.apply(scene.materials[original]);
+    scene.materials.push_back(std::move(material));
+  }
+  return entry->second;
+}
+
+void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
+  entry.allow_only({"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material"});
+  const glm::dmat4x3 world_from_gltf = parse_placement(entry);
+  const std::string name = entry.text_or("name", "");
+  const bool catcher = entry.boolean_or("catcher", false);
+  const bool changes = entry.has("material");
+  const MaterialOverride change =
+      changes ? parse_material_override(entry.object("material")) : MaterialOverride{};
+
+  const std::filesystem::path file = model_path(entry);
+  auto known = loaded.find(file);
+  if (known == loaded.end()) known = loaded.emplace(file, append_gltf(file, scene)).first;
+
+  std::map<std::uint32_t, std::uint32_t> changed;
+  for (MeshInstance instance : known->second) {
+    instance.world_from_object = compose(world_from_gltf, instance.world_from_object);
+    if (const auto problem = transform_problem(instance.world_from_object)) {
+      entry.fail("scale", "together with the nodes of the model " + *problem, "write a larger scale");
+    }
+    // "teapot/lid": which entry, and which of its nodes.
+    if (!name.empty()) instance.name = instance.name.empty() ? name : name + "/" + instance.name;
+    instance.catcher = catcher;
+    if (changes) instance.material = changed_material(instance.material, change, scene, changed);
+    scene.instances.push_back(std::move(instance));
+  }
+}
+
+}  // namespace
+
+Scene read_scene_document(const std::filesystem::path& file) {
+  const nlohmann::json document = parse_json_file(file);
+  const JsonObject root(document, file, "");
+  root.allow_only({"format_version", "name", "gltf", "catchers", "lights", "ambient", "environment",
+                   "world_from_session"});
+  root.integer("format_version", 1, 1);
+  Scene scene;
+  scene.files.push_back(file);
+  scene.name = root.text("name");
+  scene.ambient = glm::vec3(root.vec3_or("ambient", 0, kBrightestRadiance, glm::dvec3(0.0)));
+  scene.environment = glm::vec3(root.vec3_or("environment", 0, kBrightestRadiance, glm::dvec3(0.0)));
+  if (root.has("world_from_session"))
+    scene.world_from_session = parse_pose(root.object("world_from_session"));
+  for (const JsonObject& light : root.objects("lights")) scene.lights.push_back(parse_light(light));
+  for (const JsonObject& catcher : root.objects("catchers")) append_catcher(catcher, scene);
+
+  LoadedFiles loaded;
+  for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);
+  if (scene.lights.empty()) {
+    scene.warnings.push_back(printable(file.string()) +
+                             ": no lights: only the ambient term and emission light it");
+  }
+  return scene;
+}
+
+}  // namespace herr

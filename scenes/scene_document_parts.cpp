@@ -1,0 +1,164 @@
+#include "scenes/scene_document_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scenes/catcher_meshes.h"
+#include "scenes/gltf/material_builder.h"
+#include "scenes/transform_checks.h"
+
+namespace herr {
+namespace {
+
+constexpr double kFarthestPlace_m = 1e9;  // of anything that a document places
+constexpr double kLargestScale = 1e6;
+constexpr double kBrightest = 1e9;  // W/sr and radiance
+
+glm::dvec3 parse_scale(const JsonObject& entry) {
+  if (!entry.has("scale")) return glm::dvec3(1.0);
+  glm::dvec3 scale(0.0);
+  if (entry.value("scale").is_number()) {
+    scale = glm::dvec3(entry.number("scale", -kLargestScale, kLargestScale));
+  } else {
+    scale = entry.vec3("scale", -kLargestScale, kLargestScale);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(scale[axis]) < kMinAxisScale) {
+      entry.fail("scale", "is 0: the object would have no extent", "write a scale other than 0");
+    }
+  }
+  return scale;
+}
+
+std::optional<float> optional_factor(const JsonObject& object, const char* key) {
+  if (!object.has(key)) return std::nullopt;
+  return static_cast<float>(object.number(key, 0, 1));
+}
+
+PlacedCatcher parse_box(const JsonObject& box) {
+  box.allow_only({"min", "max"});
+  const glm::dvec3 lower = box.vec3("min", -kFarthestPlace_m, kFarthestPlace_m);
+  const glm::dvec3 upper = box.vec3("max", -kFarthestPlace_m, kFarthestPlace_m);
+  int flat_axes = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (upper[axis] < lower[axis]) box.fail("max", "is below min on an axis", "swap the two numbers");
+    // As the mesh will have it: an extent that vanishes in float has no area either.
+    if (static_cast<float>(upper[axis] - lower[axis]) == 0) ++flat_axes;
+  }
+  if (flat_axes > 1) box.fail("max", "equals min on more than one axis", "give the box an area");
+  return box_catcher(lower, upper);
+}
+
+PlacedCatcher parse_quad(const JsonObject& object) {
+  const nlohmann::json& list = object.value("quad");
+  if (!list.is_array() || list.size() != 4) {
+    object.fail("quad", "is not an array of four corners", "write [[x, y, z], ...] counter-clockwise");
+  }
+  std::array<glm::dvec3, 4> corners{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const nlohmann::json corner = {{"corner", list[i]}};
+    const JsonObject view(corner, object.file(), object.where() + ".quad[" + std::to_string(i) + "]");
+    corners[i] = view.vec3("corner", -kFarthestPlace_m, kFarthestPlace_m);
+  }
+  if (const auto problem = quad_problem(corners)) {
+    object.fail("quad", *problem, "write the four corners of a flat convex surface counter-clockwise");
+  }
+  return quad_catcher(corners);
+}
+
+}  // namespace
+
+glm::dquat parse_orientation(const JsonObject& object, const char* key) {
+  if (!object.has(key)) return {1.0, 0.0, 0.0, 0.0};
+  const std::vector<double> q = object.numbers(key, 4, -1.001, 1.001);
+  const glm::dquat orientation(q[3], q[0], q[1], q[2]);
+  if (std::abs(glm::length(orientation) - 1.0) > 1e-3) {
+    object.fail(key, "is not of unit length", "write a unit quaternion x, y, z, w");
+  }
+  return glm::normalize(orientation);
+}
+
+Pose parse_pose(const JsonObject& object) {
+  object.allow_only({"position", "orientation_xyzw"});
+  return {object.vec3_or("position", -kFarthestPlace_m, kFarthestPlace_m, glm::dvec3(0.0)),
+          parse_orientation(object, "orientation_xyzw")};
+}
+
+glm::dmat4x3 parse_placement(const JsonObject& entry) {
+  const glm::dmat3 rotation = glm::mat3_cast(parse_orientation(entry, "rotation_xyzw"));
+  const glm::dvec3 scale = parse_scale(entry);
+  return {rotation[0] * scale.x, rotation[1] * scale.y, rotation[2] * scale.z,
+          entry.vec3_or("translation", -kFarthestPlace_m, kFarthestPlace_m, glm::dvec3(0.0))};
+}
+
+MaterialOverride parse_material_override(const JsonObject& object) {
+  object.allow_only({"base_colour", "metallic", "roughness", "mirror", "emission"});
+  MaterialOverride change;
+  if (object.has("base_colour")) change.base_colour = glm::vec3(object.vec3("base_colour", 0, 1));
+  if (object.has("emission")) change.emission = glm::vec3(object.vec3("emission", 0, kBrightest));
+  change.metallic = optional_factor(object, "metallic");
+  change.roughness = optional_factor(object, "roughness");
+  change.mirror = optional_factor(object, "mirror");
+  return change;
+}
+
+Material MaterialOverride::apply(Material material) const {
+  // The number that the document gives is what is drawn: a texture must not multiply it.
+  if (base_colour) {
+    material.base_colour = *base_colour;
+    material.base_colour_texture = -1;
+  }
+  if (metallic || roughness) {
+    material.metallic = metallic.value_or(material.metallic);
+    material.roughness = roughness.value_or(material.roughness);
+    material.metallic_roughness_texture = -1;
+    material.mirror = mirror_of(material.metallic, material.roughness);
+  }
+  if (emission) material.emission = *emission;
+  if (mirror) material.mirror = *mirror;
+  return material;
+}
+
+void append_catcher(const JsonObject& object, Scene& scene) {
+  object.allow_only({"name", "box", "quad", "base_colour", "metallic", "roughness", "mirror"});
+  if (object.has("box") == object.has("quad")) {
+    object.fail(nullptr, "needs a box or a quad, and only one of them", "write \"box\" or \"quad\"");
+  }
+  PlacedCatcher catcher = object.has("box") ? parse_box(object.object("box")) : parse_quad(object);
+
+  Material material;
+  material.name = catcher.mesh.name = object.text_or("name", object.where());
+  material.base_colour = glm::vec3(object.vec3_or("base_colour", 0, 1, glm::dvec3(0.5)));
+  material.metallic = static_cast<float>(object.number_or("metallic", 0, 1, 0));
+  material.roughness = static_cast<float>(object.number_or("roughness", 0, 1, 0.8));
+  material.mirror = static_cast<float>(object.number_or("mirror", 0, 1, 0));
+
+  MeshInstance instance;
+  instance.name = material.name;
+  instance.mesh = static_cast<std::uint32_t>(scene.meshes.size());
+  instance.material = static_cast<std::uint32_t>(scene.materials.size());
+  instance.world_from_object[3] = catcher.centre;
+  instance.catcher = true;
+  scene.meshes.push_back(std::move(catcher.mesh));
+  scene.materials.push_back(std::move(material));
+  scene.instances.push_back(std::move(instance));
+}
+
+AreaLight parse_light(const JsonObject& object) {
+  object.allow_only({"name", "centre", "size", "intensity_w_sr", "path"});
+  AreaLight light;
+  light.name = object.text_or("name", object.where());
+  light.centre = object.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
+  light.size = glm::vec3(object.vec3_or("size", 0, kLargestScale, glm::dvec3(0.0)));
+  light.intensity_w_sr = glm::vec3(object.vec3("intensity_w_sr", 0, kBrightest));
+  if (!object.has("path")) return light;
+  const JsonObject path = object.object("path");
+  path.allow_only({"circle_radius_m", "period_s", "phase_deg"});
+  light.path_radius_m = path.number("circle_radius_m", 0, kLargestScale);
+  light.path_period_s = path.number("period_s", 1e-3, 1e9);
+  light.path_phase_deg = path.number_or("phase_deg", -360, 360, 0);
+  return light;
+}
+
+}  // namespace herr

@@ -1,0 +1,25 @@
+// Is a transform one that the ray tracer can take? Embree aborts the process on a scale of 0 and on values
+// that are not finite, so every matrix passes here first. Before: node_flattener, scene_document. After:
+// Scene::instances.
+#pragma once
+
+#include <glm/mat4x3.hpp>
+#include <optional>
+#include <string>
+
+namespace herr {
+
+inline constexpr double kFarthest_m = 1e12;       // of any coordinate; its square still fits a float
+inline constexpr double kMinDeterminant = 1e-12;  // uniform scale 1e-4
+inline constexpr double kMinAxisScale = 1e-12;
+
+// Volume factor; negative for mirrored transforms.
+double determinant(const glm::dmat4x3& transform);
+
+// What is wrong with it ("has a scale of 0 on the y axis"), or none.
+std::optional<std::string> transform_problem(const glm::dmat4x3& transform);
+
+// a_from_b * b_from_c.
+glm::dmat4x3 compose(const glm::dmat4x3& a_from_b, const glm::dmat4x3& b_from_c);
+
+}  // namespace herr
