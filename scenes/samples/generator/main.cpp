@@ -1,0 +1,66 @@
+// herr-make-scenes DIRECTORY: writes the meshes of the sample scenes and prints what they hold.
+// Exit codes: 0 done, 2 usage, 70 a mesh broke its rules or could not be written.
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+
+#include "scenes/samples/generator/mesh_check.h"
+#include "scenes/samples/generator/objects/objects.h"
+
+namespace {
+
+namespace samples = herr::samples;
+
+// The paper's scene holds 290k triangles in nine objects (section 4.1).
+constexpr double kGeneralTriangles = 290'000.0, kTolerance = 0.01;
+constexpr std::size_t kRoomTrianglesAtMost = 5'000;
+
+// Checks and writes one object; returns how many triangles it has.
+std::size_t make(const std::filesystem::path& folder, const char* file, const samples::GlbObject& object) {
+  for (const samples::GlbPart& part : object.parts) {
+    samples::check_mesh(object.name + ", " + part.material.name, part.mesh);
+  }
+  samples::write_glb(folder / file, object);
+  const std::size_t triangles = samples::triangle_count(object);
+  std::printf("%8zu  %s\n", triangles, file);
+  return triangles;
+}
+
+void make_all(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::size_t total = 0;
+  total += make(folder, "teapot.glb", samples::teapot());
+  total += make(folder, "vase.glb", samples::vase());
+  total += make(folder, "statue.glb", samples::statue());
+  total += make(folder, "plant.glb", samples::plant());
+  total += make(folder, "hare.glb", samples::hare());
+  total += make(folder, "knot.glb", samples::knot());
+  total += make(folder, "shell.glb", samples::shell());
+  total += make(folder, "chair.glb", samples::chair());
+  total += make(folder, "armillary_sphere.glb", samples::armillary_sphere());
+  std::printf("%8zu  triangles in the nine objects of general.scene.json\n", total);
+  if (std::abs(static_cast<double>(total) / kGeneralTriangles - 1.0) > kTolerance) {
+    throw std::runtime_error("the general scene must have 290000 triangles within 1 %");
+  }
+  if (make(folder, "room.glb", samples::room()) > kRoomTrianglesAtMost) {
+    throw std::runtime_error("the room must have at most 5000 triangles");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: herr-make-scenes DIRECTORY\n");
+    return 2;
+  }
+  try {
+    make_all(argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "herr-make-scenes: %s\n", error.what());
+    return 70;
+  }
+  return 0;
+}

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+
+#include "scenes/samples/generator/objects/objects.h"
+#include "scenes/samples/generator/pictures/textures.h"
+#include "scenes/samples/generator/shapes/blobs.h"
+#include "scenes/samples/generator/shapes/box.h"
+#include "scenes/samples/generator/shapes/surface_nets.h"
+
+namespace herr::samples {
+
+namespace {
+
+using glm::vec3;
+
+constexpr float kCellM = 0.0105f;
+
+// A robed woman with a raised torch, 1.75 m to the crown, facing +z. x > 0 is her left.
+
+float head(const vec3& p) {
+  float d = ellipsoid(p, {0.0f, 1.600f, 0.015f}, {0.078f, 0.108f, 0.092f});                    // skull
+  d = smooth_union(d, ellipsoid(p, {0.0f, 1.545f, 0.045f}, {0.052f, 0.062f, 0.058f}), 0.03f);  // jaw
+  d = smooth_union(d, tapered_capsule(p, {0, 1.608f, 0.098f}, {0, 1.575f, 0.118f}, 0.009f, 0.014f), 0.015f);
+  for (const float side : {-1.0f, 1.0f}) {
+    const vec3 eye(0.032f * side, 1.603f, 0.108f);
+    d = smooth_difference(d, ellipsoid(p, eye, {0.019f, 0.012f, 0.014f}), 0.014f);
+    d = smooth_union(d, ellipsoid(p, eye - vec3(0, 0.001f, 0.016f), vec3(0.013f)), 0.004f);
+  }
+  d = smooth_union(d, ellipsoid(p, {0, 1.538f, 0.102f}, {0.024f, 0.007f, 0.009f}), 0.006f);  // lips
+  // Hair: a cap with waves, a band, a bun at the back.
+  const float waves = 0.004f * std::sin(90.0f * p.y + 25.0f * std::abs(p.x)) * std::cos(30.0f * p.z);
+  const float hair = ellipsoid(p, {0.0f, 1.628f, -0.008f}, {0.089f, 0.100f, 0.096f}) + waves;
+  d = smooth_union(d, std::max(hair, p.z - 0.062f - 0.25f * (p.y - 1.62f)), 0.008f);
+  return smooth_union(d, ellipsoid(p, {0.0f, 1.635f, -0.115f}, {0.052f, 0.048f, 0.050f}) + waves, 0.012f);
+}
+
+float trunk(const vec3& p) {
+  float d = ellipsoid(p, {0.0f, 1.255f, 0.0f}, {0.158f, 0.170f, 0.108f});
+  for (const float side : {-1.0f, 1.0f}) {
+    d = smooth_union(d, ellipsoid(p, {0.072f * side, 1.255f, 0.085f}, {0.064f, 0.066f, 0.052f}), 0.04f);
+  }
+  d = smooth_union(d, ellipsoid(p, {0.0f, 1.06f, 0.0f}, {0.125f, 0.150f, 0.094f}), 0.08f);
+  d = smooth_union(d, ellipsoid(p, {0.015f, 0.900f, -0.005f}, {0.170f, 0.140f, 0.130f}), 0.08f);
+  d = smooth_union(d, tapered_capsule(p, {-0.16f, 1.365f, 0}, {0.16f, 1.350f, 0}, 0.055f, 0.055f), 0.06f);
+  d = smooth_union(d, tapered_capsule(p, {0, 1.37f, -0.01f}, {0, 1.53f, 0.012f}, 0.058f, 0.047f), 0.05f);
+  // The robe falls in fine folds below the breast and is tied at the waist.
+  const float folds = std::sin(21.0f * std::atan2(p.x, p.z) + 3.0f * std::sin(6.0f * p.y));
+  d += 0.005f * folds * glm::smoothstep(1.36f, 1.18f, p.y);
+  const float belt = std::hypot(std::hypot(p.x, 1.32f * p.z) - 0.128f, p.y - 1.085f) - 0.013f;
+  return smooth_union(d, belt, 0.012f);
+}
+
+float arms(const vec3& p) {
+  // Right arm raised with the torch.
+  const vec3 elbow(-0.330f, 1.480f, 0.050f), wrist(-0.345f, 1.730f, 0.110f);
+  float d = tapered_capsule(p, {-0.18f, 1.37f, 0}, elbow, 0.056f, 0.043f);
+  d = smooth_union(d, tapered_capsule(p, elbow, wrist, 0.043f, 0.028f), 0.03f);
+  d = smooth_union(d, ellipsoid(p, {-0.345f, 1.775f, 0.115f}, {0.036f, 0.045f, 0.036f}), 0.02f);
+  float torch = tapered_capsule(p, {-0.345f, 1.66f, 0.145f}, {-0.345f, 1.89f, 0.125f}, 0.013f, 0.024f);
+  torch = smooth_union(torch, ellipsoid(p, {-0.345f, 1.900f, 0.125f}, {0.050f, 0.020f, 0.050f}), 0.012f);
+  const float twist = 0.007f * std::sin(4.0f * std::atan2(p.z - 0.125f, p.x + 0.345f) + 30.0f * p.y);
+  torch = smooth_union(
+      torch, tapered_capsule(p, {-0.345f, 1.93f, 0.125f}, {-0.335f, 2.02f, 0.120f}, 0.040f, 0.006f) + twist,
+      0.015f);
+  d = smooth_union(d, torch, 0.010f);
+  // Left arm bent, the hand gathering the cloak.
+  const vec3 left_elbow(0.265f, 1.105f, -0.035f), left_wrist(0.185f, 1.020f, 0.165f);
+  d = std::min(d, tapered_capsule(p, {0.18f, 1.355f, 0}, left_elbow, 0.056f, 0.044f));
+  d = smooth_union(d, tapered_capsule(p, left_elbow, left_wrist, 0.044f, 0.029f), 0.03f);
+  return smooth_union(d, ellipsoid(p, {0.165f, 1.010f, 0.195f}, {0.040f, 0.030f, 0.042f}), 0.02f);
+}
+
+float skirt(const vec3& p) {
+  // A bell from the hips to the ground, its folds deeper towards the hem, one knee pressing forward.
+  const float down = glm::clamp((0.92f - p.y) / 0.92f, 0.0f, 1.0f);
+  const float angle = std::atan2(p.x, p.z);
+  const float radius = glm::mix(0.150f, 0.235f, down * std::sqrt(down));
+  const float fold =
+      std::sin(13.0f * angle + 1.4f * std::sin(3.0f * p.y)) + 0.5f * std::sin(29.0f * angle - 4.0f * p.y);
+  const float edge = radius + 0.017f * down * fold;
+  float d = 0.8f * (std::hypot(p.x, 1.12f * p.z) - edge);  // 0.8: the folds steepen the field
+  d = std::max(d, std::max(p.y - 0.95f, 0.012f - p.y));
+  float knee = tapered_capsule(p, {-0.08f, 0.88f, 0.03f}, {-0.095f, 0.50f, 0.165f}, 0.095f, 0.072f);
+  knee = smooth_union(
+      knee, tapered_capsule(p, {-0.095f, 0.50f, 0.165f}, {-0.09f, 0.10f, 0.13f}, 0.070f, 0.055f), 0.05f);
+  d = smooth_union(d, knee, 0.09f);
+  for (const float side : {-1.0f, 1.0f}) {
+    const float forward = side < 0.0f ? 0.245f : 0.215f;
+    d = smooth_union(d, ellipsoid(p, {0.095f * side, 0.028f, forward}, {0.045f, 0.036f, 0.085f}), 0.02f);
+  }
+  return d;
+}
+
+float cloak(const vec3& p) {
+  // Over the left shoulder, across the breast to the right hip, and hanging from the left forearm.
+  const float ripple = 0.006f * std::sin(70.0f * (p.x + 0.6f * p.y)) * std::cos(9.0f * p.y);
+  float d = tapered_capsule(p, {0.155f, 1.395f, -0.02f}, {0.085f, 1.270f, 0.125f}, 0.040f, 0.036f);
+  d = smooth_union(d, tapered_capsule(p, {0.085f, 1.270f, 0.125f}, {-0.155f, 0.960f, 0.075f}, 0.036f, 0.045f),
+                   0.03f);
+  d = smooth_union(d, tapered_capsule(p, {0.155f, 1.395f, -0.02f}, {-0.05f, 1.02f, -0.130f}, 0.042f, 0.070f),
+                   0.05f);
+  const vec3 hem = (p - vec3(0.205f, 0.0f, 0.095f)) * vec3(1.0f, 1.0f, 0.62f);
+  const float pleats = 0.010f * std::sin(95.0f * p.z + 3.0f * std::sin(5.0f * p.y));
+  const float fall =
+      0.75f * (tapered_capsule(hem, {0, 1.02f, 0}, {0.03f, 0.36f, 0.0f}, 0.038f, 0.062f) + pleats);
+  d = smooth_union(d, std::max(fall, 0.34f - p.y), 0.03f);
+  return d + ripple;
+}
+
+float figure(const vec3& p) {
+  const float body = smooth_union(smooth_union(trunk(p), skirt(p), 0.07f), arms(p), 0.025f);
+  return std::min(smooth_union(smooth_union(body, cloak(p), 0.022f), head(p), 0.02f),
+                  ellipsoid(p, {0, 0.0f, 0.02f}, {0.33f, 0.035f, 0.33f}));
+}
+
+Mesh plinth() {
+  Mesh mesh;
+  const auto slab = [&](float half, float from, float to) {
+    append(mesh, box({-half, from, -half}, {half, to, half}, 1.0f), glm::mat4(1.0f));
+  };
+  slab(0.34f, 0.00f, 0.08f);
+  slab(0.31f, 0.08f, 0.11f);
+  slab(0.28f, 0.11f, 0.29f);
+  slab(0.31f, 0.29f, 0.32f);
+  slab(0.33f, 0.32f, 0.36f);
+  return mesh;
+}
+
+}  // namespace
+
+GlbObject statue() {
+  const Mesh body = surface_nets(figure, {{-0.46f, -0.06f, -0.38f}, {0.40f, 2.08f, 0.40f}, kCellM});
+  Mesh mesh;
+  append(mesh, body, glm::translate(glm::mat4(1.0f), vec3(0.0f, 0.375f, 0.0f)));
+  append(mesh, plinth(), glm::mat4(1.0f));
+  return {"statue", {{mesh, {"marble", vec3(1.0f), 0.0f, 0.5f, {}, marble_picture()}}}};
+}
+
+}  // namespace herr::samples
