@@ -1,0 +1,25 @@
+// The command line: which command, with which options. CLI11 stands behind the .cpp file; values are read
+// strictly (flag_values.h), unknown flags name the nearest known one, and every mistake is a UsageError.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "server/bench/bench_options.h"
+#include "server/replay/replay_options.h"
+#include "server/synth/synth_options.h"
+
+namespace herr {
+
+// --help or --version: text for stdout, nothing else to do.
+struct ShowText {
+  std::string text;
+};
+
+using Command = std::variant<ShowText, ReplayOptions, BenchOptions, SynthOptions>;
+
+// Arguments without the program's name. --help and --version win over every mistake in the rest.
+Command parse_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace herr

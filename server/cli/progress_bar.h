@@ -1,0 +1,32 @@
+// One line on a terminal that shows how far a run is; silent when stderr is not a terminal.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace herr {
+
+// The text of the bar, pure: "desk-walk [#####-----]  60/120  12.3 frames/s  ETA 0:05".
+std::string progress_text(const std::string& label, std::int64_t done, std::int64_t total, double elapsed_s);
+
+class ProgressBar {
+ public:
+  ProgressBar(std::string label, std::int64_t total);
+  ~ProgressBar();  // clears the line
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  // Redraws at most ten times a second.
+  void update(std::int64_t done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const bool shown_;
+  const std::string label_;
+  const std::int64_t total_;
+  const Clock::time_point start_;
+  Clock::time_point last_drawn_;
+};
+
+}  // namespace herr

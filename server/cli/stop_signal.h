@@ -1,0 +1,13 @@
+// SIGINT, SIGTERM and SIGHUP: the first one asks the run to end after the current frame, a second one ends
+// the process at once. SIGPIPE and SIGXFSZ are ignored, so that the write that failed reports it.
+#pragma once
+
+namespace herr {
+
+// Call once at the start of main, before any thread exists. SIGHUP stays ignored if it was (nohup).
+void install_signal_handling();
+
+// Number of the signal that asked for the end, 0 while none did. Any thread.
+int stop_signal();
+
+}  // namespace herr

@@ -1,0 +1,31 @@
+// herr: replays recorded XR sessions and ray-traces each frame. A table of contents; every command is in a
+// folder.
+#include "server/bench/bench_command.h"
+#include "server/cli/command_line.h"
+#include "server/cli/exit_code.h"
+#include "server/cli/stop_signal.h"
+#include "server/cli/terminal.h"
+#include "server/replay/replay_command.h"
+#include "server/synth/synth_command.h"
+
+namespace {
+
+struct RunCommand {
+  int operator()(const herr::ShowText& show) const {
+    herr::print_result(show.text);
+    return herr::kExitDone;
+  }
+  int operator()(const herr::ReplayOptions& options) const { return herr::run_replay(options); }
+  int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
+  int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  herr::install_signal_handling();
+  return herr::run_guarded([&] {
+    const herr::Command command = herr::parse_command_line({argv + (argc > 0 ? 1 : 0), argv + argc});
+    return std::visit(RunCommand{}, command);
+  });
+}

@@ -1,0 +1,143 @@
+#include "server/output/exr_encoder.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfVecAttribute.h>
+
+#include <glm/vec3.hpp>
+
+#include "server/output/memory_stream.h"
+#include "server/output/srgb_table.h"
+#include "server/statistics/number_text.h"
+
+namespace herr {
+namespace {
+
+// ZIPS at level 1: see the measurements in README.md of the folder above.
+constexpr Imf::Compression kCompression = Imf::ZIPS_COMPRESSION;
+constexpr int kZipLevel = 1;
+
+Imath::V3d vec(const glm::dvec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+std::string quaternion_text(const glm::dquat& q) {
+  return shortest_text(q.x) + " " + shortest_text(q.y) + " " + shortest_text(q.z) + " " + shortest_text(q.w);
+}
+
+void describe_run(const PictureMetadata& metadata, Imf::Header& header) {
+  header.insert("herr.frame", Imf::IntAttribute(static_cast<int>(metadata.frame)));
+  header.insert("herr.session", Imf::StringAttribute(metadata.session));
+  header.insert("herr.scene", Imf::StringAttribute(metadata.scene));
+  header.insert("herr.program", Imf::StringAttribute(metadata.program));
+  header.insert("herr.isa", Imf::StringAttribute(metadata.isa));
+  header.insert("herr.settings", Imf::StringAttribute(metadata.settings));
+}
+
+void describe_headset(const FrameSample& sample, const Viewport& viewport, Imf::Header& header) {
+  const auto eye = static_cast<std::size_t>(viewport.eye);
+  // OpenEXR has no 64-bit integer attribute: stamps are text.
+  header.insert("herr.time_ns", Imf::StringAttribute(std::to_string(sample.t_ns)));
+  header.insert("herr.pose_stamp_ns", Imf::StringAttribute(std::to_string(sample.head.stamp_ns)));
+  header.insert("herr.pose_source", Imf::StringAttribute(name_of(sample.head.source)));
+  header.insert("herr.head_position_m", Imf::V3dAttribute(vec(sample.head.world_from_head.position)));
+  header.insert("herr.head_orientation_xyzw",
+                Imf::StringAttribute(quaternion_text(sample.head.world_from_head.orientation)));
+  header.insert("herr.eye_position_in_head_m", Imf::V3dAttribute(vec(sample.head_from_eye[eye].position)));
+  header.insert("herr.eye_orientation_in_head_xyzw",
+                Imf::StringAttribute(quaternion_text(sample.head_from_eye[eye].orientation)));
+  header.insert("herr.gaze_in_head", Imf::V3dAttribute(vec(sample.gaze.head_direction[eye])));
+  header.insert("herr.gaze_source", Imf::StringAttribute(name_of(sample.gaze.source[eye])));
+}
+
+Imf::Header make_header(const Viewport& viewport, const FrameSample& sample,
+                        const PictureMetadata& metadata) {
+  Imf::Header header(viewport.width_px, viewport.height_px);
+  header.setName(viewport.name);
+  header.setType(Imf::SCANLINEIMAGE);
+  header.setView(viewport.eye == Eye::left ? "left" : "right");
+  header.compression() = kCompression;
+  header.zipCompressionLevel() = kZipLevel;
+  for (const char* channel : {"R", "G", "B", "A"}) header.channels().insert(channel, Imf::Channel(Imf::HALF));
+  describe_run(metadata, header);
+  describe_headset(sample, viewport, header);
+  header.insert("herr.viewport_kind", Imf::StringAttribute(viewport.focus ? "focus" : "context"));
+  header.insert("herr.tan_left", Imf::DoubleAttribute(viewport.tan_left));
+  header.insert("herr.tan_right", Imf::DoubleAttribute(viewport.tan_right));
+  header.insert("herr.tan_down", Imf::DoubleAttribute(viewport.tan_down));
+  header.insert("herr.tan_up", Imf::DoubleAttribute(viewport.tan_up));
+  header.insert("herr.edge_blend_deg", Imf::DoubleAttribute(viewport.edge_blend_deg));
+  return header;
+}
+
+// The texels as OpenEXR wants them: four interleaved channels over the rows of the picture.
+Imf::FrameBuffer frame_buffer_over(const ViewportImage& image) {
+  Imf::FrameBuffer buffer;
+  // OpenEXR's reading and writing slices share one type, hence the cast: an output file never writes through
+  // it.
+  char* base = const_cast<char*>(reinterpret_cast<const char*>(image.rgba_half.data()));
+  const std::size_t texel = 4 * sizeof(std::uint16_t);
+  const std::array<const char*, 4> channels{"R", "G", "B", "A"};
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    buffer.insert(channels[c],
+                  Imf::Slice(Imf::HALF, base + c * sizeof(std::uint16_t), texel, texel * image.row_stride));
+  }
+  return buffer;
+}
+
+std::int64_t count_nonfinite(const ViewportImage& image) {
+  std::int64_t count = 0;
+  const auto values = 4 * static_cast<std::size_t>(image.width_px);
+  for (int y = 0; y < image.height_px; ++y) {
+    const std::uint16_t* row = image.row(y);
+    for (std::size_t i = 0; i < values; ++i) count += half_is_finite(row[i]) ? 0 : 1;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::int64_t encode_exr(const std::vector<ViewportImage>& viewports, const DisplayProfile& profile,
+                        const FrameSample& sample, const PictureMetadata& metadata,
+                        const ParallelFor& parallel_for, std::vector<std::uint8_t>& out) {
+  std::vector<Imf::Header> headers;
+  for (const Viewport& viewport : profile.viewports)
+    headers.push_back(make_header(viewport, sample, metadata));
+
+  // Compress each part as a file of its own, all at once.
+  std::vector<std::vector<std::uint8_t>> parts(viewports.size());
+  std::vector<std::int64_t> nonfinite(viewports.size(), 0);
+  parallel_for(static_cast<int>(viewports.size()), [&](int i) {
+    const auto part = static_cast<std::size_t>(i);
+    nonfinite[part] = count_nonfinite(viewports[part]);
+    MemoryOutput stream(parts[part]);
+    Imf::OutputFile file(stream, headers[part], 0);
+    file.setFrameBuffer(frame_buffer_over(viewports[part]));
+    file.writePixels(viewports[part].height_px);
+  });
+
+  // Then bring the compressed chunks together, as they are.
+  {
+    MemoryOutput stream(out);
+    Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()), false, 0);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      MemoryInput part_stream(parts[i]);
+      Imf::InputFile part(part_stream, 0);
+      Imf::OutputPart(file, static_cast<int>(i)).copyPixels(part);
+    }
+  }
+  std::int64_t total = 0;
+  for (const std::int64_t count : nonfinite) total += count;
+  return total;
+}
+
+}  // namespace herr

@@ -1,0 +1,49 @@
+#include "server/replay/frame_description.h"
+
+#include <algorithm>
+
+namespace herr {
+namespace {
+
+constexpr double kMsPerNs = 1e-6;
+
+// A negative age says that the value was interpolated: its age has no meaning.
+std::optional<double> age_ms(TimeNs age_ns) {
+  if (age_ns < 0) return std::nullopt;
+  return static_cast<double>(age_ns) * kMsPerNs;
+}
+
+// The older one where the eyes have cameras of their own.
+std::optional<double> camera_age_ms(const FrameSample& sample) {
+  std::optional<double> oldest;
+  for (const auto& camera : sample.cameras) {
+    if (!camera) continue;
+    const std::optional<double> age = age_ms(camera->age_ns);
+    if (age && (!oldest || *age > *oldest)) oldest = age;
+  }
+  return oldest;
+}
+
+}  // namespace
+
+FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered,
+                           double period_ms, ReplayClock clock, bool session_has_gaze) {
+  FrameRecord record;
+  record.frame = frame;
+  record.t_ns = sample.t_ns;
+  record.times = rendered.times;
+  record.counters = rendered.counters;
+  record.theta_max_deg = rendered.theta_max_deg;
+  record.pose_source = sample.head.source;
+  record.gaze_source = sample.gaze.source;
+  record.pose_age_ms = age_ms(sample.head.age_ns);
+  if (session_has_gaze) record.gaze_age_ms = age_ms(sample.gaze.age_ns);
+  record.camera_age_ms = camera_age_ms(sample);
+  const double frame_ms = rendered.times.frame_ms;
+  record.missed = frame_ms > period_ms;
+  const double shown_after_ms = clock == ReplayClock::max ? frame_ms : std::max(frame_ms, period_ms);
+  if (record.pose_age_ms) record.motion_to_photon_ms = *record.pose_age_ms + shown_after_ms;
+  return record;
+}
+
+}  // namespace herr

@@ -1,0 +1,17 @@
+// From what one frame was made of and how long it took to its row in frames.csv: ages, motion-to-photon,
+// missed.
+#pragma once
+
+#include "renderer/renderer.h"
+#include "server/replay/frame_range.h"
+#include "server/replay/replay_options.h"
+#include "server/statistics/frame_record.h"
+
+namespace herr {
+
+// Presentation time: virtual = frame start + max(frame time, one period); max = frame start + frame time.
+// Costs of sampling and writing are filled in by the caller.
+FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered,
+                           double period_ms, ReplayClock clock, bool session_has_gaze);
+
+}  // namespace herr

@@ -1,0 +1,62 @@
+#include "server/replay/picture_output.h"
+
+#include <chrono>
+#include <cstddef>
+#include <utility>
+
+#include "server/output/contact_sheet.h"
+#include "server/output/png_encoder.h"
+
+namespace herr {
+
+PictureOutput::PictureOutput(Config config, const OutputFolder& folder, Renderer& renderer,
+                             FrameWriter& writer)
+    : config_(std::move(config)), folder_(folder), renderer_(renderer), writer_(writer) {
+  const std::size_t viewports = config_.profile.viewports.size();
+  if (config_.format == PictureFormat::png) pictures_.resize(viewports);
+  if (config_.format != PictureFormat::none)
+    files_.resize(config_.format == PictureFormat::png ? viewports : 1);
+}
+
+ParallelFor PictureOutput::parallel_for() {
+  return [this](int count, const std::function<void(int)>& work) { renderer_.parallel_for(count, work); };
+}
+
+void PictureOutput::encode_pngs(const RenderedFrame& rendered, Cost& cost) {
+  renderer_.parallel_for(static_cast<int>(pictures_.size()), [&](int i) {
+    const auto index = static_cast<std::size_t>(i);
+    srgb8_from_viewport(rendered.viewports[index], config_.with_alpha, pictures_[index]);
+    encode_png(pictures_[index], files_[index]);
+  });
+  for (const Srgb8Image& picture : pictures_) cost.nonfinite_values += picture.nonfinite_values;
+}
+
+PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSample& sample,
+                                               const RenderedFrame& rendered, bool contact_sheet) {
+  Cost cost;
+  // Encode everything first: that is what write_ms measures.
+  const auto start = std::chrono::steady_clock::now();
+  config_.metadata.frame = frame;
+  if (config_.format == PictureFormat::png) encode_pngs(rendered, cost);
+  if (config_.format == PictureFormat::exr) {
+    cost.nonfinite_values = encode_exr(rendered.viewports, config_.profile, sample, config_.metadata,
+                                       parallel_for(), files_.front());
+  }
+  if (contact_sheet) {
+    draw_contact_sheet(rendered.viewports, config_.profile, parallel_for(), sheet_);
+    encode_png(sheet_, sheet_file_);
+  }
+  const auto encoded = std::chrono::steady_clock::now();
+  cost.encode_ms = std::chrono::duration<double, std::milli>(encoded - start).count();
+
+  // Then hand the bytes over.
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const std::string suffix =
+        config_.format == PictureFormat::exr ? ".exr" : "." + config_.profile.viewports[i].name + ".png";
+    cost.wait_ms += writer_.submit(folder_.picture(frame, suffix), files_[i]);
+  }
+  if (contact_sheet) cost.wait_ms += writer_.submit(folder_.contact_sheet(frame), sheet_file_);
+  return cost;
+}
+
+}  // namespace herr

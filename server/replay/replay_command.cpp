@@ -1,0 +1,111 @@
+#include "server/replay/replay_command.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "server/cli/stop_signal.h"
+#include "server/cli/terminal.h"
+#include "server/output/atomic_file.h"
+#include "server/replay/output_folder.h"
+#include "server/replay/replay_session.h"
+#include "server/replay/summary_json.h"
+#include "server/statistics/latency_table.h"
+#include "server/statistics/number_text.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+constexpr std::size_t kMostWarningsShown = 10;
+
+void check_isa(const RenderSettings& settings) {
+  try {
+    resolve_isa(settings.isa);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
+  }
+}
+
+void check_folders(const ReplayOptions& options) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& session : options.sessions) {
+    const std::string name = session_folder_name(session);
+    for (const std::string& other : names) {
+      if (name == other) {
+        throw UsageError("two sessions are called " + printable(name) +
+                         " and would share one output folder; replay them into different --out");
+      }
+    }
+    names.push_back(name);
+    OutputFolder(options.out, session).check(options.overwrite);
+  }
+}
+
+void show_warnings(const SessionReport& report) {
+  for (std::size_t i = 0; i < report.warnings.size(); ++i) {
+    if (i == kMostWarningsShown) {
+      print_message("warning: " + std::to_string(report.warnings.size() - i) + " more are in " +
+                    printable((report.out_folder / "summary.json").string()));
+      return;
+    }
+    print_message("warning: " + report.warnings[i]);
+  }
+}
+
+// The heading and table of one session, and where its files are.
+std::string report_text(const SessionReport& report) {
+  const RunStatistics& statistics = report.statistics;
+  std::string text = printable(report.name) + ": " + std::to_string(statistics.frames) + " frames";
+  if (report.state != ReplayState::done) {
+    text += std::string(" of ") + std::to_string(report.range.count) + " (" + name_of(report.state) + ")";
+  }
+  text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
+          fixed_text(report.range.period_ms(), 2) + " ms; " + std::to_string(report.settings.threads) +
+          " threads, " + name_of(report.settings.isa) + ", " + settings_text(report.settings) + "\n\n";
+  if (statistics.frames > 0) text += latency_table(statistics) + "\n";
+  text += "results: " + printable(report.out_folder.string()) + "\n";
+  for (const std::string& sheet : report.contact_sheets) {
+    if (report.contact_sheets.size() > 1) break;
+    text += "contact sheet: " + printable((report.out_folder / sheet).string()) + "\n";
+  }
+  return text;
+}
+
+std::string total_text(const std::vector<SessionReport>& reports) {
+  RunStatistics total;
+  for (const SessionReport& report : reports) total.merge(report.statistics);
+  if (total.frames == 0) return {};
+  return "\nall " + std::to_string(reports.size()) + " sessions: " + std::to_string(total.frames) +
+         " frames, " + std::to_string(total.missed_frames) + " over the display period\n\n" +
+         latency_table(total);
+}
+
+}  // namespace
+
+int run_replay(const ReplayOptions& options) {
+  check_isa(options.render);
+  check_folders(options);
+  std::vector<SessionReport> reports;
+  int exit_code = kExitDone;
+  for (const std::filesystem::path& session : options.sessions) {
+    reports.push_back(replay_session(session, options));
+    const SessionReport& report = reports.back();
+    show_warnings(report);
+    if (!report.error.empty()) print_message(report.error);
+    exit_code = worse_exit_code(exit_code, report.exit_code);
+    if (!options.json && report.statistics.frames > 0) {
+      print_result((reports.size() > 1 ? "\n" : "") + report_text(report));
+    }
+    // A full disk or the user's wish to stop holds for the sessions that follow as well.
+    if (stop_signal() != 0 || report.exit_code == kExitTemporary) break;
+  }
+  if (options.json) {
+    print_result(json_text(run_json(reports, options, exit_code)));
+  } else if (reports.size() > 1) {
+    print_result(total_text(reports));
+  }
+  return exit_code;
+}
+
+}  // namespace herr

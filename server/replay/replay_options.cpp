@@ -1,0 +1,33 @@
+#include "server/replay/replay_options.h"
+
+namespace herr {
+
+const char* name_of(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::png:
+      return "png";
+    case PictureFormat::exr:
+      return "exr";
+    case PictureFormat::none:
+      return "none";
+  }
+  return "unknown";
+}
+
+const char* name_of(ReplayClock clock) {
+  return clock == ReplayClock::max ? "max" : "virtual";
+}
+
+const char* name_of(SamplingMode mode) {
+  switch (mode) {
+    case SamplingMode::latest:
+      return "latest";
+    case SamplingMode::predict:
+      return "predict";
+    case SamplingMode::interpolate:
+      return "interpolate";
+  }
+  return "unknown";
+}
+
+}  // namespace herr

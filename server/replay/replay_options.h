@@ -1,0 +1,45 @@
+// What `herr replay` is asked to do; one struct, each field with its default and a sentence.
+// Before: the command line fills it. After: replay_command, replay_session.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/render_settings.h"
+#include "sessions/session.h"
+
+namespace herr {
+
+enum class PictureFormat { png, exr, none };
+enum class ReplayClock {
+  virtual_time,
+  max
+};  // session time is the same; they differ in when a frame is shown
+enum class SheetChoice { none, all, middle, one };
+
+struct ReplayOptions {
+  std::vector<std::filesystem::path> sessions;  // at least one folder
+  std::string scene;                            // empty: the scene that the session names
+  std::filesystem::path out = "out";            // each session gets a folder of its name in it
+  PictureFormat format = PictureFormat::png;
+  std::string profile;  // built-in name or file; empty: the profile of the session
+  RenderSettings render;
+  SessionOptions session;
+  ReplayClock clock = ReplayClock::virtual_time;
+  double start_s = 0;                  // first frame at or after this time of the session
+  std::optional<double> duration_s;    // frames before start + duration
+  std::optional<std::int64_t> frames;  // at most this many frames
+  SheetChoice sheet = SheetChoice::middle;
+  std::int64_t sheet_frame = 0;  // for SheetChoice::one
+  bool overwrite = false;        // replace the results in a folder that is not empty
+  bool json = false;             // results on stdout as JSON instead of a table
+};
+
+const char* name_of(PictureFormat format);
+const char* name_of(ReplayClock clock);
+const char* name_of(SamplingMode mode);
+
+}  // namespace herr

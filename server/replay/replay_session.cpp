@@ -1,0 +1,240 @@
+#include "server/replay/replay_session.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "renderer/renderer.h"
+#include "server/cli/progress_bar.h"
+#include "server/cli/stop_signal.h"
+#include "server/cli/version.h"
+#include "server/output/atomic_file.h"
+#include "server/output/frame_writer.h"
+#include "server/output/frames_csv.h"
+#include "server/replay/frame_description.h"
+#include "server/replay/output_folder.h"
+#include "server/replay/picture_output.h"
+#include "server/replay/summary_json.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+class SessionReplay {
+ public:
+  SessionReplay(const std::filesystem::path& session, const ReplayOptions& options)
+      : options_(options), folder_(options.out, session) {
+    report_.name = session_folder_name(session);
+    report_.session_folder = session;
+    report_.out_folder = folder_.path();
+  }
+
+  SessionReport run();
+
+ private:
+  void open();
+  void open_scene();
+  void start_output();
+  void render_frames();
+  void render_one(std::int64_t frame);
+  void finish_pictures();
+  void close_output();
+  void note_failure();
+  void add_run_warnings();
+  bool wants_sheet(std::int64_t frame) const;
+
+  const ReplayOptions& options_;
+  const OutputFolder folder_;
+  SessionReport report_;
+  std::optional<Session> session_;
+  Scene scene_;
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<FrameWriter> writer_;
+  std::unique_ptr<PictureOutput> pictures_;
+  std::unique_ptr<AtomicFile> csv_;
+  RenderedFrame rendered_;
+  SceneState state_;
+};
+
+SessionReport SessionReplay::run() {
+  try {
+    open();
+    start_output();
+    render_frames();
+    finish_pictures();
+  } catch (...) {
+    note_failure();
+  }
+  // What was finished is described even after a failure. When that fails as well (a full disk), the first
+  // failure is the one to tell: the second follows from it.
+  try {
+    if (csv_) close_output();
+  } catch (...) {
+    if (report_.state != ReplayState::failed) note_failure();
+  }
+  return std::move(report_);
+}
+
+void SessionReplay::note_failure() {
+  report_.state = ReplayState::failed;
+  report_.exit_code = exit_code_of_current_exception(report_.error);
+}
+
+// Reads and checks everything; nothing is written yet.
+void SessionReplay::open() {
+  session_.emplace(Session::open(report_.session_folder, options_.session));
+  report_.header = session_->header();
+  report_.findings = session_->findings();
+  report_.profile =
+      options_.profile.empty() ? report_.header.profile : load_display_profile(options_.profile);
+  report_.range = frames_to_replay(session_->start_ns(), session_->end_ns(), report_.profile.display_hz,
+                                   {options_.start_s, options_.duration_s, options_.frames});
+  if (report_.range.count == 0) {
+    throw UsageError("--start, --duration: no frame of " + printable(report_.name) +
+                     " lies in that span; choose one within the session");
+  }
+  open_scene();
+  const bool has_camera = report_.findings.camera_rows[0] > 0;
+  renderer_ = std::make_unique<Renderer>(scene_, report_.profile, options_.render, has_camera);
+  report_.plan = renderer_->plan();
+  report_.settings = renderer_->settings();
+}
+
+void SessionReplay::open_scene() {
+  const std::string& named = report_.header.scene;
+  if (options_.scene.empty() && named.empty()) {
+    throw UsageError("--scene: " + printable(report_.name) + " names no scene; give --scene FILE");
+  }
+  report_.scene_file =
+      options_.scene.empty() ? session_->folder() / named : std::filesystem::path(options_.scene);
+  scene_ = load_scene(report_.scene_file);
+  report_.scene_name = scene_.name;
+  report_.scene_triangles = triangle_count(scene_, false) + triangle_count(scene_, true);
+}
+
+void SessionReplay::start_output() {
+  folder_.prepare(options_.format);
+  // Two frames may wait: enough to even out the disk, little enough to hold in memory.
+  const bool png = options_.format == PictureFormat::png;
+  const std::size_t files_per_frame = png ? report_.profile.viewports.size() : 1;
+  writer_ = std::make_unique<FrameWriter>(2 * files_per_frame);
+  PictureOutput::Config config;
+  config.format = options_.format;
+  config.with_alpha = !report_.plan.camera;
+  config.profile = report_.profile;
+  config.metadata.session = printable(report_.name);
+  config.metadata.scene = printable(report_.scene_name);
+  config.metadata.program = program_with_version();
+  config.metadata.isa = name_of(report_.settings.isa);
+  config.metadata.settings = settings_text(report_.settings);
+  pictures_ = std::make_unique<PictureOutput>(std::move(config), folder_, *renderer_, *writer_);
+  csv_ = std::make_unique<AtomicFile>(folder_.frames_csv());
+  csv_->write(frames_csv_header());
+}
+
+void SessionReplay::render_frames() {
+  ProgressBar progress(report_.name, report_.range.count);
+  for (std::int64_t i = 0; i < report_.range.count; ++i) {
+    if (const int signal = stop_signal(); signal != 0) {
+      report_.state = ReplayState::interrupted;
+      report_.exit_code = kExitSignalBase + signal;
+      return;
+    }
+    render_one(report_.range.first + i);
+    progress.update(i + 1);
+  }
+}
+
+void SessionReplay::render_one(std::int64_t frame) {
+  const TimeNs t_ns = report_.range.time_ns(frame);
+  const Clock::time_point start = Clock::now();
+  const FrameSample sample = session_->sample(t_ns);
+  const double sample_ms = milliseconds_since(start);
+
+  scene_state_at(scene_, static_cast<double>(t_ns - session_->start_ns()) * kSecondsPerNs, state_);
+  renderer_->render_frame(sample, state_, rendered_);
+
+  FrameRecord record = describe_frame(frame, sample, rendered_, report_.range.period_ms(), options_.clock,
+                                      report_.findings.gaze_rows > 0);
+  const bool sheet = wants_sheet(frame);
+  const PictureOutput::Cost cost = pictures_->write_frame(frame, sample, rendered_, sheet);
+  if (sheet) report_.contact_sheets.push_back(folder_.contact_sheet(frame).filename().string());
+  record.sample_ms = sample_ms;
+  record.write_ms = cost.encode_ms;
+  record.wait_ms = cost.wait_ms;
+  record.nonfinite_pictures = cost.nonfinite_values;
+  report_.statistics.add(record);
+  csv_->write(frames_csv_row(record));
+}
+
+bool SessionReplay::wants_sheet(std::int64_t frame) const {
+  switch (options_.sheet) {
+    case SheetChoice::none:
+      return false;
+    case SheetChoice::all:
+      return true;
+    case SheetChoice::middle:
+      return frame == report_.range.middle();
+    case SheetChoice::one:
+      return frame == options_.sheet_frame;
+  }
+  return false;
+}
+
+void SessionReplay::finish_pictures() {
+  writer_->finish();
+}
+
+// frames.csv and summary.json, after the pictures that they name.
+void SessionReplay::close_output() {
+  // After bad input, frames that are still in the queue are good: they are written. After a failed write this
+  // throws.
+  if (report_.state == ReplayState::failed && report_.exit_code != kExitTemporary) writer_->finish();
+  report_.findings = session_->findings();
+  report_.files_written = writer_->files_written();
+  report_.bytes_written = writer_->bytes_written();
+  report_.writer_waits = writer_->waits();
+  const bool skipped = report_.findings.skipped_rows > 0 || report_.findings.skipped_images > 0;
+  if (report_.exit_code == kExitDone && skipped) report_.exit_code = kExitPartial;
+  add_run_warnings();
+  csv_->commit();
+  write_whole_file(folder_.summary_json(), json_text(summary_json(report_, options_)));
+  sync_folder(folder_.path());
+}
+
+void SessionReplay::add_run_warnings() {
+  report_.warnings = report_.findings.warnings;
+  report_.warnings.insert(report_.warnings.end(), scene_.warnings.begin(), scene_.warnings.end());
+  const RunStatistics& statistics = report_.statistics;
+  const std::int64_t nonfinite = statistics.counters.nonfinite_values + statistics.nonfinite_pictures;
+  if (nonfinite > 0) {
+    report_.warnings.push_back(
+        std::to_string(nonfinite) +
+        " NaN or Inf values arose while rendering and show as black; please report it");
+  }
+  if (report_.findings.event_rows > 0) {
+    report_.warnings.push_back(
+        "scene events are not applied by this version: " + std::to_string(report_.findings.event_rows) +
+        " lines of events.jsonl left out");
+  }
+  if (options_.sheet == SheetChoice::one && report_.contact_sheets.empty()) {
+    report_.warnings.push_back("--contact-sheet: frame " + std::to_string(options_.sheet_frame) +
+                               " was not rendered");
+  }
+}
+
+}  // namespace
+
+SessionReport replay_session(const std::filesystem::path& session, const ReplayOptions& options) {
+  return SessionReplay(session, options).run();
+}
+
+}  // namespace herr

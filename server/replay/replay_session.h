@@ -1,0 +1,16 @@
+// The replay of one session: sample, render, encode, write, frame after frame.
+// Before: replay_command. After: pictures, frames.csv and summary.json in the output folder, and a report.
+#pragma once
+
+#include <filesystem>
+
+#include "server/replay/replay_options.h"
+#include "server/replay/session_report.h"
+
+namespace herr {
+
+// Never throws for what can go wrong in a replay: the report holds state, exit code and message. Ends early,
+// after a whole frame, when stop_signal() says so. Shows progress on a terminal.
+SessionReport replay_session(const std::filesystem::path& session, const ReplayOptions& options);
+
+}  // namespace herr

@@ -1,0 +1,43 @@
+// How the replay of one session went: everything that summary.json, the table and the exit code are made
+// from.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "renderer/frame_plan.h"
+#include "renderer/render_settings.h"
+#include "server/cli/exit_code.h"
+#include "server/replay/frame_range.h"
+#include "server/statistics/run_statistics.h"
+#include "sessions/session.h"
+
+namespace herr {
+
+enum class ReplayState { done, interrupted, failed };
+const char* name_of(ReplayState state);
+
+struct SessionReport {
+  std::string name;  // of the session's folder
+  std::filesystem::path session_folder, scene_file, out_folder;
+  ReplayState state = ReplayState::done;
+  int exit_code = kExitDone;
+  std::string error;  // one line; empty unless failed
+
+  SessionHeader header;
+  SessionFindings findings;
+  DisplayProfile profile;
+  std::string scene_name;
+  std::int64_t scene_triangles = 0;
+  FrameRange range;         // what was to be rendered
+  RenderSettings settings;  // threads and isa resolved to what ran
+  FramePlan plan;
+  std::vector<std::string> warnings;  // of session, scene and run
+
+  RunStatistics statistics;
+  std::int64_t files_written = 0, bytes_written = 0, writer_waits = 0;
+  std::vector<std::string> contact_sheets;  // file names in out_folder
+};
+
+}  // namespace herr

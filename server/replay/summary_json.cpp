@@ -1,0 +1,204 @@
+#include "server/replay/summary_json.h"
+
+#include <cstddef>
+
+#include "server/cli/version.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json latency_json(const LatencyHistogram& times) {
+  Json json{{"count", times.count()}};
+  const auto put = [&](const char* name, double ns) {
+    json[name] = times.count() > 0 ? Json(ns * 1e-6) : Json(nullptr);
+  };
+  put("mean", times.mean_ns());
+  put("min", static_cast<double>(times.min_ns()));
+  put("max", static_cast<double>(times.max_ns()));
+  put("p50", times.quantile_ns(0.50));
+  put("p90", times.quantile_ns(0.90));
+  put("p95", times.quantile_ns(0.95));
+  put("p99", times.quantile_ns(0.99));
+  put("p99.9", times.quantile_ns(0.999));
+  return json;
+}
+
+Json latencies_json(const RunStatistics& statistics) {
+  Json stages = Json::object();
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    stages[name_of(static_cast<Stage>(i))] = latency_json(statistics.stages[i]);
+  }
+  return {{"unit", "ms"},
+          {"relative_error", LatencyHistogram::kRelativeError},
+          {"frame", latency_json(statistics.frame)},
+          {"stages", stages},
+          {"sample", latency_json(statistics.sample)},
+          {"write", latency_json(statistics.write)},
+          {"wait", latency_json(statistics.wait)},
+          {"motion_to_photon", latency_json(statistics.motion_to_photon)},
+          {"pose_age", latency_json(statistics.pose_age)},
+          {"gaze_age", latency_json(statistics.gaze_age)},
+          {"camera_age", latency_json(statistics.camera_age)}};
+}
+
+// What the names in "latency" and "frames" mean.
+Json definitions_json(ReplayClock clock) {
+  const char* shown = clock == ReplayClock::max ? "frame start + frame time"
+                                                : "frame start + max(frame time, one display period)";
+  return {{"frame", "wall time of rendering one frame, encoding and writing excluded; the sum of its stages"},
+          {"sample", "time spent sampling the session, camera images decoded, before the frame"},
+          {"write", "wall time of encoding one frame's pictures on the render threads, after the frame"},
+          {"wait", "time spent waiting for room in the writer's queue, after the frame"},
+          {"missed", "frames whose frame time exceeds the display period"},
+          {"presentation_time", shown},
+          {"motion_to_photon", "presentation time - stamp of the newest pose used"},
+          {"pose_age", "frame start - stamp of the newest pose used; likewise gaze_age, camera_age"}};
+}
+
+Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_pictures) {
+  return {{"primary_rays", counters.primary_rays},
+          {"shadow_rays", counters.shadow_rays},
+          {"catcher_shadow_rays", counters.catcher_shadow_rays},
+          {"mirror_rays", counters.mirror_rays},
+          {"mirror_shadow_rays", counters.mirror_shadow_rays},
+          {"polar_samples", counters.polar_samples},
+          {"viewport_pixels", counters.viewport_pixels},
+          {"invalid_rays", counters.invalid_rays},
+          {"nonfinite_values", counters.nonfinite_values},
+          {"nonfinite_picture_values", nonfinite_pictures},
+          {"commits", counters.commits}};
+}
+
+Json settings_json(const RenderSettings& settings, const ReplayOptions& options) {
+  return {{"foveation", settings.foveation == Foveation::off ? "off" : "log-polar"},
+          {"polar_width_per_eye", settings.polar_width},
+          {"polar_height", settings.polar_height},
+          {"light_samples", settings.light_samples},
+          {"reflections", settings.reflections},
+          {"camera", settings.camera},
+          {"gaze_marker", settings.gaze_marker},
+          {"debug_tiles", settings.debug_tiles},
+          {"feed_distance_m", settings.feed_distance_m},
+          {"sampling", name_of(options.session.sampling)},
+          {"policy", "fixed"},
+          {"clock", name_of(options.clock)},
+          {"format", name_of(options.format)},
+          {"threads", settings.threads},
+          {"isa", name_of(settings.isa)}};
+}
+
+Json session_json(const SessionReport& report) {
+  const SessionFindings& findings = report.findings;
+  return {{"name", report.name},
+          {"title", report.header.name},
+          {"folder", report.session_folder.string()},
+          {"pose_rows", findings.pose_rows},
+          {"gaze_rows", findings.gaze_rows},
+          {"event_rows", findings.event_rows},
+          {"camera_rows", findings.camera_rows},
+          {"skipped_rows", findings.skipped_rows},
+          {"skipped_images", findings.skipped_images},
+          {"truncated", findings.truncated}};
+}
+
+Json plan_json(const FramePlan& plan) {
+  Json entries = Json::array();
+  for (const PlanEntry& entry : plan.entries) {
+    entries.push_back({{"name", entry.name}, {"runs", entry.runs}, {"reason", entry.reason}});
+  }
+  return entries;
+}
+
+Json profile_json(const DisplayProfile& profile) {
+  Json viewports = Json::array();
+  for (const Viewport& viewport : profile.viewports) {
+    viewports.push_back({{"name", viewport.name},
+                         {"width_px", viewport.width_px},
+                         {"height_px", viewport.height_px},
+                         {"kind", viewport.focus ? "focus" : "context"}});
+  }
+  return {{"name", profile.name}, {"display_hz", profile.display_hz}, {"viewports", viewports}};
+}
+
+}  // namespace
+
+const char* name_of(ReplayState state) {
+  switch (state) {
+    case ReplayState::done:
+      return "done";
+    case ReplayState::interrupted:
+      return "interrupted";
+    case ReplayState::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+Json summary_json(const SessionReport& report, const ReplayOptions& options) {
+  Json json{{"format_version", 1},
+            {"program", program_with_version()},
+            {"state", name_of(report.state)},
+            {"exit_code", report.exit_code}};
+  if (!report.error.empty()) json["error"] = report.error;
+  json["session"] = session_json(report);
+  json["scene"] = {{"name", report.scene_name},
+                   {"file", report.scene_file.string()},
+                   {"triangles", report.scene_triangles}};
+  json["profile"] = profile_json(report.profile);
+  json["settings"] = settings_json(report.settings, options);
+  json["frames"] = {{"first", report.range.first},
+                    {"planned", report.range.count},
+                    {"rendered", report.statistics.frames},
+                    {"missed", report.statistics.missed_frames},
+                    {"period_ms", report.range.period_ms()}};
+  json["latency"] = latencies_json(report.statistics);
+  json["definitions"] = definitions_json(options.clock);
+  json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
+  json["plan"] = plan_json(report.plan);
+  json["output"] = {{"folder", report.out_folder.string()},
+                    {"picture_files", report.files_written},
+                    {"picture_bytes", report.bytes_written},
+                    {"writer_waits", report.writer_waits},
+                    {"contact_sheets", report.contact_sheets}};
+  json["truncated"] = report.findings.truncated;
+  json["warnings"] = report.warnings;
+  return json;
+}
+
+Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options, int exit_code) {
+  Json sessions = Json::array();
+  RunStatistics total;
+  for (const SessionReport& report : reports) {
+    sessions.push_back(summary_json(report, options));
+    total.merge(report.statistics);
+  }
+  return {{"sessions", sessions},
+          {"total",
+           {{"sessions", reports.size()},
+            {"frames", {{"rendered", total.frames}, {"missed", total.missed_frames}}},
+            {"latency", latencies_json(total)},
+            {"counters", counters_json(total.counters, total.nonfinite_pictures)}}},
+          {"exit_code", exit_code}};
+}
+
+std::string json_text(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string settings_text(const RenderSettings& settings) {
+  std::string text =
+      settings.foveation == Foveation::off
+          ? std::string("foveation off")
+          : "polar " + std::to_string(2 * settings.polar_width) + "x" + std::to_string(settings.polar_height);
+  text += ", light samples " + std::to_string(settings.light_samples);
+  text += settings.reflections ? ", reflections" : ", no reflections";
+  text += settings.camera ? ", camera" : ", no camera";
+  if (settings.gaze_marker) text += ", gaze marker";
+  if (settings.debug_tiles) text += ", debug tiles";
+  return text;
+}
+
+}  // namespace herr

@@ -1,0 +1,24 @@
+// summary.json: what was replayed, with which settings, and how long it took. Also what --json prints.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "server/replay/replay_options.h"
+#include "server/replay/session_report.h"
+
+namespace herr {
+
+// Keys keep their order. Never NaN: an empty statistic has count 0 and null values.
+nlohmann::ordered_json summary_json(const SessionReport& report, const ReplayOptions& options);
+// {"sessions": [...], "total": {...}, "exit_code": N} of a whole run.
+nlohmann::ordered_json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options,
+                                int exit_code);
+// Indented, with bytes that are not UTF-8 replaced, and a line break at the end.
+std::string json_text(const nlohmann::ordered_json& document);
+
+// One line with every setting that shapes the pictures, for file headers.
+std::string settings_text(const RenderSettings& settings);
+
+}  // namespace herr

@@ -1,0 +1,33 @@
+// What is known of one replayed frame besides its pictures: one row of frames.csv, one sample of every
+// statistic. Before: the replay loop fills it. After: frames_csv, RunStatistics.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "renderer/stage_times.h"
+#include "sessions/pose.h"
+
+namespace herr {
+
+struct FrameRecord {
+  std::int64_t frame = 0;  // number in the session: its time is start + frame / display_hz
+  TimeNs t_ns = 0;         // stamp of the frame on the session's clock
+  StageTimes times;
+  FrameCounters counters;
+  double sample_ms = 0;  // sampling the session, decoding a camera image included; before the frame time
+  double write_ms = 0;   // encoding, on the render threads, outside the frame time
+  double wait_ms = 0;    // waiting for room in the writer's queue
+  // Sampling time minus stamp of the newest sample used; none where a stream is absent or interpolated.
+  std::optional<double> pose_age_ms, gaze_age_ms, camera_age_ms;
+  // Presentation time minus stamp of the pose used; none when the pose was interpolated.
+  std::optional<double> motion_to_photon_ms;
+  SampleSource pose_source = SampleSource::held;
+  std::array<SampleSource, 2> gaze_source{SampleSource::held, SampleSource::held};
+  std::array<double, 2> theta_max_deg{};
+  bool missed = false;                  // the frame time exceeds the display period
+  std::int64_t nonfinite_pictures = 0;  // NaN or Inf values that reached an encoder
+};
+
+}  // namespace herr

@@ -1,0 +1,83 @@
+#include "server/statistics/latency_histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace herr {
+namespace {
+
+// Bucket i > 0 holds durations in (upper[i - 1], upper[i]]; bucket 0 holds all up to kLowestNs; the last
+// bucket holds all above kHighestNs. Neighbouring bounds differ by gamma = (1 + alpha) / (1 - alpha), so that
+// the value 2 * lower * upper / (lower + upper) is within alpha of everything in the bucket.
+const std::vector<double>& upper_bounds_ns() {
+  static const std::vector<double> bounds = [] {
+    const double alpha = LatencyHistogram::kRelativeError;
+    const double log_gamma = std::log((1.0 + alpha) / (1.0 - alpha));
+    const double lowest = static_cast<double>(LatencyHistogram::kLowestNs);
+    const double span = static_cast<double>(LatencyHistogram::kHighestNs) / lowest;
+    const int steps = static_cast<int>(std::ceil(std::log(span) / log_gamma));
+    std::vector<double> result;
+    for (int i = 0; i <= steps; ++i) result.push_back(lowest * std::exp(i * log_gamma));
+    return result;
+  }();
+  return bounds;
+}
+
+std::size_t bucket_of(std::int64_t duration_ns) {
+  const std::vector<double>& bounds = upper_bounds_ns();
+  const auto bound = std::lower_bound(bounds.begin(), bounds.end(), static_cast<double>(duration_ns));
+  return static_cast<std::size_t>(bound - bounds.begin());
+}
+
+}  // namespace
+
+void LatencyHistogram::add_ns(std::int64_t duration_ns) {
+  const std::int64_t value = std::max<std::int64_t>(duration_ns, 0);
+  if (counts_.empty()) counts_.resize(upper_bounds_ns().size() + 1);
+  ++counts_[bucket_of(value)];
+  min_ns_ = count_ == 0 ? value : std::min(min_ns_, value);
+  max_ns_ = count_ == 0 ? value : std::max(max_ns_, value);
+  sum_ns_ += value;
+  ++count_;
+}
+
+void LatencyHistogram::add_ms(double duration_ms) {
+  if (!std::isfinite(duration_ms)) throw std::invalid_argument("a duration is not finite");
+  // 9e18 ns are 285 years: far beyond any duration, and the largest round number that an int64 holds.
+  add_ns(static_cast<std::int64_t>(std::llround(std::clamp(duration_ms * 1e6, 0.0, 9e18))));
+}
+
+void LatencyHistogram::merge(const LatencyHistogram& other) {
+  if (other.count_ == 0) return;
+  if (counts_.empty()) counts_.resize(other.counts_.size());
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+  min_ns_ = count_ == 0 ? other.min_ns_ : std::min(min_ns_, other.min_ns_);
+  max_ns_ = count_ == 0 ? other.max_ns_ : std::max(max_ns_, other.max_ns_);
+  sum_ns_ += other.sum_ns_;
+  count_ += other.count_;
+}
+
+double LatencyHistogram::mean_ns() const {
+  return count_ == 0 ? 0.0 : static_cast<double>(sum_ns_) / static_cast<double>(count_);
+}
+
+double LatencyHistogram::quantile_ns(double fraction) const {
+  if (count_ == 0) return 0.0;
+  const double wanted = std::ceil(std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count_));
+  const std::int64_t rank = std::clamp<std::int64_t>(static_cast<std::int64_t>(wanted), 1, count_);
+  // The first and the last rank are known exactly.
+  if (rank == 1) return static_cast<double>(min_ns_);
+  if (rank == count_) return static_cast<double>(max_ns_);
+  std::int64_t seen = 0;
+  std::size_t bucket = 0;
+  while (seen + counts_[bucket] < rank) seen += counts_[bucket++];
+  const std::vector<double>& bounds = upper_bounds_ns();
+  const double lowest = static_cast<double>(min_ns_), highest = static_cast<double>(max_ns_);
+  if (bucket == 0) return lowest;
+  if (bucket == bounds.size()) return highest;
+  const double lower = bounds[bucket - 1], upper = bounds[bucket];
+  return std::clamp(2.0 * lower * upper / (lower + upper), lowest, highest);
+}
+
+}  // namespace herr

@@ -1,0 +1,16 @@
+// Numbers as text, the same in every locale.
+#pragma once
+
+#include <string>
+
+namespace herr {
+
+// Fixed notation with `decimals` digits after the point; "n/a" when not finite.
+std::string fixed_text(double value, int decimals);
+// The shortest text that reads back as the same double.
+std::string shortest_text(double value);
+// Padded with spaces on the left (or right) to `width` characters.
+std::string right_aligned(const std::string& text, int width);
+std::string left_aligned(const std::string& text, int width);
+
+}  // namespace herr

@@ -1,0 +1,25 @@
+// Latency of a whole run, stage by stage, in constant memory; runs merge exactly.
+// Before: one FrameRecord per frame. After: latency_table, summary_json.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/stage_times.h"
+#include "server/statistics/frame_record.h"
+#include "server/statistics/latency_histogram.h"
+
+namespace herr {
+
+struct RunStatistics {
+  std::array<LatencyHistogram, kStageCount> stages;
+  LatencyHistogram frame, sample, write, wait;
+  LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
+  FrameCounters counters;  // totals
+  std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
+
+  void add(const FrameRecord& record);
+  void merge(const RunStatistics& other);
+};
+
+}  // namespace herr
