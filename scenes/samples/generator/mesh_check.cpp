@@ -44,4 +44,13 @@ void check_mesh(const std::string& name, const Mesh& mesh) {
   require(inside_out * 100 <= mesh.triangles.size(), name, "more than 1 % of the triangles are inside out");
 }
 
+double enclosed_volume_m3(const Mesh& mesh) {
+  double volume = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
+    volume += glm::dot(p, glm::cross(q, r)) / 6.0;
+  }
+  return volume;
+}
+
 }  // namespace herr::samples

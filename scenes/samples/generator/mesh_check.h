@@ -11,4 +11,7 @@ namespace herr::samples {
 // range, unit normals (1e-4), at most 1 % of triangles without area, at most 1 % wound against their normals.
 void check_mesh(const std::string& name, const Mesh& mesh);
 
+// Volume enclosed by a closed mesh, cubic metres: negative when its triangles face inwards.
+double enclosed_volume_m3(const Mesh& mesh);
+
 }  // namespace herr::samples

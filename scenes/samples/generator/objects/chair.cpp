@@ -108,6 +108,7 @@ GlbObject chair() {
     const auto at = static_cast<float>(i);
     rod(spindle, {0.062f * at, 0.455f, -0.185f}, {0.073f * at, 0.955f, -0.328f + 0.006f * at * at});
   }
+  stand_on_ground(mesh);  // the splayed legs dip their edges
   return {"chair", {{mesh, {"oak", vec3(1.0f), 0.0f, 0.5f, {}, wood_picture()}}}};
 }
 

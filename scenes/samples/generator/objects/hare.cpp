@@ -71,7 +71,7 @@ void roughen(Mesh& mesh) {
     const vec3 normal = mesh.normals[i];
     const vec3 sideways = jitter - glm::dot(jitter, normal) * normal;
     mesh.positions[i] +=
-        fur * normal + 0.55f * kCellM * sideways + 0.10f * kCellM * glm::dot(jitter, normal) * normal;
+        fur * normal + 0.55f * kCellM * sideways + 0.18f * kCellM * glm::dot(jitter, normal) * normal;
   }
   compute_normals(mesh);
 }

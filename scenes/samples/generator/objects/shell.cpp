@@ -36,12 +36,12 @@ Mesh shell_mesh() {
       const float turns = kTurns * v / kLip;
       return Vertex{wall(turns, around, 1.0f), glm::vec3(0.0f), {u, v / kLip}};
     }
-    // Over the lip and half a turn back inside.
+    // Over the lip and half a turn back inside, where the wall closes out of sight.
     const float back = (v - kLip) / (1.0f - kLip);
-    const float lip = glm::smoothstep(0.0f, 0.12f, back);
-    return Vertex{wall(kTurns + 0.01f * (lip - lip * lip) - 0.5f * back * back, around, 1.0f - 0.08f * lip),
-                  glm::vec3(0.0f),
-                  {u, 1.0f - 0.2f * back}};
+    const float lip = glm::smoothstep(0.0f, 0.12f, back), end = glm::smoothstep(0.85f, 1.0f, back);
+    const float turns = kTurns + 0.01f * (lip - lip * lip) - 0.5f * back * back;
+    const float shrink = (1.0f - 0.08f * lip) * (1.0f - 0.9999f * end);
+    return Vertex{wall(turns, around, shrink), glm::vec3(0.0f), {u, 1.0f - 0.2f * back}};
   });
 }
 

@@ -61,7 +61,7 @@ float arms(const vec3& p) {
   d = smooth_union(d, ellipsoid(p, {-0.345f, 1.775f, 0.115f}, {0.036f, 0.045f, 0.036f}), 0.02f);
   float torch = tapered_capsule(p, {-0.345f, 1.66f, 0.145f}, {-0.345f, 1.89f, 0.125f}, 0.013f, 0.024f);
   torch = smooth_union(torch, ellipsoid(p, {-0.345f, 1.900f, 0.125f}, {0.050f, 0.020f, 0.050f}), 0.012f);
-  const float twist = 0.007f * std::sin(4.0f * std::atan2(p.z - 0.125f, p.x + 0.345f) + 30.0f * p.y);
+  const float twist = 0.004f * std::sin(3.0f * std::atan2(p.z - 0.125f, p.x + 0.345f) + 30.0f * p.y);
   torch = smooth_union(
       torch, tapered_capsule(p, {-0.345f, 1.93f, 0.125f}, {-0.335f, 2.02f, 0.120f}, 0.040f, 0.006f) + twist,
       0.015f);
@@ -96,18 +96,25 @@ float skirt(const vec3& p) {
 
 float cloak(const vec3& p) {
   // Over the left shoulder, across the breast to the right hip, and hanging from the left forearm.
-  const float ripple = 0.006f * std::sin(70.0f * (p.x + 0.6f * p.y)) * std::cos(9.0f * p.y);
-  float d = tapered_capsule(p, {0.155f, 1.395f, -0.02f}, {0.085f, 1.270f, 0.125f}, 0.040f, 0.036f);
-  d = smooth_union(d, tapered_capsule(p, {0.085f, 1.270f, 0.125f}, {-0.155f, 0.960f, 0.075f}, 0.036f, 0.045f),
-                   0.03f);
-  d = smooth_union(d, tapered_capsule(p, {0.155f, 1.395f, -0.02f}, {-0.05f, 1.02f, -0.130f}, 0.042f, 0.070f),
-                   0.05f);
+  // Five strands side by side read as folds of one cloth.
+  float d = 1.0f;
+  for (int strand = -2; strand <= 2; ++strand) {
+    const auto at = static_cast<float>(strand);
+    const vec3 beside = at * vec3(0.017f, 0.013f, -0.003f * at);
+    const vec3 shoulder = vec3(0.150f, 1.402f, -0.01f) + 0.8f * beside;
+    const vec3 breast = vec3(0.085f, 1.275f, 0.128f) + beside,
+               hip = vec3(-0.150f, 0.965f, 0.090f) + 1.3f * beside;
+    const vec3 back = vec3(-0.04f, 1.02f, -0.115f) + 1.4f * at * vec3(0.017f, -0.013f, 0.0f);
+    d = smooth_union(d, tapered_capsule(p, shoulder, breast, 0.018f, 0.016f), 0.012f);
+    d = smooth_union(d, tapered_capsule(p, breast, hip, 0.016f, 0.020f), 0.012f);
+    d = smooth_union(d, tapered_capsule(p, shoulder, back, 0.020f, 0.026f), 0.016f);
+  }
   const vec3 hem = (p - vec3(0.205f, 0.0f, 0.095f)) * vec3(1.0f, 1.0f, 0.62f);
   const float pleats = 0.010f * std::sin(95.0f * p.z + 3.0f * std::sin(5.0f * p.y));
   const float fall =
       0.75f * (tapered_capsule(hem, {0, 1.02f, 0}, {0.03f, 0.36f, 0.0f}, 0.038f, 0.062f) + pleats);
   d = smooth_union(d, std::max(fall, 0.34f - p.y), 0.03f);
-  return d + ripple;
+  return d;
 }
 
 float figure(const vec3& p) {

@@ -25,10 +25,11 @@ float line(float distance, float half) {
   return 1.0f - smoothstep(0.6f * half, half, std::abs(distance));
 }
 
-vec3 grain(const vec2& at, const vec3& light, const vec3& dark, std::uint32_t seed, std::int32_t period) {
-  const float bend = layered_noise({at.x * 4.0f, at.y * 4.0f, 0.5f}, 3, seed, 4 * period);
-  const float rings = 0.5f + 0.5f * std::sin(2.0f * kPi * (at.x * 9.0f + 0.7f * bend));
-  const float fibre = layered_noise({at.x * 64.0f, at.y * 4.0f, 7.5f}, 2, seed + 9, 0);
+// Fibres run along y; repeats after one unit in x and y.
+vec3 grain(const vec2& at, const vec3& light, const vec3& dark, std::uint32_t seed) {
+  const float bend = layered_noise({at.x * 3.0f, at.y, 0.5f}, 3, seed, {3, 1});
+  const float rings = 0.5f + 0.5f * std::sin(2.0f * kPi * (at.x * 14.0f + 1.1f * bend));
+  const float fibre = layered_noise({at.x * 64.0f, at.y * 4.0f, 7.5f}, 2, seed + 9, {64, 4});
   return mix(light, dark, glm::clamp(0.55f * rings + 0.18f * fibre, 0.0f, 1.0f));
 }
 
@@ -36,7 +37,7 @@ vec3 grain(const vec2& at, const vec3& light, const vec3& dark, std::uint32_t se
 
 Picture wood_picture() {
   return paint(256, 256, [](const vec2& uv) {
-    return grain(uv, {0.62f, 0.40f, 0.22f}, {0.36f, 0.20f, 0.10f}, 11, 1);
+    return grain(uv, {0.62f, 0.40f, 0.22f}, {0.36f, 0.20f, 0.10f}, 11);
   });
 }
 
@@ -63,9 +64,10 @@ Picture porcelain_picture() {
     const float wave = height - 0.20f - 0.035f * std::sin(2.0f * kPi * 14.0f * uv.x);
     ink += line(wave, 0.012f) + line(wave - 0.05f, 0.009f);
     const vec2 cell(fraction(uv.x * 7.0f) - 0.5f, (height - 0.54f) * 3.6f);
-    const float petals = 0.30f + 0.12f * std::cos(6.0f * std::atan2(cell.y, cell.x));
     const float reach = glm::length(cell);
-    ink += line(reach - petals, 0.035f) + line(reach - 0.10f, 0.10f);
+    const float petals = 0.25f + 0.15f * std::cos(6.0f * std::atan2(cell.y, cell.x));
+    ink += smoothstep(petals, petals - 0.03f, reach) * smoothstep(0.06f, 0.09f, reach);
+    ink += line(reach - 0.46f, 0.025f);
     ink += height > 0.75f && height < 0.87f ? line(fraction(uv.x * 24.0f) - 0.5f, 3.2f * (0.88f - height))
                                             : 0.0f;
     return mix(white, cobalt, glm::clamp(ink, 0.0f, 1.0f));
@@ -109,8 +111,8 @@ Picture planks_picture() {
     const float tone = hashed(board, piece, 0, 61);
     const vec2 inside(fraction(across), fraction(along));
     const vec3 light = mix(vec3(0.72f, 0.55f, 0.37f), vec3(0.62f, 0.44f, 0.28f), tone);
-    const vec3 wood = grain({0.25f * inside.x + tone, uv.y}, light, 0.78f * light,
-                            63 + static_cast<std::uint32_t>(board), 0);
+    const vec3 wood =
+        grain({0.25f * inside.x + tone, uv.y}, light, 0.78f * light, 63 + static_cast<std::uint32_t>(board));
     const float gap = std::max(line(std::min(inside.x, 1.0f - inside.x), 0.03f),
                                line(std::min(inside.y, 1.0f - inside.y), 0.004f));
     return mix(wood, vec3(0.22f, 0.15f, 0.10f), gap);

@@ -83,11 +83,9 @@ Vertex surface_vertex(const DistanceField& field, const NetBounds& bounds, glm::
   const glm::vec3 slope = gradient(field, p, step);
   const float length = glm::length(slope);
   const glm::vec3 normal = length > 1e-6f ? slope / length : glm::vec3(0.0f, 1.0f, 0.0f);
-  const glm::vec3 centre = 0.5f * (bounds.lower + bounds.upper);
-  // Folded at the back, so that the picture has no seam.
-  const float around = std::abs(std::atan2(p.x - centre.x, p.z - centre.z)) / kPi;
-  const float height = (p.y - bounds.lower.y) / (bounds.upper.y - bounds.lower.y);
-  return {p, normal, {around, 1.0f - height}};
+  // Projected along a slant: no seam, and the sides do not repeat the front.
+  const glm::vec3 share = (p - bounds.lower) / (bounds.upper - bounds.lower);
+  return {p, normal, {glm::mix(share.x, share.z, 0.35f), 1.0f - share.y}};
 }
 
 void add_quad(Mesh& mesh, std::array<std::uint32_t, 4> q, bool flip) {

@@ -14,7 +14,7 @@ struct NetBounds {
   float cell_m = 0.01f;  // edge of a cell; the solid must not reach the outermost cells
 };
 
-// Normals are the gradient of the field; uv: u = 0 at +z to 1 at -z on both sides, v by height.
+// Normals are the gradient of the field; uv is a slanted projection that fits the bounds.
 Mesh surface_nets(const DistanceField& field, const NetBounds& bounds);
 
 }  // namespace herr::samples
