@@ -11,21 +11,22 @@
 namespace herr {
 
 struct PlanEntry {
-  std::string name;    // stage or kernel feature, e.g. "mirror rays"
+  std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
   std::string reason;  // "3 of 11 instances reflect", "skipped: no material reflects"
 };
 
 struct FramePlan {
   // What the kernels are chosen by.
-  bool polar = true;            // log-polar buffer; false: one ray per viewport pixel
+  bool polar = true;  // log-polar buffer; false: one ray per viewport pixel
   bool mirror_rays = false;
   bool textures = false;
   bool catchers = false;
-  bool catchers_occlude = false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
-  bool coloured_ratio = false;    // lights and ambient differ in hue: the catcher ratio needs three channels
+  bool catchers_occlude =
+      false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
+  bool coloured_ratio = false;  // lights and ambient differ in hue: the catcher ratio needs three channels
   bool many_light_samples = false;
-  bool specular = false;          // some material has a specular lobe
+  bool specular = false;  // some material has a specular lobe
   bool camera = false;
   bool gaze_marker = false;
   bool static_lights = false;

@@ -11,16 +11,16 @@ enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 struct RenderSettings {
   Foveation foveation = Foveation::log_polar;  // off: one ray per viewport pixel, the reference
-  int polar_width = 788;    // radial samples per eye, 1 ... 8192 (the paper's "1576x768" counts both eyes)
-  int polar_height = 768;   // angular samples, even, 2 ... 8192
-  int light_samples = 1;    // per light and hit, 1 ... 4096; 1 = centre of the light, hard shadows
-  bool reflections = true;  // trace one mirror bounce where a material asks for it
-  bool camera = true;       // composite over the camera feed where the session has one
-  bool gaze_marker = false; // red circle around the gaze direction in every viewport
-  bool debug_tiles = false; // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  int polar_width = 788;     // radial samples per eye, 1 ... 8192 (the paper's "1576x768" counts both eyes)
+  int polar_height = 768;    // angular samples, even, 2 ... 8192
+  int light_samples = 1;     // per light and hit, 1 ... 4096; 1 = centre of the light, hard shadows
+  bool reflections = true;   // trace one mirror bounce where a material asks for it
+  bool camera = true;        // composite over the camera feed where the session has one
+  bool gaze_marker = false;  // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;  // colour the polar buffer in tiles of 15 degrees (Figure 6)
   double feed_distance_m = 2.0;  // the camera feed is re-projected as if it lay on a sphere of this radius
-  int threads = 0;          // 1 ... 512; 0 = all that this process may use
-  Isa isa = Isa::best;      // instruction set of kernels and Embree
+  int threads = 0;               // 1 ... 512; 0 = all that this process may use
+  Isa isa = Isa::best;           // instruction set of kernels and Embree
 };
 
 // "sse4", "avx2", "avx512". The one that runs: best resolved against this CPU.

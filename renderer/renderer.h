@@ -25,11 +25,13 @@ struct RenderedFrame {
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
 };
 
-// Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree fails.
+// Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree
+// fails.
 class Renderer {
  public:
   // Builds the acceleration structures. `scene` must outlive the renderer.
-  Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings, bool session_has_camera);
+  Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
+           bool session_has_camera);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -43,7 +45,9 @@ class Renderer {
   // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).
   void parallel_for(int count, const std::function<void(int)>& work);
 
+  // What lies behind, for bench_frame.cpp and tests of single stages; declared in renderer_impl.h.
   struct Impl;
+  Impl& internals() { return *impl_; }
 
  private:
   std::unique_ptr<Impl> impl_;

@@ -8,19 +8,19 @@
 namespace herr {
 
 enum class Stage : std::uint8_t {
-  scene_update,   // apply scene changes, light paths
-  acceleration,   // Embree commits (only what changed)
-  polar_rays,     // ray generation, visibility of samples
-  first_hits,     // primary rays through Embree
-  surfaces,       // hit -> position, normal, material
-  light_rays,     // shadow rays and direct light at first hits
-  second_hits,    // mirror rays through Embree and their surfaces
-  second_light,   // shadow rays and direct light at second hits
-  resolve,        // shaded samples -> polar buffer texels
-  viewports,      // polar buffer -> viewports, composite over the camera feed
-  overlays,       // gaze marker
-  idle,           // threads waiting at the end of a parallel phase
-  other,          // frame time that no other row covers
+  scene_update,  // apply scene changes, light paths
+  acceleration,  // Embree commits (only what changed)
+  polar_rays,    // ray generation, visibility of samples
+  first_hits,    // primary rays through Embree
+  surfaces,      // hit -> position, normal, material
+  light_rays,    // shadow rays and direct light at first hits
+  second_hits,   // mirror rays through Embree and their surfaces
+  second_light,  // shadow rays and direct light at second hits
+  resolve,       // shaded samples -> polar buffer texels
+  viewports,     // polar buffer -> viewports, composite over the camera feed
+  overlays,      // gaze marker
+  idle,          // threads waiting at the end of a parallel phase
+  other,         // frame time that no other row covers
 };
 inline constexpr std::size_t kStageCount = 13;
 // Column name without unit: "scene_update", ...
@@ -36,8 +36,9 @@ struct StageTimes {
 
 // Rays by kind and pixels of one frame: the same for the same input on any machine.
 struct FrameCounters {
-  std::int64_t primary_rays = 0, shadow_rays = 0, catcher_shadow_rays = 0, mirror_rays = 0, mirror_shadow_rays = 0;
-  std::int64_t polar_samples = 0;     // samples of both polar buffers that some viewport can see
+  std::int64_t primary_rays = 0, shadow_rays = 0, catcher_shadow_rays = 0, mirror_rays = 0,
+               mirror_shadow_rays = 0;
+  std::int64_t polar_samples = 0;  // samples of both polar buffers that some viewport can see
   std::int64_t viewport_pixels = 0;
   std::int64_t invalid_rays = 0;      // not finite: never handed to Embree
   std::int64_t nonfinite_values = 0;  // NaN or Inf that a stage produced; replaced by 0 and counted

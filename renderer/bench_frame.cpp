@@ -1,0 +1,207 @@
+#include "renderer/bench_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <numeric>
+
+#include "renderer/geometry/bare_rays.h"
+#include "renderer/renderer_impl.h"
+
+namespace herr {
+namespace {
+
+constexpr std::array<const char*, kRayKinds> kKindNames{"primary", "shadow", "catcher_shadow", "mirror",
+                                                        "mirror_shadow"};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <typename Work>
+double wall_ms(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::array<std::int64_t, kRayKinds> rays_by_kind(const FrameCounters& c) {
+  return {c.primary_rays, c.shadow_rays, c.catcher_shadow_rays, c.mirror_rays, c.mirror_shadow_rays};
+}
+
+// One frame's own rays and pixels, recorded from its last render.
+class RawSide {
+ public:
+  RawSide(Renderer::Impl& frame, const FrameCounters& counters)
+      : frame_(frame), totals_(rays_by_kind(counters)) {
+    const int stride = frame.settings.light_samples >= 64 ? 256 : 16;
+    for (int tile = stride / 2; tile < frame.tile_count(); tile += stride)
+      frame.run_tile(tile, 0, &recorder_);
+    constexpr int kStripStride = 16;
+    const PrecomputePixels precompute = precompute_pixels_for(frame.settings.isa);
+    pixels_.resize(frame.viewport_jobs.size());
+    for (std::size_t v = 0; v < frame.viewport_jobs.size(); ++v) {
+      const ViewportJob& job = frame.viewport_jobs[v];
+      for (int strip = kStripStride / 2; strip * kStripRows < job.viewport->height_px;
+           strip += kStripStride) {
+        const int bottom = std::min((strip + 1) * kStripRows, job.viewport->height_px);
+        for (int y = strip * kStripRows; y < bottom; ++y) {
+          for (int x = 0; x < job.viewport->width_px; x += kBlockColumns) precompute(job, x, y, pixels_[v]);
+        }
+      }
+      recorded_pixels_ += pixels_[v].count();
+      pixels_[v].out.resize(4 * pixels_[v].count());
+    }
+    all_pixels_ = counters.viewport_pixels;
+  }
+
+  // Milliseconds that all rays of kind k take bare, scaled from those recorded.
+  double rays_ms(std::size_t k) {
+    const RecordedRays& rays = recorder_.rays[k];
+    if (rays.size() == 0) return 0;
+    constexpr std::size_t kChunk = 512;
+    const int jobs = static_cast<int>((rays.size() + kChunk - 1) / kChunk);
+    std::atomic<std::size_t> hits{0};
+    const double ms = wall_ms([&] {
+      frame_.threads.run(jobs, [&](int job, int) {
+        const std::size_t first = static_cast<std::size_t>(job) * kChunk;
+        hits += trace_bare(frame_.settings.isa, frame_.geometry->top(), static_cast<RayKind>(k), rays, first,
+                           std::min(kChunk, rays.size() - first));
+      });
+    });
+    return ms * static_cast<double>(totals_[k]) / static_cast<double>(rays.size());
+  }
+
+  double pixels_ms() {
+    if (recorded_pixels_ == 0) return 0;
+    const CompositePrecomputed composite = composite_precomputed_for(frame_.settings.isa);
+    constexpr std::size_t kChunk = 4096;
+    double ms = 0;
+    for (std::size_t v = 0; v < pixels_.size(); ++v) {
+      const int jobs = static_cast<int>((pixels_[v].count() + kChunk - 1) / kChunk);
+      ms += wall_ms([&] {
+        frame_.threads.run(jobs, [&](int job, int) {
+          const std::size_t first = static_cast<std::size_t>(job) * kChunk;
+          composite(frame_.viewport_jobs[v], pixels_[v], first, std::min(kChunk, pixels_[v].count() - first));
+        });
+      });
+    }
+    return ms * static_cast<double>(all_pixels_) / static_cast<double>(recorded_pixels_);
+  }
+
+ private:
+  Renderer::Impl& frame_;
+  std::array<std::int64_t, kRayKinds> totals_;
+  RayRecorder recorder_;
+  std::vector<PrecomputedPixels> pixels_;
+  std::size_t recorded_pixels_ = 0;
+  std::int64_t all_pixels_ = 0;
+};
+
+// Samples of one quantity: per frame the median over repeats, overall the median over frames.
+struct Series {
+  std::vector<double> of_frame, of_frames;
+  void add(double x) { of_frame.push_back(x); }
+  void end_frame() {
+    of_frames.push_back(median(of_frame));
+    of_frame.clear();
+  }
+  double value() const { return median(of_frames); }
+};
+
+struct Measurements {
+  Series frame, raw, ratio, rays_frame, rays_raw, rays_ratio, pixels_frame, pixels_raw;
+  std::array<Series, kRayKinds> kind_raw;
+  std::array<Series, kStageCount> stages;
+
+  void add(const StageTimes& times, const std::array<double, kRayKinds>& kinds_ms, double raw_pixels_ms) {
+    const double raw_rays = std::accumulate(kinds_ms.begin(), kinds_ms.end(), 0.0);
+    const double pixels = times[Stage::viewports];
+    const double rays = times.frame_ms - pixels - times[Stage::overlays];
+    frame.add(times.frame_ms), raw.add(raw_rays + raw_pixels_ms);
+    ratio.add(times.frame_ms / (raw_rays + raw_pixels_ms));
+    rays_frame.add(rays), rays_raw.add(raw_rays), rays_ratio.add(raw_rays > 0 ? rays / raw_rays : 0);
+    pixels_frame.add(pixels), pixels_raw.add(raw_pixels_ms);
+    for (std::size_t k = 0; k < kRayKinds; ++k) kind_raw[k].add(kinds_ms[k]);
+    for (std::size_t s = 0; s < kStageCount; ++s) stages[s].add(times.ms[s]);
+  }
+  void end_frame() {
+    for (Series* s :
+         {&frame, &raw, &ratio, &rays_frame, &rays_raw, &rays_ratio, &pixels_frame, &pixels_raw}) {
+      s->end_frame();
+    }
+    for (Series& s : kind_raw) s.end_frame();
+    for (Series& s : stages) s.end_frame();
+  }
+};
+
+double millions_per_second(double items, double ms) {
+  return ms > 0 ? items / ms * 1e-3 : 0;
+}
+
+Stage stage_of(std::size_t kind) {
+  switch (static_cast<RayKind>(kind)) {
+    case RayKind::primary:
+      return Stage::first_hits;
+    case RayKind::mirror:
+      return Stage::second_hits;
+    case RayKind::mirror_shadow:
+      return Stage::second_light;
+    default:
+      return Stage::light_rays;
+  }
+}
+
+}  // namespace
+
+BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats) {
+  Renderer::Impl& frame = renderer.internals();
+  Measurements measured;
+  std::array<double, kRayKinds> rays{};
+  double samples = 0, pixels = 0;
+  RenderedFrame out;
+  for (const BenchInput& input : inputs) {
+    renderer.render_frame(input.sample, input.state, out);
+    RawSide raw(frame, out.counters);
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      renderer.render_frame(input.sample, input.state, out);
+      std::array<double, kRayKinds> kinds_ms{};
+      for (std::size_t k = 0; k < kRayKinds; ++k) kinds_ms[k] = raw.rays_ms(k);
+      measured.add(out.times, kinds_ms, raw.pixels_ms());
+    }
+    measured.end_frame();
+    const auto counts = rays_by_kind(out.counters);
+    for (std::size_t k = 0; k < kRayKinds; ++k) rays[k] += static_cast<double>(counts[k]);
+    samples += static_cast<double>(out.counters.polar_samples);
+    pixels += static_cast<double>(out.counters.viewport_pixels);
+  }
+
+  const double frames = static_cast<double>(std::max<std::size_t>(inputs.size(), 1));
+  BenchResult result;
+  result.frames = static_cast<int>(inputs.size());
+  result.frame_ms = measured.frame.value(), result.raw_ms = measured.raw.value();
+  result.ratio = measured.ratio.value();
+  result.rays_frame_ms = measured.rays_frame.value(), result.rays_raw_ms = measured.rays_raw.value();
+  result.rays_ratio = measured.rays_ratio.value();
+  result.pixels_frame_ms = measured.pixels_frame.value(), result.pixels_raw_ms = measured.pixels_raw.value();
+  result.ns_per_pixel = pixels > 0 ? result.pixels_frame_ms * 1e6 / (pixels / frames) : 0;
+  result.raw_ns_per_pixel = pixels > 0 ? result.pixels_raw_ms * 1e6 / (pixels / frames) : 0;
+  for (std::size_t s = 0; s < kStageCount; ++s) result.median_times.ms[s] = measured.stages[s].value();
+  result.median_times.frame_ms = result.frame_ms;
+  for (std::size_t k = 0; k < kRayKinds; ++k) {
+    if (rays[k] == 0) continue;
+    const double per_frame = rays[k] / frames;
+    result.kinds.push_back({kKindNames[k], static_cast<std::int64_t>(per_frame),
+                            samples > 0 ? rays[k] / samples : 0,
+                            millions_per_second(per_frame, measured.kind_raw[k].value()),
+                            millions_per_second(per_frame, result.median_times[stage_of(k)])});
+  }
+  result.counters = out.counters;
+  return result;
+}
+
+}  // namespace herr

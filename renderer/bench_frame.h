@@ -1,0 +1,42 @@
+// The figure of merit: a frame's time against its raw time - the same rays through bare Embree packets and
+// the same pixels through a bare fetch-blend-store kernel, measured frame by frame in the same run on the
+// same threads.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "renderer/renderer.h"
+
+namespace herr {
+
+struct BenchInput {
+  FrameSample sample;
+  SceneState state;
+};
+
+struct BenchResult {
+  struct Kind {
+    std::string name;              // "primary", "shadow", ...
+    std::int64_t rays = 0;         // of all frames, per frame on average
+    double rays_per_sample = 0;    // per polar sample that a viewport can see
+    double raw_mrays_per_s = 0;    // through bare Embree
+    double frame_mrays_per_s = 0;  // within the frame: rays over their stage's wall time
+  };
+  int frames = 0;
+  double frame_ms = 0, raw_ms = 0;                // medians over frames of each frame's median
+  double rays_frame_ms = 0, rays_raw_ms = 0;      // all stages of rays and light; bare rays
+  double pixels_frame_ms = 0, pixels_raw_ms = 0;  // resample and composite; bare kernel
+  double ratio = 0, rays_ratio = 0;               // medians over frames of frame / raw, interleaved
+  std::vector<Kind> kinds;
+  double ns_per_pixel = 0, raw_ns_per_pixel = 0;
+  StageTimes median_times;
+  FrameCounters counters;  // of the last frame
+};
+
+// Renders each input once to warm up and to record 1/16 of its tiles (1/256 from 64 light samples on), then
+// `repeats` times in alternation with its raw side. Thread safety: as Renderer.
+BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats);
+
+}  // namespace herr

@@ -1,0 +1,50 @@
+#include "renderer/foveation/polar_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace herr {
+
+PolarSamples::PolarSamples(int max_width, int height) : height_(height) {
+  const std::size_t columns = static_cast<std::size_t>(max_width) + 32;
+  const std::size_t rows = 4 * (static_cast<std::size_t>(height) + 16);
+  sin_theta_.resize(columns);
+  cos_theta_.resize(columns);
+  margin_.resize(columns);
+  sin_phi4_.resize(rows);
+  cos_phi4_.resize(rows);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j) {
+    const double phi = phi_from_v((static_cast<double>(j) + 0.5) / height);
+    std::fill_n(&sin_phi4_[4 * j], 4, static_cast<float>(std::sin(phi)));
+    std::fill_n(&cos_phi4_[4 * j], 4, static_cast<float>(std::cos(phi)));
+  }
+}
+
+void PolarSamples::update(const PolarMap& map, int width) {
+  width_ = width;
+  map_ = map;
+  const auto theta_rad = [&](int i) {
+    const double deg = map.theta_from_u((i + 0.5) / width);
+    return std::min(deg, 180.0) / kDegreesPerRadian;
+  };
+  const double phi_step = glm::two_pi<double>() / height_;
+  double theta = theta_rad(0);
+  for (int i = 0; i < width; ++i) {
+    const auto column = static_cast<std::size_t>(i);
+    const double next = theta_rad(i + 1);
+    sin_theta_[column] = static_cast<float>(std::sin(theta));
+    cos_theta_[column] = static_cast<float>(std::cos(theta));
+    // The circle's circumference grows up to 90 degrees; 1 bounds its radius beyond.
+    const double ring = next < glm::half_pi<double>() ? std::sin(next) : 1.0;
+    const double gap = std::hypot(next - theta + (i == 0 ? theta : 0.0), ring * phi_step);
+    constexpr double kRounding = 1.001;  // the tables and dot products are float
+    margin_[column] = static_cast<float>(std::min(gap, 2.0) * kRounding + 1e-6);
+    theta = next;
+  }
+  for (std::size_t i = static_cast<std::size_t>(width);
+       i < std::min(sin_theta_.size(), static_cast<std::size_t>(width) + 32); ++i) {
+    sin_theta_[i] = cos_theta_[i] = margin_[i] = 0.0f;
+  }
+}
+
+}  // namespace herr

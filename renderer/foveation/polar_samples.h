@@ -1,0 +1,41 @@
+// The sample directions of one eye's polar buffer for this frame, as separable tables: a direction is
+// cos(theta_i) gaze + sin(theta_i) (cos(phi_j) right + sin(phi_j) up), samples at (i + 1/2) / W and (j + 1/2)
+// / H. Before: gaze_frame. After: ray generation.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "renderer/foveation/polar_map.h"
+
+namespace herr {
+
+class PolarSamples {
+ public:
+  // Allocates for widths up to `max_width`; `height` is even.
+  PolarSamples(int max_width, int height);
+
+  // New frame: any width in [1, max_width], any theta_max in (0, 180]. No allocation.
+  void update(const PolarMap& map, int width);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const PolarMap& map() const { return map_; }
+
+  // Per column, padded with zeros to a multiple of 4 and 16 more.
+  const float* sin_theta() const { return sin_theta_.data(); }
+  const float* cos_theta() const { return cos_theta_.data(); }
+  // Sine of the angle within which a viewport pixel may use this column's sample: the diagonal of the gap to
+  // the next samples outwards. A sample farther than this outside every viewport is seen by no pixel.
+  const float* margin() const { return margin_.data(); }
+  // Per row, each value four times in a row (packets are 4 columns wide), padded likewise.
+  const float* sin_phi4() const { return sin_phi4_.data(); }
+  const float* cos_phi4() const { return cos_phi4_.data(); }
+
+ private:
+  int width_ = 0, height_;
+  PolarMap map_;
+  std::vector<float> sin_theta_, cos_theta_, margin_, sin_phi4_, cos_phi4_;
+};
+
+}  // namespace herr

@@ -1,0 +1,74 @@
+#include "renderer/foveation/ray_grids.h"
+
+#include <algorithm>
+
+namespace herr {
+namespace {
+
+void store(float (&out)[3], const glm::dvec3& v) {
+  for (int axis = 0; axis < 3; ++axis) out[axis] = static_cast<float>(v[axis]);
+}
+
+bool contains(const Viewport& outer, const Viewport& inner) {
+  return outer.tan_left <= inner.tan_left && outer.tan_right >= inner.tan_right &&
+         outer.tan_down <= inner.tan_down && outer.tan_up >= inner.tan_up;
+}
+
+// A viewport that lies within another of the same eye adds nothing to what the eye can see. Of equal ones the
+// first counts.
+bool is_covered(std::span<const Viewport> viewports, std::size_t index) {
+  for (std::size_t other = 0; other < viewports.size(); ++other) {
+    if (other == index || viewports[other].eye != viewports[index].eye) continue;
+    if (!contains(viewports[other], viewports[index])) continue;
+    if (!contains(viewports[index], viewports[other]) || other < index) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::uint32_t frame_key(TimeNs t_ns, int eye) {
+  std::uint64_t h = static_cast<std::uint64_t>(t_ns) * 2 + static_cast<std::uint64_t>(eye);
+  h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;  // the finaliser of MurmurHash3
+  h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+  return static_cast<std::uint32_t>(h ^ (h >> 33));
+}
+
+void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,
+                    const PolarSamples& samples, RadianceBuffer& buffer, std::uint32_t key, RayGrid& grid) {
+  const glm::dquat& turn = view.anchored_from_eye.orientation;
+  grid.polar = true;
+  store(grid.origin, view.anchored_from_eye.position);
+  store(grid.right, turn * view.gaze.right);
+  store(grid.up, turn * view.gaze.up);
+  store(grid.gaze, turn * view.gaze.gaze);
+  grid.samples = &samples;
+  grid.frustum_count = 0;
+  for (std::size_t i = 0; i < viewports.size(); ++i) {
+    if (viewports[i].eye != eye || is_covered(viewports, i)) continue;
+    const FrustumPlanes planes = frustum_planes(viewports[i]);
+    FrustumNormals& normals = grid.frusta[static_cast<std::size_t>(grid.frustum_count++)];
+    for (int side = 0; side < 4; ++side) store(normals.normal[side], turn * planes.normal[side]);
+  }
+  grid.sink = {buffer.texels(), buffer.ratios(),  buffer.row_stride(),
+               samples.width(), samples.height(), true};
+  grid.key = key;
+}
+
+void set_planar_grid(const EyeView& view, const Viewport& v, RadianceBuffer& buffer, std::uint32_t key,
+                     RayGrid& grid) {
+  const glm::dquat& turn = view.anchored_from_eye.orientation;
+  grid.polar = false;
+  store(grid.origin, view.anchored_from_eye.position);
+  store(grid.right, turn * glm::dvec3{1, 0, 0});
+  store(grid.up, turn * glm::dvec3{0, 1, 0});
+  store(grid.gaze, turn * glm::dvec3{0, 0, -1});
+  grid.tan_left = static_cast<float>(v.tan_left);
+  grid.tan_up = static_cast<float>(v.tan_up);
+  grid.step_x = static_cast<float>((v.tan_right - v.tan_left) / v.width_px);
+  grid.step_y = static_cast<float>((v.tan_up - v.tan_down) / v.height_px);
+  grid.sink = {buffer.texels(), buffer.ratios(), buffer.row_stride(), v.width_px, v.height_px, false};
+  grid.key = key;
+}
+
+}  // namespace herr

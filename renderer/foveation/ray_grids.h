@@ -1,0 +1,42 @@
+// This frame's ray grids: one per eye (log-polar, around its gaze) or one per viewport (planar, without
+// foveation). Before: the frame's pose and gaze. After: tile tracing writes the grids' radiance buffers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "renderer/foveation/gaze_frame.h"
+#include "renderer/foveation/polar_samples.h"
+#include "renderer/foveation/radiance_buffer.h"
+#include "renderer/lighting/tile_job.h"
+#include "sessions/display_profile.h"
+#include "sessions/pose.h"
+
+namespace herr {
+
+// Everything about one eye that rays and viewports of a frame need.
+struct EyeView {
+  Pose anchored_from_eye;  // eye in the scene, relative to the anchor
+  GazeFrame gaze;          // in eye space
+  double theta_max_deg = 0;
+};
+
+// Random-number key of a frame and eye.
+std::uint32_t frame_key(TimeNs t_ns, int eye);
+
+void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,
+                    const PolarSamples& samples, RadianceBuffer& buffer, std::uint32_t key, RayGrid& grid);
+void set_planar_grid(const EyeView& view, const Viewport& viewport, RadianceBuffer& buffer, std::uint32_t key,
+                     RayGrid& grid);
+
+// Columns and rows of a polar buffer with its padding.
+inline int padded_columns(int width) {
+  return width + 2;
+}
+inline int padded_rows(int height) {
+  return height + 1;
+}
+
+}  // namespace herr

@@ -1,0 +1,109 @@
+#include "renderer/frame_plan.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace herr {
+namespace {
+
+struct Traits {
+  std::size_t instances = 0, catchers = 0, reflecting = 0, textured = 0, specular = 0;
+  bool catchers_may_occlude = false;
+};
+
+bool lies_flat(const TriangleMesh& mesh) {
+  // All corners in one plane: such a catcher cannot shadow itself.
+  if (mesh.triangles.empty()) return true;
+  const auto& t = mesh.triangles.front();
+  const glm::vec3 origin = mesh.positions[t[0]];
+  const glm::vec3 normal = glm::cross(mesh.positions[t[1]] - origin, mesh.positions[t[2]] - origin);
+  const float reach = glm::length(normal);
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const glm::vec3& p) {
+    return std::abs(glm::dot(normal, p - origin)) <= 1e-5f * reach * std::max(1.0f, glm::length(p - origin));
+  });
+}
+
+Traits traits_of(const Scene& scene) {
+  Traits traits;
+  traits.instances = scene.instances.size();
+  for (const MeshInstance& instance : scene.instances) {
+    const Material& material = scene.materials[instance.material];
+    const bool has_uvs = !scene.meshes[instance.mesh].uvs.empty();
+    if (has_uvs && (material.base_colour_texture >= 0 || material.metallic_roughness_texture >= 0))
+      ++traits.textured;
+    if (instance.catcher) {
+      ++traits.catchers;
+      traits.catchers_may_occlude |= traits.catchers > 1 || !lies_flat(scene.meshes[instance.mesh]);
+      continue;
+    }
+    ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular lobe
+    if (material.mirror > 0) ++traits.reflecting;
+  }
+  return traits;
+}
+
+bool same_hue(const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 difference = glm::cross(a, b);
+  return glm::dot(difference, difference) <= 1e-10f * glm::dot(a, a) * glm::dot(b, b);
+}
+
+bool hues_differ(const Scene& scene) {
+  std::vector<glm::vec3> colours;
+  if (scene.ambient != glm::vec3{0.0f}) colours.push_back(scene.ambient);
+  for (const AreaLight& light : scene.lights) {
+    if (light.intensity_w_sr != glm::vec3{0.0f}) colours.push_back(light.intensity_w_sr);
+  }
+  return std::any_of(colours.begin(), colours.end(),
+                     [&](const glm::vec3& c) { return !same_hue(c, colours.front()); });
+}
+
+std::string share(std::size_t count, std::size_t all, const char* what) {
+  return std::to_string(count) + " of " + std::to_string(all) + " instances " + what;
+}
+
+}  // namespace
+
+FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera) {
+  const Traits t = traits_of(scene);
+  FramePlan plan;
+  const auto decide = [&](bool& feature, bool runs, const char* name, const std::string& why,
+                          const std::string& why_not) {
+    feature = runs;
+    plan.entries.push_back({name, runs, runs ? why : why_not});
+  };
+  decide(plan.polar, settings.foveation == Foveation::log_polar, "log-polar rays", "foveation is on",
+         "foveation is off: one ray per viewport pixel");
+  decide(plan.textures, t.textured > 0, "textures", share(t.textured, t.instances, "have textures"),
+         "no instance has a texture");
+  decide(plan.specular, t.specular > 0, "specular lobe",
+         share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight");
+  bool several_lights = false;
+  decide(several_lights, scene.lights.size() > 1, "several lights",
+         std::to_string(scene.lights.size()) + " lights", scene.lights.empty() ? "no light" : "one light");
+  decide(plan.many_light_samples, settings.light_samples > 1, "light samples",
+         std::to_string(settings.light_samples) + " jittered strata per light",
+         "one sample: the light's centre");
+  decide(plan.mirror_rays, settings.reflections && t.reflecting > 0, "mirror rays",
+         share(t.reflecting, t.instances, "reflect"),
+         t.reflecting == 0 ? "no material reflects" : "switched off by settings");
+  decide(plan.catchers, t.catchers > 0, "catchers", share(t.catchers, t.instances, "are catchers"),
+         "the scene has no catcher");
+  decide(plan.catchers_occlude, plan.catchers && t.catchers_may_occlude, "catcher shadow rays",
+         "catchers can shadow one another",
+         plan.catchers ? "one flat catcher cannot shadow itself" : "no catcher");
+  decide(plan.coloured_ratio, plan.catchers && hues_differ(scene), "coloured catcher ratio",
+         "lights and ambient differ in hue", plan.catchers ? "all light has one hue" : "no catcher");
+  decide(plan.camera, settings.camera && session_has_camera, "camera composite",
+         "the session has a camera feed",
+         session_has_camera ? "switched off by settings" : "the session has no camera feed");
+  decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
+  const bool moving = std::any_of(scene.lights.begin(), scene.lights.end(), [](const AreaLight& light) {
+    return light.path_radius_m > 0 && light.path_period_s != 0;
+  });
+  bool moving_lights = false;
+  decide(moving_lights, moving, "light paths", "a light moves", "every light is static");
+  plan.static_lights = !moving_lights;
+  return plan;
+}
+
+}  // namespace herr

@@ -1,0 +1,18 @@
+// Rays through bare Embree, nothing else: the speed of light that `bench` holds a frame against.
+// Rays are repacked densely, in the order in which they were made, with the best flag for their kind.
+#pragma once
+
+#include <cstddef>
+
+#include "renderer/geometry/embree_api.h"
+#include "renderer/lighting/ray_recorder.h"
+#include "renderer/render_settings.h"
+
+namespace herr {
+
+// Traces rays [first, first + count) of a kind; first is a multiple of 16. Thread-safe. Returns the hits, so
+// that the work cannot be left out.
+std::size_t trace_bare(Isa isa, RTCScene scene, RayKind kind, const RecordedRays& rays, std::size_t first,
+                       std::size_t count);
+
+}  // namespace herr

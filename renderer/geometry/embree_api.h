@@ -1,0 +1,82 @@
+// The one place that knows which Embree this is: version 3 (Debian 12) or 4, and packets of 4, 8 or 16 rays.
+// Occlusion packets never carry the COHERENT flag: rtcOccluded16 of Embree 3.13 does not return with it on
+// AVX-512.
+#pragma once
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace herr {
+
+inline constexpr unsigned kObjectMask = 1;   // virtual objects
+inline constexpr unsigned kCatcherMask = 2;  // stand-ins for real surfaces
+inline constexpr unsigned kAllMask = ~0u;
+
+template <int kRays>
+struct RayPacket;
+template <>
+struct RayPacket<4> {
+  using Ray = RTCRay4;
+  using RayHit = RTCRayHit4;
+};
+template <>
+struct RayPacket<8> {
+  using Ray = RTCRay8;
+  using RayHit = RTCRayHit8;
+};
+template <>
+struct RayPacket<16> {
+  using Ray = RTCRay16;
+  using RayHit = RTCRayHit16;
+};
+
+#if RTC_VERSION_MAJOR >= 4
+
+template <int kRays>
+inline void intersect_packet(const int* valid, RTCScene scene, bool coherent,
+                             typename RayPacket<kRays>::RayHit* rays) {
+  RTCIntersectArguments args;
+  rtcInitIntersectArguments(&args);
+  args.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  if constexpr (kRays == 16) rtcIntersect16(valid, scene, rays, &args);
+  if constexpr (kRays == 8) rtcIntersect8(valid, scene, rays, &args);
+  if constexpr (kRays == 4) rtcIntersect4(valid, scene, rays, &args);
+}
+
+template <int kRays>
+inline void occluded_packet(const int* valid, RTCScene scene, typename RayPacket<kRays>::Ray* rays) {
+  RTCOccludedArguments args;
+  rtcInitOccludedArguments(&args);
+  if constexpr (kRays == 16) rtcOccluded16(valid, scene, rays, &args);
+  if constexpr (kRays == 8) rtcOccluded8(valid, scene, rays, &args);
+  if constexpr (kRays == 4) rtcOccluded4(valid, scene, rays, &args);
+}
+
+#else
+
+template <int kRays>
+inline void intersect_packet(const int* valid, RTCScene scene, bool coherent,
+                             typename RayPacket<kRays>::RayHit* rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  if constexpr (kRays == 16) rtcIntersect16(valid, scene, &context, rays);
+  if constexpr (kRays == 8) rtcIntersect8(valid, scene, &context, rays);
+  if constexpr (kRays == 4) rtcIntersect4(valid, scene, &context, rays);
+}
+
+template <int kRays>
+inline void occluded_packet(const int* valid, RTCScene scene, typename RayPacket<kRays>::Ray* rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  if constexpr (kRays == 16) rtcOccluded16(valid, scene, &context, rays);
+  if constexpr (kRays == 8) rtcOccluded8(valid, scene, &context, rays);
+  if constexpr (kRays == 4) rtcOccluded4(valid, scene, &context, rays);
+}
+
+#endif
+
+}  // namespace herr

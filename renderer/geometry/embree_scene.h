@@ -1,0 +1,59 @@
+// The scene in Embree: one bottom-level scene per mesh, one level of instances, relative to a moving anchor.
+// Before: scenes/ loads a Scene. After: tile kernels trace packets against top() and read records().
+// Every transform is checked here: Debian's Embree aborts the process on a scale of zero.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "renderer/geometry/embree_api.h"
+#include "renderer/geometry/shading_scene.h"
+#include "renderer/geometry/triangle_records.h"
+#include "renderer/render_settings.h"
+#include "scenes/scene.h"
+
+namespace herr {
+
+class EmbreeScene {
+ public:
+  // Builds everything, on `threads` threads of the calling arena. `isa` is resolved. Throws
+  // std::runtime_error with Embree's message, std::bad_alloc when memory ran out, std::invalid_argument for a
+  // transform it cannot take.
+  EmbreeScene(const Scene& scene, Isa isa, int threads);
+  ~EmbreeScene();
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+  // Moves the anchor when the head is more than 24 m from it; returns the number of Embree commits (0 or 1).
+  int follow(const glm::dvec3& head_position);
+  // A multiple of 16 m per axis; float coordinates are relative to it.
+  const glm::dvec3& anchor() const { return anchor_; }
+
+  RTCScene top() const { return top_; }
+  const std::vector<InstanceRecord>& instances() const { return instances_; }
+  // Primitives that Embree leaves out because a vertex is not finite (counted by us: Embree is silent about
+  // them).
+  std::int64_t dropped_triangles() const { return dropped_triangles_; }
+
+ private:
+  void build_meshes();
+  void build_instances();
+  void place_instances();
+  void commit(RTCScene scene) const;
+
+  const Scene& scene_;
+  RTCDevice device_ = nullptr;
+  RTCScene top_ = nullptr;
+  std::vector<RTCScene> bottom_;
+  std::vector<RTCGeometry> instance_geometries_;
+  std::vector<BakedMesh> baked_;
+  std::vector<std::vector<std::uint32_t>> texture_texels_;
+  std::vector<TextureRecord> textures_;
+  std::vector<InstanceRecord> instances_;
+  glm::dvec3 anchor_{0.0};
+  bool placed_ = false;
+  std::int64_t dropped_triangles_ = 0;
+};
+
+}  // namespace herr

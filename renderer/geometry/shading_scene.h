@@ -1,0 +1,46 @@
+// The scene as the shading kernels read it: plain records, one per triangle, instance, texture and light.
+// Positions are float, relative to the anchor. Instance index = Embree instance id; one material per
+// instance.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace herr {
+
+// 32 bytes, one gather base per hit: what Embree's primID leads to.
+struct alignas(32) TriangleRecord {
+  std::uint32_t normal[3];  // octahedral, two 16-bit snorms: x low, y high
+  std::uint32_t uv[3];      // two 16-bit unorms over the mesh's uv range: u low, v high
+  std::uint32_t unused[2];
+};
+static_assert(sizeof(TriangleRecord) == 32);
+
+struct TextureRecord {
+  const std::uint32_t* rgba8 = nullptr;  // R in the low byte
+  int width = 0, height = 0;
+  bool srgb = true;
+  std::uint8_t wrap_u = 0, wrap_v = 0;  // TextureWrap
+};
+
+struct InstanceRecord {
+  const TriangleRecord* triangles = nullptr;
+  float normal_from_object[9] = {};          // rows of the inverse transpose of the object's matrix
+  float uv_lower[2] = {}, uv_scale[2] = {};  // uv = lower + scale * unorm
+  float base_colour[3] = {};
+  float metallic = 0, roughness = 1, mirror = 0;
+  float emission[3] = {};
+  const TextureRecord* base_colour_texture = nullptr;
+  const TextureRecord* metallic_roughness_texture = nullptr;
+  bool catcher = false;
+};
+
+struct LightRecord {
+  float centre[3] = {};
+  float lower[3] = {}, size[3] = {};  // the box, for stratified samples
+  float intensity[3] = {};            // W/sr
+  float min_distance2 = 0;            // (half the longest edge)^2: the falloff's floor
+  int strata[3] = {1, 1, 1};          // per axis; their product is the number of samples
+};
+
+}  // namespace herr

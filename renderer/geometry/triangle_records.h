@@ -1,0 +1,27 @@
+// Bakes a mesh's per-corner attributes into the 32-byte records that shading gathers by triangle.
+// Octahedral normals: Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors"
+// (2014).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "renderer/geometry/shading_scene.h"
+#include "scenes/scene.h"
+
+namespace herr {
+
+struct BakedMesh {
+  std::vector<TriangleRecord> records;  // one per triangle
+  glm::vec2 uv_lower{0.0f};
+  glm::vec2 uv_scale{0.0f};  // uv = lower + scale * (unorm / 65535)
+};
+BakedMesh bake_triangles(const TriangleMesh& mesh);
+
+// Unit normal <-> two 16-bit snorms. Worst angle between a normal and its round trip: below 0.003 degrees.
+std::uint32_t encode_octahedral(const glm::vec3& normal);
+glm::vec3 decode_octahedral(std::uint32_t code);
+
+}  // namespace herr

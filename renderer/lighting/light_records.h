@@ -1,0 +1,25 @@
+// Lights of this frame as the kernels read them, and how their samples are stratified.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "renderer/geometry/shading_scene.h"
+#include "scenes/scene.h"
+
+namespace herr {
+
+// Strata per axis whose product is `samples`, as near to cubes as the box's extent allows; one on an axis of
+// no thickness (all of them on x when the box is a point).
+std::array<int, 3> strata_for(const glm::vec3& size, int samples);
+
+// Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`.
+void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples,
+                   std::vector<LightRecord>& out);
+
+// An upper bound of the irradiance on any point of `boxes` (world space) from these lights, per channel.
+glm::vec3 brightest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes);
+
+}  // namespace herr

@@ -1,0 +1,158 @@
+// Stage: shaded samples -> texels {s, r}: s = virtual light, r = share of the camera feed that is kept.
+// Objects: r = 0. Misses: r = 1, s = 0. Catchers: r = E_with / E_without (differential rendering), s = 0.
+#if defined(HERR_RESOLVE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_RESOLVE_INL
+#undef HERR_RESOLVE_INL
+#else
+#define HERR_RESOLVE_INL
+#endif
+
+#include <cstring>
+
+#include "renderer/lighting/mirror_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+constexpr float kLargestRatio = 4.0f;
+constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
+constexpr float kLargestHalf = 65504.0f;
+constexpr float kPi = 3.14159265f;
+
+// E_with / E_without where there is light to compare, clamped and snapped; ambient light counts in both.
+HWY_INLINE VF catcher_ratio(VF with_objects, VF without, float ambient_radiance, float smallest) {
+  const VF one = set(1.0f), ambient = set(kPi * ambient_radiance);
+  const VF below = hn::Add(without, ambient);
+  const VF ratio =
+      hn::Min(hn::Div(hn::Add(with_objects, ambient), hn::Max(below, set(1e-30f))), set(kLargestRatio));
+  const MF keep = hn::Or(hn::Le(below, set(smallest)), hn::Lt(hn::Abs(hn::Sub(ratio, one)), set(kSnapToOne)));
+  return hn::IfThenElse(keep, one, ratio);
+}
+
+// Replaces what is not finite by 0 and counts it; keeps the rest within the range of half.
+HWY_INLINE VF finite_half(VF value, MF lanes, std::int64_t& nonfinite) {
+  const MF finite = hn::Le(hn::Abs(value), set(3e38f));
+  const MF bad = hn::AndNot(finite, lanes);
+  if (!hn::AllFalse(kF, bad)) nonfinite += static_cast<std::int64_t>(hn::CountTrue(kF, bad));
+  return hn::IfThenElseZero(finite, hn::Min(hn::Max(value, hn::Zero(kF)), set(kLargestHalf)));
+}
+
+// Paper, Figure 6: the background shows where samples come from, in tiles of 15 degrees.
+HWY_INLINE V3 debug_colour(const RayGrid& grid, int x, int y) {
+  alignas(64) float shade[kMaxLanes], hue[kMaxLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const PolarSamples& samples = *grid.samples;
+    const double theta = samples.map().theta_from_u((x + lane % 4 + 0.5) / samples.width());
+    const double phi = 360.0 * (y + lane / 4 + 0.5) / samples.height();
+    const int ring = static_cast<int>(theta / 15.0), sector = static_cast<int>(phi / 15.0);
+    shade[lane] = (ring + sector) % 2 == 0 ? 0.55f : 0.18f;
+    hue[lane] = static_cast<float>(ring % 4) / 4.0f;
+  }
+  const VF s = load(shade), h = load(hue), one = set(1.0f);
+  return {hn::Mul(s, hn::Sub(one, h)), hn::Mul(s, hn::MulAdd(h, set(0.5f), set(0.35f))),
+          hn::Mul(s, hn::MulAdd(h, set(0.7f), set(0.2f)))};
+}
+
+struct Texel {
+  V3 light, ratio;
+};
+
+HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
+  const ShadingInputs& shading = *job.shading;
+  const HitBatch& hits = job.scratch->first;
+  const int slot = packet * kLanes;
+  const auto is = [&](HitKind k)
+                      HWY_ATTR { return hn::RebindMask(kF, hn::Eq(kind, hn::Set(kI, static_cast<int>(k)))); };
+  const MF object = is(HitKind::object), catcher = is(HitKind::catcher);
+  const VF zero = hn::Zero(kF), one = set(1.0f);
+  Texel texel{{zero, zero, zero}, {one, one, one}};
+  if (!hn::AllFalse(kF, object)) {
+    texel.light = select(object, outgoing(hits, slot, shading), texel.light);
+    texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
+  }
+  if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
+    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without,
+                           std::size_t channel) HWY_ATTR {
+      return catcher_ratio(load(&with_objects[slot]), load(&without[slot]), shading.ambient[channel],
+                           shading.smallest_irradiance[channel]);
+    };
+    const V3 ratios{ratio(hits.lr, hits.wr, 0), ratio(hits.lg, hits.wg, 1), ratio(hits.lb, hits.wb, 2)};
+    texel.ratio = select(catcher, ratios, texel.ratio);
+  }
+  if (shading.debug_tiles && job.grid->polar) {
+    const V3 colour = debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
+                                   job.scratch->packet_y[static_cast<std::size_t>(packet)]);
+    texel.light = {hn::MulAdd(colour.x, texel.ratio.x, texel.light.x),
+                   hn::MulAdd(colour.y, texel.ratio.y, texel.light.y),
+                   hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};
+    texel.ratio = {zero, zero, zero};
+  } else if (shading.background_is_environment) {
+    const V3 environment = set3(shading.environment);
+    texel.light = {hn::MulAdd(environment.x, texel.ratio.x, texel.light.x),
+                   hn::MulAdd(environment.y, texel.ratio.y, texel.light.y),
+                   hn::MulAdd(environment.z, texel.ratio.z, texel.light.z)};
+    texel.ratio = {zero, zero, zero};
+  }
+  return texel;
+}
+
+// Copies one texel to its place and to the padding that repeats it.
+HWY_INLINE void place(const TexelSink& sink, std::uint16_t* plane, int x, int y, const std::uint16_t* texel) {
+  const auto put = [&](int column, int row) {
+    std::memcpy(
+        plane + 4 * (static_cast<std::size_t>(row) * sink.row_stride + static_cast<std::size_t>(column)),
+        texel, 4 * sizeof(std::uint16_t));
+  };
+  if (!sink.polar) return put(x, y);
+  const auto put_row = [&](int row) {
+    put(x + 1, row);
+    if (x == sink.width - 1) put(x + 2, row);
+  };
+  put_row(y);
+  if (y == 0) put_row(sink.height);
+  if (x != 0) return;
+  const int across = y < sink.height / 2 ? y + sink.height / 2 : y - sink.height / 2;
+  put(0, across);
+  if (across == 0) put(0, sink.height);
+}
+
+HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& rgb, VF w, int packet,
+                            VI kind) {
+  const TileScratch& scratch = *job.scratch;
+  const hn::Rebind<hwy::float16_t, F> half;
+  const hn::RebindToUnsigned<decltype(half)> bits;
+  alignas(64) std::uint16_t texels[4 * kMaxLanes];
+  const auto to_half = [&](VF value) HWY_ATTR { return hn::BitCast(bits, hn::DemoteTo(half, value)); };
+  hn::StoreInterleaved4(to_half(rgb.x), to_half(rgb.y), to_half(rgb.z), to_half(w), bits, texels);
+  alignas(64) std::int32_t kinds[kMaxLanes];
+  hn::Store(kind, kI, kinds);
+  const int x = scratch.packet_x[static_cast<std::size_t>(packet)],
+            y = scratch.packet_y[static_cast<std::size_t>(packet)];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (kinds[lane] == static_cast<int>(HitKind::none)) continue;
+    place(job.grid->sink, plane, x + lane % 4, y + lane / 4, texels + 4 * lane);
+  }
+}
+
+HWY_INLINE void resolve(const TileJob& job, int packets) {
+  const TexelSink& sink = job.grid->sink;
+  std::int64_t& nonfinite = job.counters->nonfinite_values;
+  for (int packet = 0; packet < packets; ++packet) {
+    const VI kind = hn::Load(kI, &job.scratch->first.kind[packet * kLanes]);
+    const MF lanes = hn::RebindMask(kF, hn::Ne(kind, hn::Zero(kI)));
+    Texel texel = shade_texel(job, packet, kind);
+    texel.light = {finite_half(texel.light.x, lanes, nonfinite), finite_half(texel.light.y, lanes, nonfinite),
+                   finite_half(texel.light.z, lanes, nonfinite)};
+    texel.ratio = {finite_half(texel.ratio.x, lanes, nonfinite), finite_half(texel.ratio.y, lanes, nonfinite),
+                   finite_half(texel.ratio.z, lanes, nonfinite)};
+    store_plane(job, sink.texels, texel.light, texel.ratio.y, packet, kind);
+    if (sink.ratios) store_plane(job, sink.ratios, texel.ratio, hn::Zero(kF), packet, kind);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,169 @@
+// Stage: Embree hits -> position, normals and material of each ray of a batch.
+// Rays of a packet mostly hit one instance, so the packet is taken instance by instance: matrices, material
+// and textures are then broadcast, and only the triangle's record is gathered.
+#if defined(HERR_SURFACES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_SURFACES_INL
+#undef HERR_SURFACES_INL
+#else
+#define HERR_SURFACES_INL
+#endif
+
+#include "renderer/lighting/generate_rays-inl.h"
+#include "renderer/lighting/texture-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+constexpr float kDielectricF0 = 0.04f;   // glTF's fixed index of refraction of 1.5
+constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi alpha^2), finite in float
+// Secondary rays start off the surface by 256 units in the last place of the largest coordinate or distance
+// that went into the hit point, along the geometric normal (after Waechter & Binder, "A Fast and Robust
+// Method for Avoiding Self-Intersection", 2019; they take each coordinate's own, which is too little for p =
+// o + t d near a plane of 0).
+constexpr float kOffsetScale = 0x1p-16f;
+constexpr float kSmallestOffsetScale_m = 1.0f / 32.0f;
+
+HWY_INLINE V3 decode_normal(VU code) {
+  const VF to_unit = set(1.0f / 32767.0f);
+  const VF x =
+      hn::Mul(hn::ConvertTo(kF, hn::ShiftRight<16>(hn::BitCast(kI, hn::ShiftLeft<16>(code)))), to_unit);
+  const VF y = hn::Mul(hn::ConvertTo(kF, hn::ShiftRight<16>(hn::BitCast(kI, code))), to_unit);
+  const VF z = hn::Sub(set(1.0f), hn::Add(hn::Abs(x), hn::Abs(y)));
+  const VF fold = hn::Max(hn::Neg(z), hn::Zero(kF));
+  return {hn::Sub(x, hn::CopySign(fold, x)), hn::Sub(y, hn::CopySign(fold, y)), z};
+}
+
+struct Barycentric {
+  VF w, u, v;
+};
+
+HWY_INLINE VF unorm_lane(VU packed, bool high) {
+  const VU bits = high ? hn::ShiftRight<16>(packed) : hn::And(packed, hn::Set(kU, 0xffffu));
+  return hn::ConvertTo(kF, hn::BitCast(kI, bits));
+}
+
+// Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance.
+template <bool kTextures>
+HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const Barycentric& at, MF lanes,
+                               HitBatch& out, int slot) {
+  Rgb base{set(instance.base_colour[0]), set(instance.base_colour[1]), set(instance.base_colour[2])};
+  VF metallic = set(instance.metallic), roughness = set(instance.roughness);
+  if constexpr (kTextures) {
+    if (instance.base_colour_texture || instance.metallic_roughness_texture) {
+      const auto* words = reinterpret_cast<const std::uint32_t*>(instance.triangles);
+      const VU uv0 = hn::GatherIndex(kU, words + 3, record), uv1 = hn::GatherIndex(kU, words + 4, record),
+               uv2 = hn::GatherIndex(kU, words + 5, record);
+      const auto interpolate = [&](bool high, int axis) HWY_ATTR {
+        const VF q =
+            hn::MulAdd(at.w, unorm_lane(uv0, high),
+                       hn::MulAdd(at.u, unorm_lane(uv1, high), hn::Mul(at.v, unorm_lane(uv2, high))));
+        return hn::MulAdd(q, set(instance.uv_scale[axis]), set(instance.uv_lower[axis]));
+      };
+      const VF u = interpolate(false, 0), v = interpolate(true, 1);
+      if (instance.base_colour_texture) {
+        const Rgb texel = fetch_bilinear(*instance.base_colour_texture, u, v);
+        base = {hn::Mul(base.r, texel.r), hn::Mul(base.g, texel.g), hn::Mul(base.b, texel.b)};
+      }
+      if (instance.metallic_roughness_texture) {
+        const Rgb texel = fetch_bilinear(*instance.metallic_roughness_texture, u, v);
+        roughness = hn::Mul(roughness, texel.g);
+        metallic = hn::Mul(metallic, texel.b);
+      }
+    }
+  }
+  const VF dielectric = hn::Sub(set(1.0f), metallic);
+  const VF f0 = set(kDielectricF0);
+  const auto put = [&](VF value, Lane<float>& lane)
+                       HWY_ATTR { hn::BlendedStore(value, lanes, kF, lane.data() + slot); };
+  put(hn::Mul(base.r, dielectric), out.dr);
+  put(hn::Mul(base.g, dielectric), out.dg);
+  put(hn::Mul(base.b, dielectric), out.db);
+  put(hn::MulAdd(metallic, hn::Sub(base.r, f0), f0), out.fr);
+  put(hn::MulAdd(metallic, hn::Sub(base.g, f0), f0), out.fg);
+  put(hn::MulAdd(metallic, hn::Sub(base.b, f0), f0), out.fb);
+  const VF alpha = hn::Max(hn::Mul(roughness, roughness), set(kSmallestAlpha));
+  put(hn::Mul(alpha, alpha), out.alpha2);
+  put(set(instance.emission[0]), out.er);
+  put(set(instance.emission[1]), out.eg);
+  put(set(instance.emission[2]), out.eb);
+  put(set(instance.mirror), out.mirror);
+}
+
+// Normals of `lanes`, turned to the viewer's side.
+HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
+                              const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
+  const auto* words = reinterpret_cast<const std::uint32_t*>(instance.triangles);
+  const V3 n0 = decode_normal(hn::GatherIndex(kU, words, record)),
+           n1 = decode_normal(hn::GatherIndex(kU, words + 1, record)),
+           n2 = decode_normal(hn::GatherIndex(kU, words + 2, record));
+  const float* m = instance.normal_from_object;
+  const auto to_world = [&](const V3& n) HWY_ATTR {
+    return normalise(V3{dot(set3(m), n), dot(set3(m + 3), n), dot(set3(m + 6), n)});
+  };
+  V3 g = to_world(V3{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)});
+  V3 n = to_world(mul_add(at.w, n0, mul_add(at.u, n1, scale(n2, at.v))));
+  const MF g_behind = hn::Lt(dot(g, viewer), hn::Zero(kF));
+  g = select(g_behind, scale(g, set(-1.0f)), g);
+  // The shading normal follows the geometric one's side, so that both see the same lights.
+  n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
+  hn::BlendedStore(g.x, lanes, kF, out.gx.data() + slot);
+  hn::BlendedStore(g.y, lanes, kF, out.gy.data() + slot);
+  hn::BlendedStore(g.z, lanes, kF, out.gz.data() + slot);
+  hn::BlendedStore(n.x, lanes, kF, out.nx.data() + slot);
+  hn::BlendedStore(n.y, lanes, kF, out.ny.data() + slot);
+  hn::BlendedStore(n.z, lanes, kF, out.nz.data() + slot);
+}
+
+// One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
+// a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
+template <bool kTextures>
+HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
+                                  bool see_catchers, HitBatch& out, int slot) {
+  const VU geometry = hn::Load(kU, packet.hit.geomID);
+  const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
+  const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
+  VI kind = hn::IfThenElseZero(hn::RebindMask(kI, rays), hn::Set(kI, static_cast<int>(HitKind::miss)));
+  if (hn::AllFalse(kF, hit)) {
+    hn::Store(kind, kI, out.kind.data() + slot);
+    return;
+  }
+  const V3 direction = load3(packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z);
+  const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
+  const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
+  const V3 p = mul_add(t, direction, origin);
+  hn::Store(p.x, kF, out.px.data() + slot);
+  hn::Store(p.y, kF, out.py.data() + slot);
+  hn::Store(p.z, kF, out.pz.data() + slot);
+  const V3 viewer = scale(direction, set(-1.0f));
+  hn::Store(viewer.x, kF, out.vx.data() + slot);
+  hn::Store(viewer.y, kF, out.vy.data() + slot);
+  hn::Store(viewer.z, kF, out.vz.data() + slot);
+  const VF largest = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Max(hn::Abs(p.z), t));
+  hn::Store(hn::Mul(hn::Max(largest, set(kSmallestOffsetScale_m)), set(kOffsetScale)), kF,
+            out.offset.data() + slot);
+
+  const VF u = load(packet.hit.u), v = load(packet.hit.v);
+  const Barycentric at{hn::Sub(hn::Sub(set(1.0f), u), v), u, v};
+  const VI records = hn::ShiftLeft<3>(hn::BitCast(kI, hn::Load(kU, packet.hit.primID)));
+  MF left = hit;
+  while (!hn::AllFalse(kF, left)) {
+    const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
+    const std::uint32_t id = packet.hit.instID[0][first];
+    const MF lanes = hn::And(left, hn::RebindMask(kF, hn::Eq(instance_ids, hn::Set(kU, id))));
+    left = hn::AndNot(lanes, left);
+    const InstanceRecord& instance = shading.instances[id];
+    const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
+    store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+    store_material<kTextures>(instance, record, at, lanes, out, slot);
+    const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
+    kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
+  }
+  hn::Store(kind, kI, out.kind.data() + slot);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,127 @@
+// What travels between the stages of a tile, as plain structures of arrays.
+// A tile is 32x32 samples of a polar buffer (or of a viewport, without foveation). Its batches live in one
+// worker's scratch memory and stay in that core's L2 cache while the tile goes through the stages.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "renderer/foveation/polar_samples.h"
+#include "renderer/foveation/radiance_buffer.h"
+#include "renderer/frame_plan.h"
+#include "renderer/geometry/embree_api.h"
+#include "renderer/geometry/shading_scene.h"
+#include "renderer/lighting/ray_recorder.h"
+#include "renderer/stage_clock.h"
+
+namespace herr {
+
+inline constexpr int kTileSide = 32;
+inline constexpr int kTileRays = kTileSide * kTileSide;
+inline constexpr int kMaxLanes = 16;
+
+// One value per ray of a batch, with room for a last partial vector.
+template <typename T>
+using Lane = std::array<T, kTileRays + kMaxLanes>;
+
+// none: no sample here; miss: the ray left the scene.
+enum class HitKind : std::int32_t { none = 0, object = 1, catcher = 2, miss = 3 };
+
+// Surfaces that a batch of rays hit, and the light that they send back along the ray.
+struct alignas(64) HitBatch {
+  Lane<float> px, py, pz;   // position, metres from the anchor
+  Lane<float> nx, ny, nz;   // shading normal, unit, on the viewer's side
+  Lane<float> gx, gy, gz;   // geometric normal, unit, on the viewer's side
+  Lane<float> vx, vy, vz;   // towards the viewer, unit
+  Lane<float> offset;       // metres along g at which secondary rays start
+  Lane<float> dr, dg, db;   // diffuse albedo
+  Lane<float> fr, fg, fb;   // specular reflectance at normal incidence
+  Lane<float> alpha2;       // GGX alpha squared
+  Lane<float> er, eg, eb;   // emitted radiance
+  Lane<float> mirror;       // share of the mirror ray that is seen
+  Lane<std::int32_t> kind;  // HitKind
+  Lane<std::uint32_t> key;  // random numbers: frame, eye and sample
+  // Objects: radiance by direct light. Catchers: irradiance with all objects in place.
+  Lane<float> lr, lg, lb;
+  // Catchers: irradiance without the virtual objects.
+  Lane<float> wr, wg, wb;
+};
+
+// Rays that wait to be traced, dense, and which hit of the batch each belongs to.
+struct alignas(64) RayQueue {
+  Lane<float> ox, oy, oz, dx, dy, dz;
+  Lane<std::int32_t> hit;
+  int count = 0;
+};
+
+struct alignas(64) TileScratch {
+  alignas(64) unsigned char packets[sizeof(RTCRayHit16) * kTileRays / 16];  // of whichever width
+  std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
+  alignas(64) std::array<std::array<std::int32_t, kMaxLanes>, kTileRays / 4> packet_valid;
+  HitBatch first, second;
+  RayQueue queue, blocked;
+  Lane<float> visible, visible_without;      // of the light sample in work, per hit
+  Lane<std::int32_t> mirror_sender;          // per mirror ray: the first hit that sent it
+  Lane<float> mirror_r, mirror_g, mirror_b;  // per first hit: weight of its mirror ray
+};
+
+// Counts of one worker; added up after the frame.
+struct alignas(64) TileCounters {
+  std::int64_t primary_rays = 0, shadow_rays = 0, catcher_shadow_rays = 0, mirror_rays = 0,
+               mirror_shadow_rays = 0;
+  std::int64_t polar_samples = 0, invalid_rays = 0, nonfinite_values = 0;
+};
+
+inline constexpr int kMaxFrusta = 64;
+
+// The inward normals of a viewport's frustum, in anchor space.
+struct FrustumNormals {
+  float normal[4][3];
+};
+
+// What is the same for all tiles of one eye (or one viewport) in one frame.
+struct RayGrid {
+  bool polar = true;
+  float origin[3];  // eye, metres from the anchor
+  float right[3], up[3],
+      gaze[3];  // anchor space; polar: gaze frame; planar: the viewport's axes (gaze = forward)
+  const PolarSamples* samples = nullptr;
+  std::array<FrustumNormals, kMaxFrusta> frusta;
+  int frustum_count = 0;
+  float tan_left = 0, tan_up = 0, step_x = 0,
+        step_y = 0;  // planar: tangents at the upper left corner, per pixel
+  TexelSink sink;
+  std::uint32_t key = 0;  // frame and eye
+};
+
+// What is the same for all tiles of a frame.
+struct ShadingInputs {
+  const FramePlan* plan = nullptr;
+  RTCScene scene = nullptr;
+  std::span<const InstanceRecord> instances;
+  std::span<const LightRecord> lights;
+  int light_samples = 1;
+  float ambient[3] = {};
+  float environment[3] = {};
+  float smallest_irradiance[3] =
+      {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
+  bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
+  bool debug_tiles = false;
+};
+
+struct TileJob {
+  const RayGrid* grid = nullptr;
+  const ShadingInputs* shading = nullptr;
+  int x0 = 0, y0 = 0;  // first column and row of the tile
+  TileScratch* scratch = nullptr;
+  TileCounters* counters = nullptr;
+  StageCycles* cycles = nullptr;
+  RayRecorder* recorder = nullptr;  // bench only: takes a copy of every ray
+};
+
+// Takes one tile through all its stages.
+using TraceTile = void (*)(const TileJob&);
+TraceTile trace_tile_for(Isa isa);
+
+}  // namespace herr

@@ -1,0 +1,219 @@
+// A frame, stage by stage (paper, Figure 4). Read this page first.
+// sample of the session -> scene changes -> acceleration structures -> polar rays -> first hits, light rays,
+// second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no allocation, no lock.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "renderer/lighting/light_records.h"
+#include "renderer/renderer_impl.h"
+#include "renderer/viewports/camera_feed.h"
+#include "renderer/viewports/gaze_marker.h"
+
+namespace herr {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+double milliseconds_since(SteadyClock::time_point start) {
+  return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+}
+
+// Runs one serial stage and books its time.
+template <typename Work>
+auto timed(StageTimes& times, Stage stage, Work&& work) {
+  const auto start = SteadyClock::now();
+  struct Book {
+    StageTimes& times;
+    Stage stage;
+    SteadyClock::time_point start;
+    ~Book() { times[stage] += milliseconds_since(start); }
+  } book{times, stage, start};
+  return work();
+}
+
+void require_usable(const Pose& pose) {
+  constexpr double kFarthest_m = 1e9;
+  const glm::dvec3& p = pose.position;
+  const glm::dquat& q = pose.orientation;
+  const bool usable = std::abs(p.x) < kFarthest_m && std::abs(p.y) < kFarthest_m &&
+                      std::abs(p.z) < kFarthest_m &&
+                      std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1.0) < 1e-3;
+  if (!usable) throw std::invalid_argument("head pose is not finite, not a rotation, or farther than 1e9 m");
+}
+
+}  // namespace
+
+void Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out) {
+  Impl& frame = *impl_;
+  require_usable(sample.head.world_from_head);
+  out.times = {};
+  out.counters = {};
+  const auto start = SteadyClock::now();
+
+  out.counters.commits =
+      timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample); });
+  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state); });
+  timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample); });
+  frame.trace_tiles(out.times);
+  timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
+  frame.composite_viewports(out.times);
+  if (frame.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { frame.draw_overlays(out); });
+
+  out.times.frame_ms = milliseconds_since(start);
+  double booked = 0;
+  for (const double ms : out.times.ms) booked += ms;
+  out.times[Stage::other] = std::max(0.0, out.times.frame_ms - booked);
+  frame.collect_counters(out);
+}
+
+int Renderer::Impl::update_acceleration(const FrameSample& sample) {
+  const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
+  int commits = 0;
+  threads.inside([&] { commits = geometry->follow(world_from_head.position); });
+  for (const Eye eye : kEyes) {
+    const auto e = static_cast<std::size_t>(eye);
+    Pose pose = world_from_head * sample.head_from_eye[e];
+    pose.position -= geometry->anchor();
+    eyes[e].anchored_from_eye = pose;
+    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
+    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
+    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
+  }
+  return commits;
+}
+
+void Renderer::Impl::update_scene(const SceneState& state) {
+  light_records(state.lights, geometry->anchor(), settings.light_samples, lights);
+  shading.plan = &plan;
+  shading.scene = geometry->top();
+  shading.instances = geometry->instances();
+  shading.lights = lights;
+  shading.light_samples = settings.light_samples;
+  constexpr float kDarkest = 1e-4f;  // of the brightest: below it a ratio is noise
+  const glm::vec3 brightest =
+      plan.catchers ? brightest_irradiance(state.lights, catcher_boxes) : glm::vec3{0.0f};
+  for (int channel = 0; channel < 3; ++channel) {
+    shading.ambient[channel] = scene.ambient[channel];
+    shading.environment[channel] = scene.environment[channel];
+    shading.smallest_irradiance[channel] = kDarkest * brightest[channel];
+  }
+  shading.background_is_environment = !plan.camera && settings.camera;
+  shading.debug_tiles = settings.debug_tiles;
+}
+
+void Renderer::Impl::aim_rays(const FrameSample& sample) {
+  first_tile[0] = 0;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const auto eye = plan.polar ? static_cast<Eye>(i) : profile.viewports[i].eye;
+    const EyeView& view = eyes[static_cast<std::size_t>(eye)];
+    const std::uint32_t key = frame_key(sample.t_ns, static_cast<int>(eye));
+    if (plan.polar) {
+      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), settings.polar_width);
+      set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
+    } else {
+      set_planar_grid(view, profile.viewports[i], buffers[i], key, grids[i]);
+    }
+    const auto tiles_along = [](int length) { return (length + kTileSide - 1) / kTileSide; };
+    const bool seen = !plan.polar || grids[i].frustum_count > 0;
+    const int tiles = seen ? tiles_along(grids[i].sink.width) * tiles_along(grids[i].sink.height) : 0;
+    first_tile[i + 1] = first_tile[i] + tiles;
+  }
+}
+
+void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
+  const auto grid_index = static_cast<std::size_t>(
+      std::upper_bound(first_tile.begin(), first_tile.end(), job) - first_tile.begin() - 1);
+  const RayGrid& grid = grids[grid_index];
+  const int tile = job - first_tile[grid_index];
+  const int tiles_x = (grid.sink.width + kTileSide - 1) / kTileSide;
+  const auto w = static_cast<std::size_t>(worker);
+  trace_tile({&grid, &shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide, tile_scratch[w].get(),
+              &counters[w], &cycles[w], recorder});
+}
+
+void Renderer::Impl::trace_tiles(StageTimes& times) {
+  std::fill(counters.begin(), counters.end(), TileCounters{});
+  const PhaseClock clock(cycles);
+  threads.run(tile_count(), [this](int job, int worker) { run_tile(job, worker, nullptr); });
+  clock.finish(times);
+}
+
+void Renderer::Impl::aim_viewports(const FrameSample& sample, RenderedFrame& out) {
+  out.viewports.resize(profile.viewports.size());
+  for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
+    const Viewport& viewport = profile.viewports[i];
+    const auto eye = static_cast<std::size_t>(viewport.eye);
+    if (out.viewports[i].width_px != viewport.width_px || out.viewports[i].height_px != viewport.height_px) {
+      out.viewports[i].resize(viewport.width_px, viewport.height_px);
+    }
+    ViewportJob& job = viewport_jobs[i];
+    job.viewport = &viewport;
+    job.out = &out.viewports[i];
+    job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
+    job.polar = plan.polar;
+    job.opaque = shading.background_is_environment || settings.debug_tiles;
+    if (plan.polar) {
+      const PolarSamples& polar = *samples[eye];
+      job.polar_width = polar.width();
+      job.polar_height = polar.height();
+      job.theta_to_column = static_cast<float>(polar.width() / polar.map().log_range);
+      job.to_gaze = pixel_to_gaze(viewport, eyes[eye].gaze);
+      job.exact_below_deg = exact_below_deg(viewport, polar.map(), polar.width(), polar.height());
+    }
+    job.feed = {};
+    if (!plan.camera || !sample.cameras[eye]) continue;
+    const SampledCamera& camera = *sample.cameras[eye];
+    job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
+    job.feed.model = camera.model;
+    job.feed.camera_from_eye =
+        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
+    job.feed.distance_m = settings.feed_distance_m;
+    if (checked_models[i] != camera.model) {  // once per camera, in its first frame
+      feed_interpolates[i] = camera_cells_suffice(viewport, job.feed);
+      checked_models[i] = camera.model;
+    }
+    job.feed.interpolate = feed_interpolates[i] != 0;
+  }
+}
+
+void Renderer::Impl::composite_viewports(StageTimes& times) {
+  const PhaseClock clock(cycles);
+  threads.run(first_strip.back(), [this](int job, int worker) {
+    const auto w = static_cast<std::size_t>(worker);
+    const auto viewport = static_cast<std::size_t>(
+        std::upper_bound(first_strip.begin(), first_strip.end(), job) - first_strip.begin() - 1);
+    cycles[w].start();
+    composite_strip(viewport_jobs[viewport], job - first_strip[viewport], *strip_scratch[w]);
+    cycles[w].lap(Stage::viewports);
+  });
+  clock.finish(times);
+}
+
+void Renderer::Impl::draw_overlays(RenderedFrame& out) {
+  for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
+    const auto eye = static_cast<std::size_t>(profile.viewports[i].eye);
+    draw_gaze_marker(profile.viewports[i], eyes[eye].gaze.gaze, out.viewports[i]);
+  }
+}
+
+void Renderer::Impl::collect_counters(RenderedFrame& out) const {
+  FrameCounters& total = out.counters;
+  for (const TileCounters& worker : counters) {
+    total.primary_rays += worker.primary_rays;
+    total.shadow_rays += worker.shadow_rays;
+    total.catcher_shadow_rays += worker.catcher_shadow_rays;
+    total.mirror_rays += worker.mirror_rays;
+    total.mirror_shadow_rays += worker.mirror_shadow_rays;
+    total.polar_samples += worker.polar_samples;
+    total.invalid_rays += worker.invalid_rays;
+    total.nonfinite_values += worker.nonfinite_values;
+  }
+  for (const Viewport& v : profile.viewports) {
+    total.viewport_pixels += static_cast<std::int64_t>(v.width_px) * v.height_px;
+  }
+  for (std::size_t eye = 0; eye < eyes.size(); ++eye) out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+}
+
+}  // namespace herr

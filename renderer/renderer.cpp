@@ -1,0 +1,109 @@
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "renderer/renderer_impl.h"
+
+namespace herr {
+namespace {
+
+RenderSettings resolved(RenderSettings settings) {
+  const auto within = [](const char* name, int value, int lowest, int highest) {
+    if (value < lowest || value > highest) {
+      throw std::invalid_argument(std::string(name) + " must lie in [" + std::to_string(lowest) + ", " +
+                                  std::to_string(highest) + "], not " + std::to_string(value));
+    }
+  };
+  within("polar width", settings.polar_width, 1, 8192);
+  within("polar height", settings.polar_height, 2, 8192);
+  if (settings.polar_height % 2 != 0) throw std::invalid_argument("polar height must be even");
+  within("light samples", settings.light_samples, 1, 4096);
+  within("threads", settings.threads, 0, 512);
+  if (!(settings.feed_distance_m > 0.01)) throw std::invalid_argument("feed distance must exceed 0.01 m");
+  if (settings.threads == 0) settings.threads = available_threads();
+  settings.isa = resolve_isa(settings.isa);
+  return settings;
+}
+
+Bounds world_box(const Scene& scene, const MeshInstance& instance) {
+  Bounds box{glm::dvec3{1e300}, glm::dvec3{-1e300}};
+  for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
+    const glm::dvec3 world = instance.world_from_object * glm::dvec4(p, 1.0);
+    box.lower = glm::min(box.lower, world);
+    box.upper = glm::max(box.upper, world);
+  }
+  return box;
+}
+
+}  // namespace
+
+Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
+                     const RenderSettings& settings_in, bool session_has_camera)
+    : scene(scene_in),
+      profile(profile_in),
+      settings(resolved(settings_in)),
+      plan(plan_frame(scene_in, settings, session_has_camera)),
+      threads(settings.threads),
+      trace_tile(trace_tile_for(settings.isa)),
+      composite_strip(composite_strip_for(settings.isa)) {
+  threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
+  for (const MeshInstance& instance : scene.instances) {
+    if (instance.catcher) catcher_boxes.push_back(world_box(scene, instance));
+  }
+
+  const std::size_t viewports = profile.viewports.size();
+  int widest = 1;
+  for (const Viewport& v : profile.viewports) widest = std::max(widest, v.width_px);
+  buffers.resize(plan.polar ? 2 : viewports);
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (plan.polar) {
+      buffers[i].allocate(padded_columns(settings.polar_width), padded_rows(settings.polar_height),
+                          plan.coloured_ratio);
+      samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height);
+    } else {
+      buffers[i].allocate(profile.viewports[i].width_px, profile.viewports[i].height_px + 1,
+                          plan.coloured_ratio);
+    }
+  }
+  grids.resize(buffers.size());
+  first_tile.resize(buffers.size() + 1);
+  viewport_jobs.resize(viewports);
+  first_strip.assign(1, 0);
+  for (const Viewport& v : profile.viewports) {
+    first_strip.push_back(first_strip.back() + (v.height_px + kStripRows - 1) / kStripRows);
+  }
+  checked_models.resize(viewports);
+  feed_interpolates.resize(viewports);
+  lights.reserve(scene.lights.size());
+
+  const auto workers = static_cast<std::size_t>(threads.count());
+  for (std::size_t w = 0; w < workers; ++w) {
+    tile_scratch.push_back(std::make_unique<TileScratch>());
+    strip_scratch.push_back(std::make_unique<StripScratch>(widest));
+  }
+  counters.resize(workers);
+  cycles.resize(workers);
+}
+
+Renderer::Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
+                   bool session_has_camera)
+    : impl_(std::make_unique<Impl>(scene, profile, settings, session_has_camera)) {}
+
+Renderer::~Renderer() = default;
+
+const FramePlan& Renderer::plan() const {
+  return impl_->plan;
+}
+const RenderSettings& Renderer::settings() const {
+  return impl_->settings;
+}
+int Renderer::threads() const {
+  return impl_->threads.count();
+}
+
+void Renderer::parallel_for(int count, const std::function<void(int)>& work) {
+  impl_->threads.run(count, [&](int i, int) { work(i); });
+}
+
+}  // namespace herr

@@ -1,0 +1,69 @@
+// What a renderer keeps between frames. Everything is allocated at construction: the frame loop allocates
+// nothing.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "renderer/foveation/ray_grids.h"
+#include "renderer/geometry/embree_scene.h"
+#include "renderer/lighting/tile_job.h"
+#include "renderer/render_threads.h"
+#include "renderer/renderer.h"
+#include "renderer/viewports/viewport_job.h"
+
+namespace herr {
+
+struct Renderer::Impl {
+  Impl(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
+       bool session_has_camera);
+
+  const Scene& scene;
+  DisplayProfile profile;
+  RenderSettings settings;  // threads and isa resolved
+  FramePlan plan;
+  RenderThreads threads;
+  std::unique_ptr<EmbreeScene> geometry;
+  std::vector<Bounds> catcher_boxes;
+
+  TraceTile trace_tile;
+  CompositeStrip composite_strip;
+
+  // Per frame, rewritten in place.
+  std::array<EyeView, 2> eyes;
+  std::array<std::unique_ptr<PolarSamples>, 2> samples;  // per eye, log-polar only
+  std::vector<RadianceBuffer> buffers;                   // per eye, or per viewport without foveation
+  std::vector<RayGrid> grids;                            // one per buffer
+  std::vector<int> first_tile;                           // of each grid, then the total
+  std::vector<LightRecord> lights;
+  ShadingInputs shading;
+  std::vector<ViewportJob> viewport_jobs;          // one per viewport
+  std::vector<int> first_strip;                    // of each viewport, then the total
+  std::array<CameraImage, 2> enlarged_feeds;       // copies of images too small for a bilinear fetch
+  std::vector<const CameraModel*> checked_models;  // per viewport: whose cells were measured
+  std::vector<char> feed_interpolates;             // per viewport
+
+  // Per worker.
+  std::vector<std::unique_ptr<TileScratch>> tile_scratch;
+  std::vector<std::unique_ptr<StripScratch>> strip_scratch;
+  std::vector<TileCounters> counters;
+  std::vector<StageCycles> cycles;
+
+  // The stages of a frame, in order (render_frame.cpp).
+  void update_scene(const SceneState& state);
+  int update_acceleration(const FrameSample& sample);
+  void aim_rays(const FrameSample& sample);
+  void trace_tiles(StageTimes& times);
+  void aim_viewports(const FrameSample& sample, RenderedFrame& out);
+  void composite_viewports(StageTimes& times);
+  void draw_overlays(RenderedFrame& out);
+  void collect_counters(RenderedFrame& out) const;
+
+  void run_tile(int job, int worker, RayRecorder* recorder);
+  int tile_count() const { return first_tile.back(); }
+  int buffer_of(std::size_t viewport) const {
+    return plan.polar ? static_cast<int>(profile.viewports[viewport].eye) : static_cast<int>(viewport);
+  }
+};
+
+}  // namespace herr

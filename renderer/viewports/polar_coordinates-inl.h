@@ -1,0 +1,55 @@
+// Viewport pixels -> polar buffer coordinates, exact and vectorised: theta by atan2(|cross|, dot), u by
+// log1p.
+#if defined(HERR_POLAR_COORDINATES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_POLAR_COORDINATES_INL
+#undef HERR_POLAR_COORDINATES_INL
+#else
+#define HERR_POLAR_COORDINATES_INL
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include "renderer/lighting/simd_types-inl.h"
+#include "renderer/viewports/viewport_job.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// Angle of (x, y) in (-pi, pi]; (0, 0) gives 0.
+HWY_INLINE VF atan2(VF y, VF x) {
+  constexpr float kHalfPi = 1.57079633f, kFullPi = 3.14159265f;
+  const VF ax = hn::Abs(x), ay = hn::Abs(y);
+  const VF ratio = hn::Div(hn::Min(ax, ay), hn::Max(hn::Max(ax, ay), set(1e-37f)));
+  VF angle = hn::Atan(kF, ratio);
+  angle = hn::IfThenElse(hn::Gt(ay, ax), hn::Sub(set(kHalfPi), angle), angle);
+  angle = hn::IfThenElse(hn::Lt(x, hn::Zero(kF)), hn::Sub(set(kFullPi), angle), angle);
+  return hn::CopySign(angle, y);
+}
+
+struct PolarCoordinates {
+  VF column;  // u W - 1/2, in [-1/2, W - 1/2)
+  VF row;     // v H - 1/2, in [-1/2, H - 1/2]
+  VF theta_deg;
+};
+
+HWY_INLINE PolarCoordinates polar_coordinates(const ViewportJob& job, VF x, VF y) {
+  const PixelToGaze& map = job.to_gaze;
+  const auto component = [&](int i) HWY_ATTR {
+    return hn::MulAdd(y, set(map.per_y[i]), hn::MulAdd(x, set(map.per_x[i]), set(map.base[i])));
+  };
+  const VF right = component(0), up = component(1), ahead = component(2);
+  const VF off_axis = hn::Sqrt(hn::MulAdd(right, right, hn::Mul(up, up)));
+  const VF theta = hn::Mul(atan2(off_axis, ahead), set(static_cast<float>(kDegreesPerRadian)));
+  const VF half = set(0.5f);
+  const VF column = hn::MulSub(hn::Log1p(kF, theta), set(job.theta_to_column), half);
+  const VF turns = hn::Mul(atan2(up, right), set(0.159154943f));
+  const VF v = hn::IfThenElse(hn::Lt(turns, hn::Zero(kF)), hn::Add(turns, set(1.0f)), turns);
+  return {column, hn::MulSub(v, set(static_cast<float>(job.polar_height)), half), theta};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

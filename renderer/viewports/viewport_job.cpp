@@ -1,0 +1,99 @@
+#include "renderer/viewports/viewport_job.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace herr {
+namespace {
+
+glm::dvec3 eye_direction(const Viewport& v, double x, double y) {
+  return {v.tan_left + (x + 0.5) * (v.tan_right - v.tan_left) / v.width_px,
+          v.tan_up - (y + 0.5) * (v.tan_up - v.tan_down) / v.height_px, -1.0};
+}
+
+}  // namespace
+
+PixelToGaze pixel_to_gaze(const Viewport& v, const GazeFrame& frame) {
+  const glm::dvec3 base = eye_direction(v, 0, 0);
+  const glm::dvec3 per_x{(v.tan_right - v.tan_left) / v.width_px, 0, 0};
+  const glm::dvec3 per_y{0, -(v.tan_up - v.tan_down) / v.height_px, 0};
+  PixelToGaze map{};
+  const std::array<glm::dvec3, 3> axes{frame.right, frame.up, frame.gaze};
+  for (std::size_t i = 0; i < 3; ++i) {
+    map.base[i] = static_cast<float>(glm::dot(base, axes[i]));
+    map.per_x[i] = static_cast<float>(glm::dot(per_x, axes[i]));
+    map.per_y[i] = static_cast<float>(glm::dot(per_y, axes[i]));
+  }
+  return map;
+}
+
+float exact_below_deg(const Viewport& v, const PolarMap& map, int width, int height) {
+  constexpr double kTolerance = 1.0 / 16.0;  // samples
+  // Radians and degrees per pixel where the planar image is coarsest, its centre.
+  const double s = std::max((v.tan_right - v.tan_left) / v.width_px, (v.tan_up - v.tan_down) / v.height_px);
+  const double s_deg = s * kDegreesPerRadian;
+  const double cell2 = kCellSide * kCellSide;
+  const auto error_at = [&](double theta) {
+    const double u_curve = width / map.log_range / (theta * (1 + theta));
+    const double v_curve = height / (2 * glm::pi<double>()) / (theta * theta);
+    const double slope =
+        std::max(width / map.log_range / (1 + theta), height / (360.0 * std::sin(theta / kDegreesPerRadian)));
+    const double on_sphere = 2 * cell2 / 8 * s_deg * s_deg * std::max(u_curve, v_curve);
+    const double by_plane = 2 * cell2 / 8 * 0.65 * s * s * kDegreesPerRadian * slope;
+    return on_sphere + by_plane;
+  };
+  for (double theta = 0.25; theta < 90.0; theta *= 1.05) {
+    if (error_at(theta) < kTolerance) {
+      // A cell is judged by its corners: none of its points is nearer than a corner less half a diagonal.
+      return static_cast<float>(theta + s_deg * kCellSide * 0.7072);
+    }
+  }
+  return 180.0f;
+}
+
+std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView& feed, double x, double y) {
+  const glm::dvec3 point = glm::normalize(eye_direction(viewport, x, y)) * feed.distance_m;
+  return feed.model->project(feed.camera_from_eye(point));
+}
+
+bool camera_cells_suffice(const Viewport& viewport, const FeedView& feed) {
+  constexpr double kTolerance_px = 1.0 / 32.0;
+  constexpr std::array<std::array<double, 2>, 5> kProbes{
+      {{0.5, 0.5}, {0.5, 0}, {0, 0.5}, {1, 0.5}, {0.5, 1}}};
+  for (int y = 0; y < viewport.height_px; y += kStripRows) {
+    for (int x = 0; x < viewport.width_px; x += kBlockColumns) {
+      std::array<glm::dvec2, 4> corner{};
+      bool meets_image = false, valid = true;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto pixel = camera_pixel(viewport, feed, x + kBlockColumns * static_cast<double>(i % 2),
+                                        y + kStripRows * static_cast<double>(i / 2));
+        if (!pixel) valid = false;
+        if (pixel) corner[i] = *pixel, meets_image |= feed.model->contains(*pixel);
+      }
+      if (!meets_image || !valid)
+        continue;  // cells with an invalid corner are projected pixel by pixel anyway
+      for (const auto& [tx, ty] : kProbes) {
+        const auto exact = camera_pixel(viewport, feed, x + kBlockColumns * tx, y + kStripRows * ty);
+        const glm::dvec2 top = corner[0] + tx * (corner[1] - corner[0]);
+        const glm::dvec2 bottom = corner[2] + tx * (corner[3] - corner[2]);
+        if (!exact || glm::distance(*exact, top + ty * (bottom - top)) > kTolerance_px) return false;
+      }
+    }
+  }
+  return true;
+}
+
+StripScratch::StripScratch(int widest_px)
+    : corner_stride(static_cast<std::size_t>(widest_px / kCellSide + 40) / 16 * 16),
+      camera_stride(static_cast<std::size_t>(widest_px / kBlockColumns + 3)) {
+  u.resize(3 * corner_stride);
+  v.resize(3 * corner_stride);
+  theta.resize(3 * corner_stride);
+  camera_x.resize(2 * camera_stride);
+  camera_y.resize(2 * camera_stride);
+  camera_valid.resize(2 * camera_stride);
+}
+
+}  // namespace herr

@@ -1,0 +1,96 @@
+// What the viewport stage needs to turn one eye's radiance buffer into one viewport, strip by strip.
+// Polar coordinates are interpolated within 8x8 pixel cells where their curvature provably moves them by less
+// than 1/16 of a sample; cells near the pole, the antipode and the seam's wrap are computed exactly, per
+// pixel.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "renderer/foveation/gaze_frame.h"
+#include "renderer/foveation/polar_map.h"
+#include "renderer/foveation/radiance_buffer.h"
+#include "renderer/render_settings.h"
+#include "renderer/viewport_image.h"
+#include "sessions/camera_image.h"
+#include "sessions/camera_model.h"
+#include "sessions/display_profile.h"
+#include "sessions/pose.h"
+
+namespace herr {
+
+inline constexpr int kCellSide = 8;       // pixels: polar coordinates are exact at cell corners
+inline constexpr int kStripRows = 16;     // rows of a job; one row of camera cells, two of polar cells
+inline constexpr int kBlockColumns = 16;  // pixels that are composited together
+
+// The camera feed of one eye in this frame.
+struct FeedView {
+  const CameraImage* image = nullptr;  // at least 2x2; null: no feed
+  const CameraModel* model = nullptr;
+  Pose camera_from_eye;     // at the frame's exposure against the eye now
+  double distance_m = 2.0;  // the feed is taken to lie on a sphere of this radius about the eye
+  bool interpolate = true;  // false: 16-pixel cells are too coarse for this model, project every pixel
+};
+
+// A direction of pixel (x, y) in the gaze frame is base + x * per_x + y * per_y, not normalised.
+struct PixelToGaze {
+  float base[3], per_x[3], per_y[3];  // components along right, up, gaze
+};
+PixelToGaze pixel_to_gaze(const Viewport& viewport, const GazeFrame& frame);
+
+struct ViewportJob {
+  const Viewport* viewport = nullptr;
+  ViewportImage* out = nullptr;
+  const RadianceBuffer* radiance = nullptr;
+  bool polar = true;  // false: one texel per pixel
+  int polar_width = 0, polar_height = 0;
+  float theta_to_column = 0;  // columns per unit of log1p(theta in degrees)
+  PixelToGaze to_gaze{};
+  float exact_below_deg = 0;  // cells with a point nearer to pole or antipode than this are exact
+  FeedView feed;
+  bool opaque = false;  // no feed, but the background is already in s: alpha is 1
+};
+
+// Smallest eccentricity at which bilinear interpolation in a cell is off by less than 1/16 sample in both
+// axes. Bound: a cell of side h has error <= h^2/8 (|f_xx| + |f_yy|); on the sphere the second derivatives of
+// the map are at most W / (log1p(theta_max) theta (1 + theta)) and H / (2 pi theta^2) per square degree
+// (theta to the nearer pole), and the planar projection adds its own curvature, at most 0.65 s^2 radians per
+// pixel^2 at s radians per pixel.
+float exact_below_deg(const Viewport& viewport, const PolarMap& map, int width, int height);
+
+// Whether camera coordinates interpolated in 16-pixel cells stay within 1/32 pixel of the exact projection,
+// measured at the centres and edge midpoints of every cell that meets the image.
+bool camera_cells_suffice(const Viewport& viewport, const FeedView& feed);
+
+// Exact camera pixel of viewport pixel (x, y), or none when the model does not see that direction.
+std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView& feed, double x, double y);
+
+// One worker's memory for a strip of the widest viewport.
+struct StripScratch {
+  explicit StripScratch(int widest_px);
+  std::vector<float> u, v, theta;         // 3 rows of polar cell corners
+  std::vector<float> camera_x, camera_y;  // 2 rows of camera cell corners
+  std::vector<std::uint8_t> camera_valid;
+  std::size_t corner_stride, camera_stride;
+};
+
+// Composites rows [kStripRows * strip, ...) of a viewport.
+using CompositeStrip = void (*)(const ViewportJob&, int strip, StripScratch&);
+CompositeStrip composite_strip_for(Isa isa);
+
+// For benchmarks: the same fetches, blends and stores with coordinates that were computed beforehand.
+struct PrecomputedPixels {
+  std::vector<std::uint32_t> polar_offset, camera_offset;   // texels
+  std::vector<float> polar_x, polar_y, camera_x, camera_y;  // weights
+  std::vector<std::uint16_t> out;                           // 4 per pixel
+  std::size_t count() const { return polar_offset.size(); }
+};
+// Appends the coordinates of one block row of kBlockColumns pixels starting at (x, y).
+using PrecomputePixels = void (*)(const ViewportJob&, int x, int y, PrecomputedPixels&);
+PrecomputePixels precompute_pixels_for(Isa isa);
+using CompositePrecomputed = void (*)(const ViewportJob&, PrecomputedPixels&, std::size_t first,
+                                      std::size_t count);
+CompositePrecomputed composite_precomputed_for(Isa isa);
+
+}  // namespace herr
