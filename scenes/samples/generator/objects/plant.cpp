@@ -54,7 +54,7 @@ Mesh leaf_mesh(const Leaf& leaf) {
     const vec3 along = glm::normalize(rib(leaf, t + 5e-4f) - rib(leaf, t));
     const vec3 across = glm::normalize(glm::cross(along, vec3(-along.y, along.x, 0.0f)));
     const vec3 above = glm::cross(across, along);
-    const float angle = 2.0f * kPi * u;
+    const float angle = -2.0f * kPi * u;
     const float side = std::cos(angle), lift = std::sin(angle);
     const float half = half_width(leaf, t);
     const float thickness =

@@ -52,7 +52,7 @@ GlbObject shell() {
   const glm::mat4 identity(1.0f);
   // On its side, the mouth up and to the front.
   const glm::mat4 lying = glm::rotate(identity, 0.42f * kPi, glm::vec3(0, 0, 1));
-  const glm::mat4 mouth = glm::rotate(identity, 0.35f * kPi, glm::vec3(0, 1, 0));
+  const glm::mat4 mouth = glm::rotate(identity, 0.80f * kPi, glm::vec3(0, 1, 0));
   Mesh mesh;
   append(mesh, shell_mesh(), glm::scale(identity, glm::vec3(kScaleM)) * lying * mouth);
   stand_on_ground(mesh);

@@ -16,25 +16,47 @@ namespace {
 
 using glm::vec3;
 
-constexpr float kCellM = 0.0105f;
+constexpr float kCellM = 0.0118f, kHeadCellM = 0.0055f;
 
 // A robed woman with a raised torch, 1.75 m to the crown, facing +z. x > 0 is her left.
 
-float head(const vec3& p) {
+float face(const vec3& p) {
   float d = ellipsoid(p, {0.0f, 1.600f, 0.015f}, {0.078f, 0.108f, 0.092f});                    // skull
-  d = smooth_union(d, ellipsoid(p, {0.0f, 1.545f, 0.045f}, {0.052f, 0.062f, 0.058f}), 0.03f);  // jaw
-  d = smooth_union(d, tapered_capsule(p, {0, 1.608f, 0.098f}, {0, 1.575f, 0.118f}, 0.009f, 0.014f), 0.015f);
+  d = smooth_union(d, ellipsoid(p, {0.0f, 1.545f, 0.040f}, {0.054f, 0.062f, 0.060f}), 0.03f);  // jaw
+  d = smooth_union(d, ellipsoid(p, {0.0f, 1.503f, 0.078f}, {0.020f, 0.015f, 0.016f}), 0.02f);  // chin
+  d = smooth_union(d, tapered_capsule(p, {-0.040f, 1.620f, 0.086f}, {0.040f, 1.620f, 0.086f}, 0.010f, 0.010f),
+                   0.02f);  // brow
   for (const float side : {-1.0f, 1.0f}) {
-    const vec3 eye(0.032f * side, 1.603f, 0.108f);
-    d = smooth_difference(d, ellipsoid(p, eye, {0.019f, 0.012f, 0.014f}), 0.014f);
-    d = smooth_union(d, ellipsoid(p, eye - vec3(0, 0.001f, 0.016f), vec3(0.013f)), 0.004f);
+    d = smooth_difference(d, ellipsoid(p, {0.031f * side, 1.603f, 0.110f}, {0.019f, 0.010f, 0.014f}), 0.014f);
+    d = smooth_union(d, ellipsoid(p, {0.031f * side, 1.602f, 0.086f}, {0.015f, 0.011f, 0.0145f}), 0.003f);
+    d = smooth_union(d, ellipsoid(p, {0.036f * side, 1.570f, 0.082f}, {0.020f, 0.018f, 0.015f}),
+                     0.025f);  // cheek
   }
-  d = smooth_union(d, ellipsoid(p, {0, 1.538f, 0.102f}, {0.024f, 0.007f, 0.009f}), 0.006f);  // lips
-  // Hair: a cap with waves, a band, a bun at the back.
-  const float waves = 0.004f * std::sin(90.0f * p.y + 25.0f * std::abs(p.x)) * std::cos(30.0f * p.z);
-  const float hair = ellipsoid(p, {0.0f, 1.628f, -0.008f}, {0.089f, 0.100f, 0.096f}) + waves;
-  d = smooth_union(d, std::max(hair, p.z - 0.062f - 0.25f * (p.y - 1.62f)), 0.008f);
-  return smooth_union(d, ellipsoid(p, {0.0f, 1.635f, -0.115f}, {0.052f, 0.048f, 0.050f}) + waves, 0.012f);
+  d = smooth_union(d, tapered_capsule(p, {0, 1.622f, 0.098f}, {0, 1.576f, 0.118f}, 0.0065f, 0.0105f), 0.014f);
+  d = smooth_union(d, tapered_capsule(p, {-0.009f, 1.573f, 0.108f}, {0.009f, 1.573f, 0.108f}, 0.007f, 0.007f),
+                   0.006f);  // nostrils
+  for (const float lip : {1.543f, 1.533f}) {
+    d = smooth_union(d, ellipsoid(p, {0.0f, lip, 0.099f}, {0.021f, 0.0055f, 0.010f}), 0.004f);
+  }
+  return d;
+}
+
+float hair(const vec3& p) {
+  // Parted in the middle, combed back in waves over the ears into a bun.
+  const float parted = std::abs(p.x);
+  const float waves = 0.0045f * std::sin(150.0f * (p.z - 0.5f * parted) + 60.0f * (p.y - 1.6f));
+  const float part = 0.008f * std::exp(-parted / 0.008f);
+  float d = ellipsoid(p, {0.0f, 1.624f, -0.006f}, {0.093f, 0.104f, 0.100f}) + waves + part;
+  const float hairline = 0.050f + 0.45f * (p.y - 1.62f) - 0.6f * parted * glm::smoothstep(1.64f, 1.70f, p.y);
+  d = smooth_difference(d, hairline - p.z, 0.010f);
+  const float bun = ellipsoid(p, {0.0f, 1.615f, -0.118f}, {0.050f, 0.046f, 0.044f});
+  return smooth_union(d, bun + 0.004f * std::sin(120.0f * p.y + 80.0f * p.x), 0.010f);
+}
+
+float head(const vec3& p) {
+  // A neck a little thinner than the trunk's, so that only the fillet under the jaw shows.
+  const float neck = tapered_capsule(p, {0, 1.45f, -0.002f}, {0, 1.54f, 0.012f}, 0.047f, 0.045f);
+  return smooth_union(smooth_union(face(p), hair(p), 0.006f), neck, 0.030f);
 }
 
 float trunk(const vec3& p) {
@@ -119,7 +141,7 @@ float cloak(const vec3& p) {
 
 float figure(const vec3& p) {
   const float body = smooth_union(smooth_union(trunk(p), skirt(p), 0.07f), arms(p), 0.025f);
-  return std::min(smooth_union(smooth_union(body, cloak(p), 0.022f), head(p), 0.02f),
+  return std::min(smooth_union(body, cloak(p), 0.022f),
                   ellipsoid(p, {0, 0.0f, 0.02f}, {0.33f, 0.035f, 0.33f}));
 }
 
@@ -141,7 +163,10 @@ Mesh plinth() {
 GlbObject statue() {
   const Mesh body = surface_nets(figure, {{-0.46f, -0.06f, -0.38f}, {0.40f, 2.08f, 0.40f}, kCellM});
   Mesh mesh;
-  append(mesh, body, glm::translate(glm::mat4(1.0f), vec3(0.0f, 0.375f, 0.0f)));
+  const Mesh detail = surface_nets(head, {{-0.12f, 1.38f, -0.19f}, {0.12f, 1.76f, 0.15f}, kHeadCellM});
+  const glm::mat4 on_plinth = glm::translate(glm::mat4(1.0f), vec3(0.0f, 0.375f, 0.0f));
+  append(mesh, body, on_plinth);
+  append(mesh, detail, on_plinth, {{0.35f, 0.15f}, {0.65f, 0.33f}});
   append(mesh, plinth(), glm::mat4(1.0f));
   return {"statue", {{mesh, {"marble", vec3(1.0f), 0.0f, 0.5f, {}, marble_picture()}}}};
 }
