@@ -17,8 +17,9 @@ std::vector<unsigned char> read_regular_file(const std::filesystem::path& file, 
 
 class ContainedFolder {
  public:
-  // Throws InputError when the folder cannot be opened.
-  explicit ContainedFolder(std::filesystem::path folder);
+  // The folder that `owner`, the file that names others, stands in. Throws InputError when it cannot be
+  // opened.
+  explicit ContainedFolder(const std::filesystem::path& owner);
   ~ContainedFolder();
   ContainedFolder(const ContainedFolder&) = delete;
   ContainedFolder& operator=(const ContainedFolder&) = delete;
@@ -29,7 +30,7 @@ class ContainedFolder {
   const std::filesystem::path& path() const { return folder_; }
 
  private:
-  std::filesystem::path folder_;
+  std::filesystem::path owner_, folder_;
   int folder_fd_ = -1;
 };
 

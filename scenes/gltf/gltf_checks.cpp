@@ -115,37 +115,42 @@ std::int64_t component_bytes(const JsonObject& object, const char* key) {
   }
 }
 
-// Bytes of one element. Columns of matrices start at multiples of four bytes.
-std::int64_t element_bytes(const JsonObject& accessor, std::int64_t component) {
+// Bytes from one element to the next, and of the last one, which may go without its padding: columns of
+// matrices start at multiples of four bytes.
+struct ElementSize {
+  std::int64_t step, last;
+};
+
+ElementSize element_size(const JsonObject& accessor, std::int64_t component) {
   const std::string type = accessor.text("type");
-  if (type == "SCALAR") return component;
-  if (type == "VEC2") return 2 * component;
-  if (type == "VEC3") return 3 * component;
-  if (type == "VEC4") return 4 * component;
-  const auto aligned = [](std::int64_t bytes) { return (bytes + 3) / 4 * 4; };
-  if (type == "MAT2") return 2 * aligned(2 * component);
-  if (type == "MAT3") return 3 * aligned(3 * component);
-  if (type == "MAT4") return 4 * aligned(4 * component);
-  accessor.fail("type", "is \"" + printable(type) + "\"", "use SCALAR, VEC2..4 or MAT2..4");
+  if (type == "SCALAR") return {component, component};
+  const bool matrix = type.rfind("MAT", 0) == 0;
+  const bool known =
+      type.size() == 4 && (matrix || type.rfind("VEC", 0) == 0) && type[3] >= '2' && type[3] <= '4';
+  if (!known) accessor.fail("type", "is \"" + printable(type) + "\"", "use SCALAR, VEC2..4 or MAT2..4");
+  const std::int64_t rows = type[3] - '0';
+  if (!matrix) return {rows * component, rows * component};
+  const std::int64_t column = (rows * component + 3) / 4 * 4;
+  return {rows * column, (rows - 1) * column + rows * component};
 }
 
-// `count` elements of `size` bytes at `offset` of the view that `object` names must lie within that view.
+// `count` elements at `offset` of the view that `object` names must lie within that view.
 void check_run(const JsonObject& object, const std::vector<JsonObject>& views, std::int64_t count,
-               std::int64_t size, bool may_stride) {
+               const ElementSize& size, bool may_stride) {
   const std::int64_t index = object.integer("bufferView", 0, static_cast<std::int64_t>(views.size()) - 1);
   const JsonObject& view = views[static_cast<std::size_t>(index)];
   const std::int64_t offset = object.integer_or("byteOffset", 0, kMaxOffset, 0);
-  const std::int64_t stride = may_stride ? view.integer_or("byteStride", 4, 252, size) : size;
-  if (stride < size) view.fail("byteStride", "is smaller than an element", "export the model again");
+  const std::int64_t stride = may_stride ? view.integer_or("byteStride", 4, 252, size.step) : size.step;
+  if (stride < size.step) view.fail("byteStride", "is smaller than an element", "export the model again");
   // count <= 32e6 and stride <= 252: far below 2^63.
-  check_extent(object, may_stride ? "count" : "bufferView", offset + (count - 1) * stride + size,
+  check_extent(object, may_stride ? "count" : "bufferView", offset + (count - 1) * stride + size.last,
                view.integer("byteLength", 1, kMaxOffset), "bufferViews[" + std::to_string(index) + "]");
 }
 
 void check_accessors(const std::vector<JsonObject>& accessors, const std::vector<JsonObject>& views) {
   for (const JsonObject& accessor : accessors) {
     const std::int64_t count = accessor.integer("count", 1, kMaxElements);
-    const std::int64_t size = element_bytes(accessor, component_bytes(accessor, "componentType"));
+    const ElementSize size = element_size(accessor, component_bytes(accessor, "componentType"));
     accessor.boolean_or("normalized", false);
     if (accessor.has("bufferView")) check_run(accessor, views, count, size, true);
     if (!accessor.has("sparse")) continue;
@@ -153,7 +158,7 @@ void check_accessors(const std::vector<JsonObject>& accessors, const std::vector
     const std::int64_t replaced = sparse.integer("count", 1, count);
     const JsonObject indices = sparse.object("indices");
     const std::int64_t index_size = component_bytes(indices, "componentType");
-    check_run(indices, views, replaced, index_size, false);
+    check_run(indices, views, replaced, {index_size, index_size}, false);
     check_run(sparse.object("values"), views, replaced, size, false);
   }
 }

@@ -86,7 +86,6 @@ struct GltfImage {
 struct GltfNode {
   std::string name;
   int mesh = -1;
-  bool skinned = false;
   std::vector<int> children;
   glm::dmat4x3 parent_from_node{1.0};
 };

@@ -25,7 +25,8 @@ namespace {
 
 // What tinygltf's callbacks share: the folder, what is left of the byte budget, and why a read failed.
 struct Reading {
-  explicit Reading(const std::filesystem::path& folder_path) : folder(folder_path) {}
+  explicit Reading(const std::filesystem::path& file) : gltf_file(file), folder(file) {}
+  std::filesystem::path gltf_file;
   ContainedFolder folder;
   std::int64_t bytes_left = kMaxExternalBytes;
   std::set<std::filesystem::path> files;
@@ -48,9 +49,11 @@ bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const 
   auto& reading = *static_cast<Reading*>(user);
   // An exception must not cross tinygltf, which holds no guards: it is kept and thrown again afterwards.
   try {
+    if (path.rfind("data:", 0) == 0) {
+      throw InputError(reading.gltf_file, 0, "embeds data as " + printable(path.substr(0, path.find(','))),
+                       "embed it as data:application/octet-stream;base64 or data:image/png;base64");
+    }
     *out = reading.folder.read(path, reading.bytes_left);
-    if (out->empty()) throw InputError(reading.folder.path() / path, 0, "is empty", "copy the file again");
-    reading.bytes_left -= static_cast<std::int64_t>(out->size());
     reading.files.insert(reading.folder.path() / path);
     return true;
   } catch (const std::exception& failure) {
@@ -206,7 +209,7 @@ void warn_of_losses(const tinygltf::Model& from, GltfModel& to) {
   if (!from.animations.empty())
     to.warnings.push_back("animations are not played; nodes stand as the file has them");
   if (!from.skins.empty())
-    to.warnings.push_back("skins are not applied; skinned meshes stand in their bind pose");
+    to.warnings.push_back("skins are not applied; skinned meshes stand as they were modelled");
   bool colours = false, targets = false, transparent = false;
   for (const auto& mesh : from.meshes) {
     for (const auto& primitive : mesh.primitives) {
@@ -230,7 +233,7 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
       to.warnings.push_back("the rotation of node \"" + printable(node.name) +
                             "\" is not of unit length; normalised");
     }
-    to.nodes.push_back({node.name, node.mesh, node.skin >= 0, node.children, matrix_of(node)});
+    to.nodes.push_back({node.name, node.mesh, node.children, matrix_of(node)});
   }
   if (!from.scenes.empty()) {
     const int scene = std::max(from.defaultScene, 0);
@@ -296,7 +299,7 @@ GltfModel read_gltf(const std::filesystem::path& file) {
   const nlohmann::json document = parse_json_text(json_text(bytes, file), file, 1, limits);
   std::vector<std::string> warnings = check_gltf_document(document, file, is_binary(bytes));
 
-  Reading reading(file.parent_path());
+  Reading reading(file);
   GltfModel model = convert(parse(bytes, file, reading), file, reading);
   model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
   for (std::string& warning : model.warnings) warning = gltf_warning(model, warning);
