@@ -166,7 +166,8 @@ GlbObject statue() {
   const Mesh detail = surface_nets(head, {{-0.12f, 1.38f, -0.19f}, {0.12f, 1.76f, 0.15f}, kHeadCellM});
   const glm::mat4 on_plinth = glm::translate(glm::mat4(1.0f), vec3(0.0f, 0.375f, 0.0f));
   append(mesh, body, on_plinth);
-  append(mesh, detail, on_plinth, {{0.35f, 0.15f}, {0.65f, 0.33f}});
+  // A part of the marble without veins: one across the face would read as a scar.
+  append(mesh, detail, on_plinth, {{0.547f, 0.266f}, {0.664f, 0.441f}});
   append(mesh, plinth(), glm::mat4(1.0f));
   return {"statue", {{mesh, {"marble", vec3(1.0f), 0.0f, 0.5f, {}, marble_picture()}}}};
 }
