@@ -59,9 +59,20 @@ void describe_headset(const FrameSample& sample, const Viewport& viewport, Imf::
   header.insert("herr.gaze_source", Imf::StringAttribute(name_of(sample.gaze.source[eye])));
 }
 
-Imf::Header make_header(const Viewport& viewport, const FrameSample& sample,
+// The display window: all parts must share one, so it is as large as the largest viewport; the data window of
+// a part is the viewport's own.
+Imath::Box2i display_window(const DisplayProfile& profile) {
+  Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(0, 0));
+  for (const Viewport& viewport : profile.viewports) {
+    window.extendBy(Imath::V2i(viewport.width_px - 1, viewport.height_px - 1));
+  }
+  return window;
+}
+
+Imf::Header make_header(const Viewport& viewport, const Imath::Box2i& window, const FrameSample& sample,
                         const PictureMetadata& metadata) {
-  Imf::Header header(viewport.width_px, viewport.height_px);
+  const Imath::V2i last(viewport.width_px - 1, viewport.height_px - 1);
+  Imf::Header header(window, Imath::Box2i(Imath::V2i(0, 0), last));
   header.setName(viewport.name);
   header.setType(Imf::SCANLINEIMAGE);
   header.setView(viewport.eye == Eye::left ? "left" : "right");
@@ -110,8 +121,9 @@ std::int64_t encode_exr(const std::vector<ViewportImage>& viewports, const Displ
                         const FrameSample& sample, const PictureMetadata& metadata,
                         const ParallelFor& parallel_for, std::vector<std::uint8_t>& out) {
   std::vector<Imf::Header> headers;
+  const Imath::Box2i window = display_window(profile);
   for (const Viewport& viewport : profile.viewports)
-    headers.push_back(make_header(viewport, sample, metadata));
+    headers.push_back(make_header(viewport, window, sample, metadata));
 
   // Compress each part as a file of its own, all at once.
   std::vector<std::vector<std::uint8_t>> parts(viewports.size());

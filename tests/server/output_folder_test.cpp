@@ -1,0 +1,91 @@
+#include "server/replay/output_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "server/cli/exit_code.h"
+#include "temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+void touch(const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "x";
+}
+
+TEST(OutputFolder, NamesFilesByFrame) {
+  const OutputFolder folder("out", "/data/desk-walk/");
+  EXPECT_EQ(folder.path(), fs::path("out/desk-walk"));
+  EXPECT_EQ(folder.picture(60, ".exr"), fs::path("out/desk-walk/frames/frame_000060.exr"));
+  EXPECT_EQ(folder.picture(1234567, ".left_focus.png"),
+            fs::path("out/desk-walk/frames/frame_1234567.left_focus.png"));
+  EXPECT_EQ(folder.contact_sheet(60), fs::path("out/desk-walk/contact_sheet_000060.png"));
+}
+
+TEST(OutputFolder, AFolderWithContentNeedsOverwrite) {
+  const TemporaryFolder root;
+  const OutputFolder folder(root.path() / "out", root.path() / "walk");
+  EXPECT_NO_THROW(folder.check(false));
+  fs::create_directories(root.path() / "out" / "walk");
+  EXPECT_NO_THROW(folder.check(false));
+  touch(root.path() / "out" / "walk" / "notes.txt");
+  try {
+    folder.check(false);
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("--overwrite"), std::string::npos) << error.what();
+  }
+  EXPECT_NO_THROW(folder.check(true));
+}
+
+TEST(OutputFolder, AFileInThePlaceOfTheFolderAndAFolderInsideTheSessionAreRefused) {
+  const TemporaryFolder root;
+  touch(root.path() / "out" / "walk");
+  EXPECT_THROW(OutputFolder(root.path() / "out", root.path() / "walk").check(true), UsageError);
+  fs::create_directories(root.path() / "sessions" / "walk");
+  EXPECT_THROW(
+      OutputFolder(root.path() / "sessions" / "walk" / "out", root.path() / "sessions" / "walk").check(true),
+      UsageError);
+  // DIR/<session name> is the session itself when --out is the folder that holds the session.
+  EXPECT_THROW(OutputFolder(root.path() / "sessions", root.path() / "sessions" / "walk").check(true),
+               UsageError);
+}
+
+TEST(OutputFolder, OverwritingRemovesEarlierResultsAndNothingElse) {
+  const TemporaryFolder root;
+  const fs::path out = root.path() / "out" / "walk";
+  for (const char* name : {"frames.csv", "summary.json", "contact_sheet_000001.png", "notes.txt", "photo.png",
+                           "frames/frame_000000.exr", "frames/frame_000000.left_focus.png",
+                           "frames/my_frame.png", "summary.json.tmp.999999999"}) {
+    touch(out / name);
+  }
+  OutputFolder(root.path() / "out", root.path() / "walk").prepare(PictureFormat::none);
+  EXPECT_TRUE(fs::exists(out / "notes.txt"));
+  EXPECT_TRUE(fs::exists(out / "photo.png"));
+  EXPECT_TRUE(fs::exists(out / "frames/my_frame.png"));
+  for (const char* name :
+       {"frames.csv", "summary.json", "contact_sheet_000001.png", "frames/frame_000000.exr",
+        "frames/frame_000000.left_focus.png", "summary.json.tmp.999999999"}) {
+    EXPECT_FALSE(fs::exists(out / name)) << name;
+  }
+}
+
+TEST(OutputFolder, TemporaryFilesOfRunningProcessesAreLeftAlone) {
+  EXPECT_FALSE(is_replay_result("frames.csv.tmp.1"));  // process 1 always runs
+  EXPECT_TRUE(is_replay_result("frames.csv.tmp.999999999"));
+  EXPECT_FALSE(is_replay_result("thesis.doc.tmp.999999999"));
+}
+
+TEST(OutputFolder, AFolderThatCannotBeMadeIsAUsageError) {
+  const TemporaryFolder root;
+  touch(root.path() / "file");
+  EXPECT_THROW(OutputFolder(root.path() / "file" / "deep", "walk").prepare(PictureFormat::png), UsageError);
+}
+
+}  // namespace
+}  // namespace herr
