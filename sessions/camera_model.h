@@ -1,6 +1,6 @@
 // Camera intrinsics: how a direction in camera space maps to a pixel and back.
-// Camera space here is the world's convention: looks along -Z, +Y up, +X right; pixel (0,0) is the centre of the
-// upper-left pixel, x to the right, y down. (Files of OpenCV-style tools flip y and z on import.)
+// Camera space here is the world's convention: looks along -Z, +Y up, +X right; pixel (0,0) is the centre of
+// the upper-left pixel, x to the right, y down. (Files of OpenCV-style tools flip y and z on import.)
 // Sources: Brown-Conrady and KB4 (Kannala & Brandt 2006) as in OpenCV; Fisheye624 as in Project Aria.
 #pragma once
 
@@ -16,13 +16,14 @@ enum class CameraModelKind { pinhole, kb4, fisheye624 };
 
 struct CameraModel {
   CameraModelKind kind = CameraModelKind::pinhole;
-  int width_px = 0, height_px = 0;  // size of every image of the stream
+  int width_px = 0, height_px = 0;        // size of every image of the stream
   double fx = 0, fy = 0, cx = 0, cy = 0;  // pixels
   // pinhole: k1 k2 p1 p2 k3 (Brown-Conrady); kb4: k1..k4; fisheye624: k0..k5 p0 p1 s0..s3.
   std::array<double, 12> distortion{};
   double max_angle_rad = 0;  // beyond this angle from the axis the model is not valid (set by prepare())
 
-  // Finds max_angle_rad: the largest angle up to which the radial distortion is monotonic. Call once after parsing.
+  // Finds max_angle_rad: the largest angle up to which the radial distortion is monotonic. Call once after
+  // parsing.
   void prepare();
   // Pixel of a direction (any length), or none when it lies beyond max_angle_rad. Thread-safe.
   std::optional<glm::dvec2> project(const glm::dvec3& direction) const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,28 +17,32 @@ inline constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
 // A pinhole image plane in eye space (eye looks along -Z, +Y up). Pixel (0, 0) is at the upper left.
 struct Viewport {
-  std::string name;       // unique, e.g. "left_context"; becomes part of file names: [a-z0-9_]{1,40}
+  std::string name;  // unique, e.g. "left_context"; becomes part of file names: [a-z0-9_]{1,40}
   Eye eye = Eye::left;
-  bool focus = false;     // a focus viewport is blended over the context viewport of its eye by the display
-  int width_px = 0;       // 1 ... 16384
+  bool focus = false;  // a focus viewport is blended over the context viewport of its eye by the display
+  int width_px = 0;    // 1 ... 16384
   int height_px = 0;
-  // Half-angles from the forward axis to each border as tangents; right > left, up > down, |tan| <= tan(89.5 deg).
+  // Half-angles from the forward axis to each border as tangents; right > left, up > down, |tan| <= tan(89.5
+  // deg).
   double tan_left = 0, tan_right = 0, tan_down = 0, tan_up = 0;
   double edge_blend_deg = 0;  // width of the blend at the border of a focus viewport; display metadata
 };
 
 struct DisplayProfile {
   std::string name;
-  double display_hz = 60;  // 1 ... 1000
+  double display_hz = 60;           // 1 ... 1000
   std::vector<Viewport> viewports;  // 1 ... 64
 };
 
-// Varjo XR-1 (paper section 2.4): per eye 1980x1980 over +-45 deg and 2400x1350 over +-20 x +-11.57 deg, 60 Hz.
+// Varjo XR-1 (paper section 2.4): per eye 1980x1980 over +-45 deg and 2400x1350 over +-20 x +-11.57 deg, 60
+// Hz.
 DisplayProfile xr1_profile();
 // The same fields of view at half the pixels per axis.
 DisplayProfile xr1_half_profile();
 
-// A built-in profile by name ("xr1", "xr1-half") or the path of a JSON file. Throws InputError.
+// A built-in profile ("xr1", "xr1-half"), or none of that name.
+std::optional<DisplayProfile> builtin_display_profile(const std::string& name);
+// A built-in profile by name or the path of a JSON file. Throws InputError.
 DisplayProfile load_display_profile(const std::string& name_or_path);
 // An inline profile; `file` and `where` (a field path) name the place in error messages.
 DisplayProfile parse_display_profile(const nlohmann::json& document, const std::filesystem::path& file,

@@ -16,7 +16,8 @@ class InputError : public std::runtime_error {
              const std::string& remedy);
 };
 
-// `text` with control characters and bytes that are not UTF-8 written as \xNN, cut to 200 bytes: safe to print.
+// `text` with control characters and bytes that are not UTF-8 written as \xNN, cut to 200 bytes: safe to
+// print.
 std::string printable(const std::string& text);
 
 }  // namespace herr

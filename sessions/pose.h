@@ -14,8 +14,8 @@ inline constexpr double kSecondsPerNs = 1e-9;
 
 // A rigid transform a_from_b: maps a point of frame b to frame a.
 struct Pose {
-  glm::dvec3 position{0.0};                      // origin of b in a, metres
-  glm::dquat orientation{1.0, 0.0, 0.0, 0.0};    // unit quaternion (w, x, y, z in GLM's constructor)
+  glm::dvec3 position{0.0};                    // origin of b in a, metres
+  glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  // unit quaternion (w, x, y, z in GLM's constructor)
 
   glm::dvec3 operator()(const glm::dvec3& point) const { return orientation * point + position; }
 };

@@ -23,8 +23,8 @@ enum class SamplingMode { latest, predict, interpolate };
 struct SessionOptions {
   SamplingMode sampling = SamplingMode::latest;  // latest: the newest sample at or before the time (causal)
   double predict_cap_s = 0.1;                    // predict: never extrapolate further than this
-  bool keep_going = false;  // skip and count bad rows and images instead of throwing
-  bool strict = false;      // a stream whose last line was cut off is an error, not a warning
+  bool keep_going = false;                       // skip and count bad rows and images instead of throwing
+  bool strict = false;  // a stream whose last line was cut off is an error, not a warning
 };
 
 // What session.json says.
@@ -37,12 +37,12 @@ struct SessionHeader {
   std::string name;
   std::string provenance, licence;
   DisplayProfile profile;
-  std::array<Pose, 2> head_from_eye;    // default: +-31.5 mm along x
-  bool gaze_combined = false;           // gaze_kind "combined"
-  std::optional<double> vergence_m;     // combined gaze: distance at which the eyes converge
-  double pose_hz = 0, gaze_hz = 0;      // nominal; 0 = not stated
-  std::vector<Camera> cameras;          // 0, 1 or 2: [0] is the left or only one
-  std::string scene;                    // path of a scene file relative to the session's folder; may be empty
+  std::array<Pose, 2> head_from_eye;  // default: +-31.5 mm along x
+  bool gaze_combined = false;         // gaze_kind "combined"
+  std::optional<double> vergence_m;   // combined gaze: distance at which the eyes converge
+  double pose_hz = 0, gaze_hz = 0;    // nominal; 0 = not stated
+  std::vector<Camera> cameras;        // 0, 1 or 2: [0] is the left or only one
+  std::string scene;                  // path of a scene file relative to the session's folder; may be empty
 };
 
 // Gaze at a time: one unit direction per eye in head space (combined gaze is aimed at the vergence point).
@@ -68,7 +68,8 @@ struct FrameSample {
   SampledPose head;
   SampledGaze gaze;
   std::array<Pose, 2> head_from_eye;
-  std::array<std::optional<SampledCamera>, 2> cameras;  // per eye; both refer to the same frame when there is one camera
+  std::array<std::optional<SampledCamera>, 2>
+      cameras;  // per eye; both refer to the same frame when there is one camera
 };
 
 // One line of events.jsonl, not interpreted here.
@@ -100,12 +101,13 @@ class Session {
   const SessionHeader& header() const;
   const SessionFindings& findings() const;
   const std::filesystem::path& folder() const;
-  // The span that can be replayed: from the first pose to the last (or as the header narrows it). end >= start.
+  // The span that can be replayed: from the first pose to the last (or as the header narrows it). end >=
+  // start.
   TimeNs start_ns() const;
   TimeNs end_ns() const;
 
-  // State at t_ns (start_ns() <= t_ns). Throws InputError when a camera frame does not decode (unless keep_going:
-  // then the previous frame is held) and std::logic_error when time runs backwards.
+  // State at t_ns (start_ns() <= t_ns). Throws InputError when a camera frame does not decode (unless
+  // keep_going: then the previous frame is held) and std::logic_error when time runs backwards.
   FrameSample sample(TimeNs t_ns);
   // Events with stamps in (previous call's t_ns, t_ns].
   std::vector<SceneEvent> events_until(TimeNs t_ns);

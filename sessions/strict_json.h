@@ -23,14 +23,14 @@ struct JsonLimits {
 
 // Parses a whole file / one text. Throws InputError with the line of the first error.
 nlohmann::json parse_json_file(const std::filesystem::path& file, const JsonLimits& limits = {});
-nlohmann::json parse_json_text(std::string_view text, const std::filesystem::path& file, std::int64_t first_line,
-                               const JsonLimits& limits = {});
+nlohmann::json parse_json_text(std::string_view text, const std::filesystem::path& file,
+                               std::int64_t first_line, const JsonLimits& limits = {});
 
 // The known name nearest to `unknown` by edit distance.
 std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known);
 
-// A view of one JSON object that knows where it stands ("lights[0].path"), so that each error names its field.
-// The document must outlive the view. Every reader throws InputError on a wrong type, range or size.
+// A view of one JSON object that knows where it stands ("lights[0].path"), so that each error names its
+// field. The document must outlive the view. Every reader throws InputError on a wrong type, range or size.
 class JsonObject {
  public:
   JsonObject(const nlohmann::json& value, std::filesystem::path file, std::string where);
@@ -42,7 +42,8 @@ class JsonObject {
   double number(const char* key, double lowest, double highest) const;
   double number_or(const char* key, double lowest, double highest, double fallback) const;
   std::int64_t integer(const char* key, std::int64_t lowest, std::int64_t highest) const;
-  std::int64_t integer_or(const char* key, std::int64_t lowest, std::int64_t highest, std::int64_t fallback) const;
+  std::int64_t integer_or(const char* key, std::int64_t lowest, std::int64_t highest,
+                          std::int64_t fallback) const;
   bool boolean_or(const char* key, bool fallback) const;
   std::string text(const char* key) const;
   std::string text_or(const char* key, const std::string& fallback) const;
@@ -50,7 +51,7 @@ class JsonObject {
   glm::dvec3 vec3_or(const char* key, double lowest, double highest, const glm::dvec3& fallback) const;
   std::vector<double> numbers(const char* key, std::size_t count, double lowest, double highest) const;
   JsonObject object(const char* key) const;
-  std::vector<JsonObject> objects(const char* key) const;     // an array of objects; empty when absent
+  std::vector<JsonObject> objects(const char* key) const;  // an array of objects; empty when absent
   const nlohmann::json& value(const char* key) const;
 
   const std::filesystem::path& file() const { return file_; }

@@ -1,0 +1,167 @@
+#include "sessions/session.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "sessions/input_error.h"
+#include "sessions/session_check.h"
+#include "sessions/session_header.h"
+#include "sessions/streams/camera_sampler.h"
+#include "sessions/streams/event_stream.h"
+#include "sessions/streams/gaze_sampler.h"
+#include "sessions/streams/pose_sampler.h"
+
+namespace herr {
+namespace {
+
+void check_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(folder, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError(folder, 0, "there is no such session folder", "check the path");
+  if (status.type() == std::filesystem::file_type::none)
+    throw InputError(folder, 0, "cannot be examined: " + error.message(),
+                     "check the path and its permissions");
+  if (!std::filesystem::is_directory(status))
+    throw InputError(folder, 0, "is not a folder", "name the folder that holds session.json");
+  if (!std::filesystem::exists(folder / "session.json", error))
+    throw InputError(folder, 0, "holds no session.json: it is not a session", "name a session folder");
+}
+
+RowStream<PoseRow> open_poses(const SessionFiles& files, bool keep_going) {
+  return {files.pose(), pose_layout(), parse_pose_row, {keep_going, {}}};
+}
+
+}  // namespace
+
+struct Session::State {
+  SessionFiles files;
+  SessionOptions options;
+  SessionHeader header;
+  SessionFindings findings;
+  TimeNs start_ns = 0, end_ns = 0;
+
+  std::optional<PoseSampler> poses;
+  std::optional<GazeSampler> gaze;
+  std::vector<CameraSampler> cameras;
+  std::optional<EventStream> events;
+  std::optional<SceneEvent> next_event;
+  std::optional<TimeNs> last_sample_ns, last_events_ns;
+
+  void narrow_span(const ParsedSessionHeader& parsed, const CheckedSession& checked);
+  void open_samplers(const CheckedSession& checked);
+  void open_camera(std::size_t i);
+};
+
+void Session::State::narrow_span(const ParsedSessionHeader& parsed, const CheckedSession& checked) {
+  start_ns = std::max(checked.first_pose_ns, parsed.start_ns.value_or(checked.first_pose_ns));
+  end_ns = std::min(checked.last_pose_ns, parsed.end_ns.value_or(checked.last_pose_ns));
+  if (start_ns > end_ns)
+    throw InputError(files.header(), 0, "field start_ns or end_ns leaves nothing to replay",
+                     "the poses run from " + std::to_string(checked.first_pose_ns) + " to " +
+                         std::to_string(checked.last_pose_ns) + " ns");
+}
+
+void Session::State::open_camera(std::size_t i) {
+  // Images were checked by the pass before; when bad ones are skipped, the same rows must be skipped again.
+  RowStream<CameraRow> rows =
+      options.keep_going
+          ? open_camera_rows(files, i, header.cameras[i].model, {true, {}})
+          : RowStream<CameraRow>(files.camera(i), camera_layout(), parse_camera_row, {false, {}});
+  CameraSampler::Source source;
+  source.data_folder = files.camera_data(i);
+  source.camera = &header.cameras[i];
+  source.keep_going = options.keep_going;
+  source.on_skipped = [this](const InputError& error) {
+    ++findings.skipped_images;
+    add_warning(findings, std::string(error.what()) + " (the frame before is held)");
+  };
+  cameras.emplace_back(std::move(rows),
+                       PoseSampler(open_poses(files, options.keep_going), SamplingMode::interpolate, 0),
+                       std::move(source));
+}
+
+void Session::State::open_samplers(const CheckedSession& checked) {
+  poses.emplace(open_poses(files, options.keep_going), options.sampling, options.predict_cap_s);
+  GazeGeometry geometry{header.gaze_combined, header.vergence_m, {}};
+  for (std::size_t eye = 0; eye < 2; ++eye) geometry.eye_in_head[eye] = header.head_from_eye[eye].position;
+  std::optional<RowStream<GazeRow>> rows;
+  if (checked.has_gaze)
+    rows.emplace(files.gaze(), gaze_layout(), parse_gaze_row, RowPolicy{options.keep_going, {}});
+  gaze.emplace(std::move(rows), options.sampling, geometry);
+  for (std::size_t i = 0; i < header.cameras.size(); ++i) open_camera(i);
+  if (!checked.has_events) return;
+  events.emplace(files.events(), RowPolicy{options.keep_going, {}});
+  next_event = events->next();
+}
+
+Session Session::open(const std::filesystem::path& folder, const SessionOptions& options) {
+  if (!(options.predict_cap_s >= 0)) throw std::invalid_argument("predict_cap_s must be 0 or more");
+  check_folder(folder);
+  auto state = std::make_unique<State>();
+  state->files.folder = folder;
+  state->options = options;
+  ParsedSessionHeader parsed = read_session_header(state->files.header());
+  state->header = parsed.header;
+  CheckedSession checked = check_session(state->files, state->header, options);
+  state->narrow_span(parsed, checked);
+  state->findings = std::move(checked.findings);
+  for (const std::string& warning : parsed.warnings) add_warning(state->findings, warning);
+  state->open_samplers(checked);
+  return Session(std::move(state));
+}
+
+Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+const SessionHeader& Session::header() const {
+  return state_->header;
+}
+const SessionFindings& Session::findings() const {
+  return state_->findings;
+}
+const std::filesystem::path& Session::folder() const {
+  return state_->files.folder;
+}
+TimeNs Session::start_ns() const {
+  return state_->start_ns;
+}
+TimeNs Session::end_ns() const {
+  return state_->end_ns;
+}
+
+FrameSample Session::sample(TimeNs t_ns) {
+  State& state = *state_;
+  if (t_ns < state.start_ns) throw std::logic_error("a session is sampled before its start");
+  if (state.last_sample_ns && t_ns < *state.last_sample_ns)
+    throw std::logic_error("session time runs backwards");
+  state.last_sample_ns = t_ns;
+  FrameSample frame;
+  frame.t_ns = t_ns;
+  frame.head = state.poses->at(t_ns);
+  frame.gaze = state.gaze->at(t_ns);
+  frame.head_from_eye = state.header.head_from_eye;
+  if (state.cameras.empty()) return frame;
+  frame.cameras[0] = state.cameras[0].at(t_ns);
+  frame.cameras[1] = state.cameras.size() > 1 ? state.cameras[1].at(t_ns) : frame.cameras[0];
+  return frame;
+}
+
+std::vector<SceneEvent> Session::events_until(TimeNs t_ns) {
+  State& state = *state_;
+  if (state.last_events_ns && t_ns < *state.last_events_ns)
+    throw std::logic_error("session time runs backwards");
+  state.last_events_ns = t_ns;
+  std::vector<SceneEvent> due;
+  while (state.next_event && state.next_event->t_ns <= t_ns) {
+    due.push_back(std::move(*state.next_event));
+    state.next_event = state.events->next();
+  }
+  return due;
+}
+
+}  // namespace herr

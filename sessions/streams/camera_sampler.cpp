@@ -1,0 +1,79 @@
+#include "sessions/streams/camera_sampler.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "sessions/input_error.h"
+#include "sessions/streams/contained_path.h"
+
+namespace herr {
+namespace {
+
+std::string pixels(int width_px, int height_px) {
+  return std::to_string(width_px) + " x " + std::to_string(height_px);
+}
+
+}  // namespace
+
+std::filesystem::path checked_image_path(const CsvRows& rows, const CameraRow& row,
+                                         const std::filesystem::path& data_folder, const CameraModel& model) {
+  std::filesystem::path file;
+  try {
+    file = contained_path(data_folder, row.filename);
+  } catch (const std::invalid_argument& error) {
+    rows.fail("image '" + printable(row.filename) + "' " + error.what(),
+              "name an image inside the camera's data folder");
+  }
+  const ImageSize size = read_image_size(file);
+  if (size.width_px != model.width_px || size.height_px != model.height_px)
+    rows.fail("image '" + printable(row.filename) + "' has " + pixels(size.width_px, size.height_px) +
+                  " pixels where the intrinsics are for " + pixels(model.width_px, model.height_px),
+              "correct session.json or convert the images");
+  return file;
+}
+
+CameraSampler::CameraSampler(RowStream<CameraRow> rows, PoseSampler exposure_poses, Source source)
+    : rows_(std::move(rows)), exposure_poses_(std::move(exposure_poses)), source_(std::move(source)) {
+  after_ = rows_.next();
+}
+
+void CameraSampler::show(const CameraRow& row) {
+  SampledCamera next;
+  try {
+    const CameraModel& model = source_.camera->model;
+    const std::filesystem::path file = contained_path(source_.data_folder, row.filename);
+    auto image = std::make_shared<CameraImage>(read_camera_image(file));
+    if (image->width_px != model.width_px || image->height_px != model.height_px)
+      throw InputError(file, 0, "has changed its size since it was checked",
+                       "leave the session alone while it replays");
+    next.image = std::move(image);
+  } catch (const InputError& error) {
+    if (!source_.keep_going) throw;
+    if (source_.on_skipped) source_.on_skipped(error);
+    return;
+  } catch (const std::invalid_argument& error) {  // the name was good when the session was opened
+    const InputError gone(source_.data_folder / row.filename, 0, error.what(),
+                          "leave the session alone while it replays");
+    if (!source_.keep_going) throw gone;
+    if (source_.on_skipped) source_.on_skipped(gone);
+    return;
+  }
+  next.model = &source_.camera->model;
+  next.stamp_ns = row.stamp_ns;
+  next.world_from_camera =
+      exposure_poses_.at(row.stamp_ns).world_from_head * source_.camera->head_from_camera;
+  shown_ = std::move(next);
+}
+
+std::optional<SampledCamera> CameraSampler::at(TimeNs t_ns) {
+  std::optional<CameraRow> newest;
+  while (after_ && after_->stamp_ns <= t_ns) {
+    newest = std::move(after_);
+    after_ = rows_.next();
+  }
+  if (newest) show(*newest);
+  if (shown_) shown_->age_ns = t_ns - shown_->stamp_ns;
+  return shown_;
+}
+
+}  // namespace herr
