@@ -47,15 +47,20 @@ HWY_INLINE MF facing(const HitBatch& hits, int slot, const V3& point, V3& to_lig
   return hn::And(surface, hn::Gt(hn::Min(by_shading, by_geometry), hn::Zero(kF)));
 }
 
+// Appends `lanes` to the queue. Compressed in a register and stored whole: a compressing store is microcoded
+// on some CPUs. What the store writes beyond the last ray is overwritten by the next.
 HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI hit, MF lanes) {
   const int at = queue.count;
-  hn::CompressStore(origin.x, lanes, kF, &queue.ox[at]);
-  hn::CompressStore(origin.y, lanes, kF, &queue.oy[at]);
-  hn::CompressStore(origin.z, lanes, kF, &queue.oz[at]);
-  hn::CompressStore(direction.x, lanes, kF, &queue.dx[at]);
-  hn::CompressStore(direction.y, lanes, kF, &queue.dy[at]);
-  hn::CompressStore(direction.z, lanes, kF, &queue.dz[at]);
-  queue.count += static_cast<int>(hn::CompressStore(hit, hn::RebindMask(kI, lanes), kI, &queue.hit[at]));
+  const auto put = [&](VF value, Lane<float>& lane)
+                       HWY_ATTR { hn::StoreU(hn::Compress(value, lanes), kF, lane.data() + at); };
+  put(origin.x, queue.ox);
+  put(origin.y, queue.oy);
+  put(origin.z, queue.oz);
+  put(direction.x, queue.dx);
+  put(direction.y, queue.dy);
+  put(direction.z, queue.dz);
+  hn::StoreU(hn::Compress(hit, hn::RebindMask(kI, lanes)), kI, queue.hit.data() + at);
+  queue.count += static_cast<int>(hn::CountTrue(kF, lanes));
 }
 
 // Traces the queue's rays over their whole length; calls blocked(i) for each that meets something of `mask`.

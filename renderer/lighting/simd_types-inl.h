@@ -81,6 +81,11 @@ HWY_INLINE V3 select(MF m, const V3& yes, const V3& no) {
   return {hn::IfThenElse(m, yes.x, no.x), hn::IfThenElse(m, yes.y, no.y), hn::IfThenElse(m, yes.z, no.z)};
 }
 
+// Stores `lanes` of a value and keeps the others. A masked store is microcoded on some CPUs; this is not.
+HWY_INLINE void store_lanes(VF value, MF lanes, float* p) {
+  hn::Store(hn::IfThenElse(lanes, value, hn::Load(kF, p)), kF, p);
+}
+
 // Lanes [0, n).
 HWY_INLINE MF first_lanes(int n) {
   return hn::FirstN(kF, static_cast<std::size_t>(n < 0 ? 0 : n));

@@ -75,7 +75,7 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   const VF dielectric = hn::Sub(set(1.0f), metallic);
   const VF f0 = set(kDielectricF0);
   const auto put = [&](VF value, Lane<float>& lane)
-                       HWY_ATTR { hn::BlendedStore(value, lanes, kF, lane.data() + slot); };
+                       HWY_ATTR { store_lanes(value, lanes, lane.data() + slot); };
   put(hn::Mul(base.r, dielectric), out.dr);
   put(hn::Mul(base.g, dielectric), out.dg);
   put(hn::Mul(base.b, dielectric), out.db);
@@ -107,12 +107,12 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   g = select(g_behind, scale(g, set(-1.0f)), g);
   // The shading normal follows the geometric one's side, so that both see the same lights.
   n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
-  hn::BlendedStore(g.x, lanes, kF, out.gx.data() + slot);
-  hn::BlendedStore(g.y, lanes, kF, out.gy.data() + slot);
-  hn::BlendedStore(g.z, lanes, kF, out.gz.data() + slot);
-  hn::BlendedStore(n.x, lanes, kF, out.nx.data() + slot);
-  hn::BlendedStore(n.y, lanes, kF, out.ny.data() + slot);
-  hn::BlendedStore(n.z, lanes, kF, out.nz.data() + slot);
+  store_lanes(g.x, lanes, out.gx.data() + slot);
+  store_lanes(g.y, lanes, out.gy.data() + slot);
+  store_lanes(g.z, lanes, out.gz.data() + slot);
+  store_lanes(n.x, lanes, out.nx.data() + slot);
+  store_lanes(n.y, lanes, out.ny.data() + slot);
+  store_lanes(n.z, lanes, out.nz.data() + slot);
 }
 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
