@@ -1,0 +1,77 @@
+#include "server/bench/bench_command.h"
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "renderer/bench_frame.h"
+#include "server/bench/bench_report.h"
+#include "server/cli/exit_code.h"
+#include "server/cli/terminal.h"
+#include "server/replay/summary_json.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+constexpr const char* kDefaultSession = "sessions/samples/desk-walk";
+
+// Instants spread evenly over the session, its two ends left out.
+std::vector<BenchInput> choose_inputs(Session& session, const Scene& scene, int count) {
+  std::vector<BenchInput> inputs;
+  const auto length_ns = static_cast<double>(session.end_ns() - session.start_ns());
+  for (int i = 0; i < count; ++i) {
+    const TimeNs offset_ns = std::llround(length_ns * (i + 0.5) / count);
+    BenchInput input;
+    input.sample = session.sample(session.start_ns() + offset_ns);
+    scene_state_at(scene, static_cast<double>(offset_ns) * kSecondsPerNs, input.state);
+    inputs.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+std::filesystem::path session_of(const BenchOptions& options) {
+  if (!options.session.empty()) return options.session;
+  if (!std::filesystem::exists(kDefaultSession)) {
+    throw UsageError(std::string("SESSION: missing, and there is no ") + kDefaultSession +
+                     " here; name a session or run from the top folder of the source");
+  }
+  return kDefaultSession;
+}
+
+}  // namespace
+
+int run_bench(const BenchOptions& options) {
+  try {
+    resolve_isa(options.render.isa);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
+  }
+  Session session = Session::open(session_of(options));
+  const SessionHeader& header = session.header();
+  if (options.scene.empty() && header.scene.empty()) {
+    throw UsageError("--scene: the session names no scene; give --scene FILE");
+  }
+  const std::filesystem::path scene_file =
+      options.scene.empty() ? session.folder() / header.scene : std::filesystem::path(options.scene);
+  const Scene scene = load_scene(scene_file);
+  const DisplayProfile profile =
+      options.profile.empty() ? header.profile : load_display_profile(options.profile);
+  Renderer renderer(scene, profile, options.render, session.findings().camera_rows[0] > 0);
+  const BenchResult result =
+      bench_frames(renderer, choose_inputs(session, scene, options.frames), options.repeats);
+
+  BenchSubject subject;
+  subject.session = header.name;
+  subject.scene = scene.name;
+  subject.cpu_name = cpu_name();
+  subject.triangles = triangle_count(scene, false);
+  subject.profile = profile;
+  subject.settings = renderer.settings();
+  print_result(options.json ? json_text(bench_json(result, subject)) : bench_table(result, subject));
+  return kExitDone;
+}
+
+}  // namespace herr

@@ -1,0 +1,175 @@
+#include "server/bench/bench_report.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+
+#include "server/cli/version.h"
+#include "server/replay/summary_json.h"
+#include "server/statistics/number_text.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kNameWidth = 26;
+constexpr int kNumberWidth = 12;
+
+// What a stage works through, and how much of it the last frame had; 0 where a stage has no item of its own.
+struct StageItems {
+  const char* name = "";
+  std::int64_t count = 0;
+};
+
+StageItems items_of(Stage stage, const FrameCounters& counters) {
+  switch (stage) {
+    case Stage::polar_rays:
+    case Stage::first_hits:
+    case Stage::surfaces:
+      return {"ray", counters.primary_rays};
+    case Stage::light_rays:
+      return {"shadow ray", counters.shadow_rays + counters.catcher_shadow_rays};
+    case Stage::second_hits:
+      return {"mirror ray", counters.mirror_rays};
+    case Stage::second_light:
+      return {"shadow ray", counters.mirror_shadow_rays};
+    case Stage::resolve:
+      return {"polar sample", counters.polar_samples};
+    case Stage::viewports:
+      return {"pixel", counters.viewport_pixels};
+    default:
+      return {};
+  }
+}
+
+// 0 where the stage has no items.
+double ns_per_item(Stage stage, const BenchResult& result) {
+  const StageItems items = items_of(stage, result.counters);
+  return items.count > 0 ? result.median_times[stage] * 1e6 / static_cast<double>(items.count) : 0.0;
+}
+
+std::string line(const std::string& name, std::initializer_list<std::string> cells) {
+  std::string text = left_aligned(name, kNameWidth);
+  for (const std::string& cell : cells) text += right_aligned(cell, kNumberWidth);
+  return text + "\n";
+}
+
+std::string readable(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string merit_rows(const BenchResult& result) {
+  const auto row = [](const std::string& name, double frame, double raw, double ratio, int decimals) {
+    return line(name, {fixed_text(frame, decimals), fixed_text(raw, decimals), fixed_text(ratio, 3)});
+  };
+  const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
+  return line("", {"frame", "raw", "frame / raw"}) +
+         row("whole frame, ms", result.frame_ms, result.raw_ms, result.ratio, 2) +
+         row("rays and light, ms", result.rays_frame_ms, result.rays_raw_ms, result.rays_ratio, 2) +
+         row("pixels, ms", result.pixels_frame_ms, result.pixels_raw_ms,
+             over(result.pixels_frame_ms, result.pixels_raw_ms), 2) +
+         row("pixels, ns per pixel", result.ns_per_pixel, result.raw_ns_per_pixel,
+             over(result.ns_per_pixel, result.raw_ns_per_pixel), 3);
+}
+
+std::string ray_rows(const BenchResult& result) {
+  std::string text = line("rays", {"per frame", "per sample", "Mray/s", "raw Mray/s"});
+  for (const BenchResult::Kind& kind : result.kinds) {
+    if (kind.rays == 0) continue;
+    text += line(kind.name, {std::to_string(kind.rays), fixed_text(kind.rays_per_sample, 3),
+                             fixed_text(kind.frame_mrays_per_s, 1), fixed_text(kind.raw_mrays_per_s, 1)});
+  }
+  return text;
+}
+
+std::string stage_rows(const BenchResult& result) {
+  std::string text = line("stage", {"ms", "share", "ns / item", "item"});
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    const double ms = result.median_times.ms[i];
+    if (ms == 0) continue;
+    const double ns = ns_per_item(stage, result);
+    const double share = result.median_times.frame_ms > 0 ? 100 * ms / result.median_times.frame_ms : 0;
+    text += line(readable(name_of(stage)),
+                 {fixed_text(ms, 3), fixed_text(share, 1) + " %", ns > 0 ? fixed_text(ns, 2) : "",
+                  items_of(stage, result.counters).name});
+  }
+  return text;
+}
+
+}  // namespace
+
+Json bench_json(const BenchResult& result, const BenchSubject& subject) {
+  Json kinds = Json::object();
+  for (const BenchResult::Kind& kind : result.kinds) {
+    kinds[kind.name] = {{"rays", kind.rays},
+                        {"rays_per_sample", kind.rays_per_sample},
+                        {"mrays_per_s", kind.frame_mrays_per_s},
+                        {"raw_mrays_per_s", kind.raw_mrays_per_s}};
+  }
+  Json stages = Json::object();
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    Json entry{{"ms", result.median_times.ms[i]}};
+    if (const double ns = ns_per_item(stage, result); ns > 0) {
+      entry["ns_per_item"] = ns;
+      entry["item"] = items_of(stage, result.counters).name;
+    }
+    stages[name_of(stage)] = entry;
+  }
+  return {{"format_version", 1},
+          {"program", program_with_version()},
+          {"frame_ms", result.frame_ms},
+          {"raw_ms", result.raw_ms},
+          {"ratio", result.ratio},
+          {"rays_frame_ms", result.rays_frame_ms},
+          {"rays_raw_ms", result.rays_raw_ms},
+          {"rays_ratio", result.rays_ratio},
+          {"pixels_frame_ms", result.pixels_frame_ms},
+          {"pixels_raw_ms", result.pixels_raw_ms},
+          {"ns_per_pixel", result.ns_per_pixel},
+          {"raw_ns_per_pixel", result.raw_ns_per_pixel},
+          {"rays", kinds},
+          {"stages", stages},
+          {"polar_samples", result.counters.polar_samples},
+          {"viewport_pixels", result.counters.viewport_pixels},
+          {"frames", result.frames},
+          {"session", subject.session},
+          {"scene", subject.scene},
+          {"triangles", subject.triangles},
+          {"profile", subject.profile.name},
+          {"settings", settings_text(subject.settings)},
+          {"isa", name_of(subject.settings.isa)},
+          {"threads", subject.settings.threads},
+          {"cpu", subject.cpu_name},
+          {"definitions",
+           {{"frame_ms", "median over frames of each frame's median wall time"},
+            {"raw_ms",
+             "the same rays through bare Embree packets and the same pixels through a bare "
+             "fetch-blend-store kernel, timed in alternation with the frames"},
+            {"ratio", "median over frames of frame / raw; rays_ratio likewise without the pixels"},
+            {"ns_per_pixel", "wall time of the viewports stage per viewport pixel, all threads together"}}}};
+}
+
+std::string bench_table(const BenchResult& result, const BenchSubject& subject) {
+  std::string text = printable(subject.session) + ", " + printable(subject.scene) + " (" +
+                     std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) +
+                     ", " + settings_text(subject.settings) + "\n" + subject.cpu_name + ", " +
+                     std::to_string(subject.settings.threads) + " threads, " + name_of(subject.settings.isa) +
+                     ", " + std::to_string(result.frames) + " frames\n\n";
+  return text + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result);
+}
+
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string row; std::getline(file, row);) {
+    const std::size_t colon = row.find(": ");
+    if (row.starts_with("model name") && colon != std::string::npos) return printable(row.substr(colon + 2));
+  }
+  return "unknown";
+}
+
+}  // namespace herr
