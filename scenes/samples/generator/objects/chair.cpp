@@ -51,8 +51,8 @@ Mesh turned_rod(float thick, bool ornate) {
 glm::mat4 between(const vec3& from, const vec3& to) {
   const vec3 axis = to - from;
   const vec3 up = glm::normalize(axis);
-  const vec3 helper = std::abs(up.z) < 0.9f ? vec3(0, 0, 1) : vec3(1, 0, 0);
-  const vec3 right = glm::normalize(glm::cross(up, helper));
+  const vec3 reference = std::abs(up.z) < 0.9f ? vec3(0, 0, 1) : vec3(1, 0, 0);
+  const vec3 right = glm::normalize(glm::cross(up, reference));
   return {glm::vec4(right, 0), glm::vec4(axis, 0), glm::vec4(glm::cross(right, up), 0), glm::vec4(from, 1)};
 }
 

@@ -38,8 +38,8 @@ Frame carried(const Frame& frame, const glm::vec3& from, const glm::vec3& to, co
 
 std::vector<Frame> frames_along(const std::vector<TubePoint>& path, bool closed) {
   const glm::vec3 start = tangent_at(path, 0, closed);
-  const glm::vec3 helper = std::abs(start.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-  const glm::vec3 side = glm::normalize(glm::cross(helper, start));
+  const glm::vec3 reference = std::abs(start.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 side = glm::normalize(glm::cross(reference, start));
   std::vector<Frame> frames{{start, side, glm::cross(start, side)}};
   for (std::size_t i = 1; i < path.size(); ++i) {
     frames.push_back(carried(frames.back(), path[i - 1].centre, path[i].centre, tangent_at(path, i, closed)));
