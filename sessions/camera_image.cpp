@@ -8,10 +8,12 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "sessions/camera/half_from_samples.h"
 #include "sessions/camera/image_format.h"
+#include "sessions/camera/png_chunks.h"
 #include "sessions/input_error.h"
 #include "sessions/input_file.h"
 
@@ -49,14 +51,14 @@ std::string shortened(const std::string& message) {
   return line.empty() ? "" : " (" + printable(line) + ")";
 }
 
-void check_size(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
-  const bool good = spec.width >= 1 && spec.height >= 1 && spec.width <= kMaxSidePx &&
-                    spec.height <= kMaxSidePx && spec.depth <= 1 &&
-                    std::int64_t{spec.width} * spec.height <= kMaxPixels;
+void check_size(const std::filesystem::path& file, const ImageSize& size) {
+  const bool good = size.width_px >= 1 && size.height_px >= 1 && size.width_px <= kMaxSidePx &&
+                    size.height_px <= kMaxSidePx &&
+                    std::int64_t{size.width_px} * size.height_px <= kMaxPixels;
   if (!good)
-    throw InputError(file, 0,
-                     "has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
-                     "images have 1 to 16384 pixels on a side and at most 67 million");
+    throw InputError(
+        file, 0, "has " + std::to_string(size.width_px) + " x " + std::to_string(size.height_px) + " pixels",
+        "images have 1 to 16384 pixels on a side and at most 67 million");
 }
 
 // OpenEXR 3.1.5 has open memory errors in its other decoders; only these compressions reach it.
@@ -106,7 +108,7 @@ OpenedImage open_image(const std::filesystem::path& file, const std::string& fir
                    1);  // else colour is multiplied by alpha; a camera's alpha means nothing
   if (!opened.reader->open(file.string(), opened.spec, wishes))
     throw InputError(file, 0, "cannot be read as an image" + shortened(opened.reader->geterror()), kAgain);
-  check_size(file, opened.spec);
+  check_size(file, {opened.spec.width, opened.spec.height});
   check_channels(file, opened.spec, opened.format);
   if (opened.format == ImageFormat::exr) check_exr(file, opened.spec);
   return opened;
@@ -153,9 +155,13 @@ void check_jpeg_end(const std::filesystem::path& file, const std::string& bytes)
 
 ImageSize read_image_size(const std::filesystem::path& path) {
   InputFile file(path);
-  std::string first_bytes(16, '\0');
+  std::string first_bytes(kPngHeaderBytes, '\0');
   first_bytes.resize(file.read(first_bytes.data(), first_bytes.size()));
-  (void)recognised_format(path, first_bytes);
+  if (recognised_format(path, first_bytes) == ImageFormat::png) {
+    const ImageSize size = png_size(path, first_bytes);
+    check_size(path, size);
+    return size;
+  }
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(::fdopen(file.release(), "rb"), &std::fclose);
   if (!stream || std::fseek(stream.get(), 0, SEEK_SET) != 0)
     throw InputError(path, 0, "cannot be read", "check the file");
@@ -167,7 +173,11 @@ ImageSize read_image_size(const std::filesystem::path& path) {
 }
 
 CameraImage read_camera_image(const std::filesystem::path& file) {
-  const std::string bytes = read_whole_file(file, kMaxFileBytes);
+  std::string bytes = read_whole_file(file, kMaxFileBytes);
+  if (recognised_format(file, std::string_view(bytes).substr(0, kPngHeaderBytes)) == ImageFormat::png) {
+    check_size(file, png_size(file, bytes));
+    bytes = essential_png(file, bytes);
+  }
   OpenedImage opened = open_image(
       file, bytes.substr(0, 16), std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()));
   if (opened.format == ImageFormat::jpeg) check_jpeg_end(file, bytes);

@@ -1,5 +1,6 @@
 #include "sessions/input_error.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace herr {
@@ -32,25 +33,29 @@ bool is_control(std::string_view character) {
   return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
 }
 
-std::string escaped(std::string_view text, std::size_t limit) {
+// One character at the start of `text`, `length` bytes long (0: a byte that is no character), made safe to
+// print.
+std::string escaped_character(std::string_view text, std::size_t length) {
   static constexpr char kHex[] = "0123456789abcdef";
+  if (length > 0 && !is_control(text.substr(0, length))) return std::string(text.substr(0, length));
+  std::string out;
+  for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    out += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+  }
+  return out;
+}
+
+std::string escaped(std::string_view text, std::size_t limit) {
   static constexpr std::string_view kCut = "...";
   std::string out;
+  std::size_t cut_at = 0;  // end of the last character that leaves room for kCut
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
-    std::string next;
-    if (length > 0 && !is_control(text.substr(0, length))) {
-      next = text.substr(0, length);
-    } else {
-      for (std::size_t i = 0; i < (length > 0 ? length : 1); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        next += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
-      }
-    }
-    const bool last = text.size() == (length > 0 ? length : 1);
-    if (out.size() + next.size() + (last ? 0 : kCut.size()) > limit) return out += kCut;
-    out += next;
-    text.remove_prefix(length > 0 ? length : 1);
+    out += escaped_character(text, length);
+    if (out.size() > limit) return out.substr(0, cut_at).append(kCut);
+    if (out.size() + kCut.size() <= limit) cut_at = out.size();
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return out;
 }

@@ -13,8 +13,8 @@ namespace {
 constexpr double kDefaultHalfIpdM = 0.0315;
 // Adults' pupils are 50 to 78 mm apart; children's from 40 mm.
 constexpr double kNarrowestIpdM = 0.040, kWidestIpdM = 0.085;
-constexpr double kNarrowestLensRad =
-    0.0174532925199433;  // 1 degree: a lens model that turns back there is a typo
+// 2 degrees: a lens model that turns back there is a typo.
+constexpr double kNarrowestLensRad = 0.0349065850398866;
 
 CameraModelKind parse_kind(const JsonObject& entry) {
   const std::string word = entry.text("model");
@@ -49,7 +49,7 @@ CameraModel parse_model(const JsonObject& entry) {
   parse_distortion(entry, model);
   model.prepare();
   if (model.max_angle_rad < kNarrowestLensRad)
-    entry.fail("distortion", "turns the image back within 1 degree of the axis",
+    entry.fail("distortion", "turns the image back within 2 degrees of the axis",
                "check the order and the signs");
   return model;
 }

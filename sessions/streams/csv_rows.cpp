@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   return "'" + printable(std::string(text)) + "'";
 }
 
@@ -66,20 +66,23 @@ void CsvRows::read_header(const CsvLayout& layout) {
   split(line_.text);
   fields_expected_ = fields_.size();
   const std::vector<std::string> found(fields_.begin(), fields_.end());
+  std::vector<std::string> unknown;
+  for (const std::string& name : found)
+    if (std::find(columns_.begin(), columns_.end(), name) == columns_.end()) unknown.push_back(name);
   for (const std::string& column : columns_) {
     const auto place = std::find(found.begin(), found.end(), column);
-    if (place == found.end())
-      fail("the header line has no column " + column + " (nearest: " + quoted(nearest_name(column, found)) +
-               ")",
+    if (place == found.end()) {
+      const std::string nearest = nearest_name(column, unknown);
+      fail("the header line has no column " + column +
+               (nearest.empty() ? "" : " (is it " + in_quotes(nearest) + "?)"),
            expected);
+    }
     if (std::find(place + 1, found.end(), column) != found.end())
       fail("the header line names column " + column + " twice", expected);
     place_.push_back(static_cast<std::size_t>(place - found.begin()));
   }
-  if (layout.others_allowed) return;
-  for (const std::string& name : found)
-    if (std::find(columns_.begin(), columns_.end(), name) == columns_.end())
-      fail("the header line has an unknown column " + quoted(name), expected);
+  if (!layout.others_allowed && !unknown.empty())
+    fail("the header line has an unknown column " + in_quotes(unknown.front()), expected);
 }
 
 bool CsvRows::next() {
@@ -110,9 +113,9 @@ double CsvRows::number(std::size_t column) const {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error == std::errc::result_out_of_range)
-    fail_field(column, "is " + quoted(field) + ", out of range", "correct it");
+    fail_field(column, "is " + in_quotes(field) + ", out of range", "correct it");
   if (!plain || error != std::errc() || end != field.data() + field.size())
-    fail_field(column, "is " + quoted(field) + ", not a finite number",
+    fail_field(column, "is " + in_quotes(field) + ", not a finite number",
                "correct it; the decimal sign is a point");
   return value;
 }
@@ -123,10 +126,10 @@ TimeNs CsvRows::stamp(std::size_t column) const {
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool out_of_range = error == std::errc::result_out_of_range;
   if (!out_of_range && (error != std::errc() || end != field.data() + field.size()))
-    fail_field(column, "is " + quoted(field) + ", not a whole number",
+    fail_field(column, "is " + in_quotes(field) + ", not a whole number",
                "write nanoseconds without fraction or exponent");
   if (out_of_range || value < 0 || value > kLastStampNs)
-    fail_field(column, "is " + quoted(field) + ", out of range",
+    fail_field(column, "is " + in_quotes(field) + ", out of range",
                "write nanoseconds from 0 to " + std::to_string(kLastStampNs));
   return value;
 }
@@ -134,7 +137,7 @@ TimeNs CsvRows::stamp(std::size_t column) const {
 bool CsvRows::flag(std::size_t column) const {
   const std::string_view field = text(column);
   if (field != "0" && field != "1")
-    fail_field(column, "is " + quoted(field), "write 0 (not valid) or 1 (valid)");
+    fail_field(column, "is " + in_quotes(field), "write 0 (not valid) or 1 (valid)");
   return field == "1";
 }
 
