@@ -11,9 +11,11 @@
 namespace herr {
 
 GazeFrame gaze_frame(const glm::dvec3& gaze_in_eye) {
-  const double length = glm::length(gaze_in_eye);
-  if (!std::isfinite(length) || length <= 0) return {};
-  const glm::dvec3 gaze = gaze_in_eye / length;
+  // Scaled by its largest component first: the square of a tiny or huge one would leave the range of double.
+  const double largest =
+      std::max({std::abs(gaze_in_eye.x), std::abs(gaze_in_eye.y), std::abs(gaze_in_eye.z)});
+  if (!std::isfinite(gaze_in_eye.x + gaze_in_eye.y + gaze_in_eye.z) || largest <= 0) return {};
+  const glm::dvec3 gaze = glm::normalize(gaze_in_eye / largest);
   const glm::dvec3 ahead{0, 0, -1};
   const double cosine = glm::dot(ahead, gaze);
   // 1 + cos is the quaternion's w; below 1e-9 the axis is lost to rounding: turn about the up axis.
