@@ -1,0 +1,199 @@
+// The plan leaves out what a scene does not need; its choice never changes the picture.
+#include "renderer/frame_plan.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/renderer_impl.h"
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+// Objects without textures or mirrors, one light of some size.
+Scene plain_scene() {
+  Scene scene;
+  test::add(scene, test::floor_quad(5, -1), test::matte({0.5f, 0.4f, 0.3f}));
+  test::add(scene, test::sphere({0.3f, 0, -3}, 0.8f), test::matte({0.2f, 0.7f, 0.9f}));
+  scene.lights = {test::light_at({1, 3, -1}, {20, 15, 10}, {0.4f, 0.1f, 0.4f})};
+  scene.ambient = {0.1f, 0.12f, 0.15f};
+  scene.environment = glm::vec3{0.3f};
+  return scene;
+}
+// The room's floor, under a sphere.
+Scene catcher_scene() {
+  Scene scene = plain_scene();
+  scene.instances[0].catcher = true;
+  scene.ambient = glm::vec3{0.1f};
+  scene.lights[0].intensity_w_sr = glm::vec3{15.0f};
+  return scene;
+}
+
+RenderedFrame render_planned(const Scene& scene, const std::function<void(Renderer::Impl&)>& change) {
+  RenderSettings settings = test::small_settings();
+  settings.light_samples = 4;
+  settings.isa = Isa::best;
+  FrameSample sample = test::sample_from({0, 0, 0}, test::gaze_deg(5, -5));
+  static const test::TestCamera camera = test::TestCamera::pinhole(16, 16, 60, [](int x, int y) {
+    return std::array<std::uint16_t, 4>{test::to_half(0.05 * x), test::to_half(0.05 * y), 0x3800, 0x3c00};
+  });
+  camera.attach_to(sample);
+  Renderer renderer(scene, test::small_profile(), settings, true);
+  change(renderer.internals());
+  RenderedFrame frame;
+  test::render_with(renderer, scene, sample, frame);
+  return frame;
+}
+
+// Switches one feature on where the plan had left it out: same picture, same rays.
+void expect_same_picture(const Scene& scene, bool FramePlan::*feature) {
+  bool planned = true;
+  const RenderedFrame lean =
+      render_planned(scene, [&](Renderer::Impl& impl) { planned = impl.plan.*feature; });
+  ASSERT_FALSE(planned) << "the scene needs it: this test would compare a frame with itself";
+  const RenderedFrame full = render_planned(scene, [&](Renderer::Impl& impl) { impl.plan.*feature = true; });
+  test::expect_same_bits(lean, full);
+  EXPECT_EQ(lean.counters.primary_rays, full.counters.primary_rays);
+  EXPECT_EQ(lean.counters.shadow_rays, full.counters.shadow_rays);
+  EXPECT_EQ(lean.counters.mirror_rays, full.counters.mirror_rays);
+  EXPECT_EQ(lean.counters.catcher_shadow_rays, full.counters.catcher_shadow_rays);
+}
+
+TEST(FramePlanTest, TextureCodeDoesNotChangeASceneWithoutTextures) {
+  expect_same_picture(plain_scene(), &FramePlan::textures);
+}
+
+TEST(FramePlanTest, SpecularCodeDoesNotChangeASceneOfCatchersAlone) {
+  Scene scene = catcher_scene();
+  scene.instances[1].catcher = true;
+  expect_same_picture(scene, &FramePlan::specular);
+}
+
+TEST(FramePlanTest, CatcherCodeDoesNotChangeASceneWithoutCatchers) {
+  expect_same_picture(plain_scene(), &FramePlan::catchers);
+}
+
+TEST(FramePlanTest, MirrorCodeDoesNotChangeASceneWithoutMirrors) {
+  expect_same_picture(plain_scene(), &FramePlan::mirror_rays);
+}
+
+TEST(FramePlanTest, ShadowRaysAmongCatchersDoNotChangeAFlatOne) {
+  const Scene scene = catcher_scene();
+  bool planned = true;
+  const RenderedFrame lean =
+      render_planned(scene, [&](Renderer::Impl& impl) { planned = impl.plan.catchers_occlude; });
+  ASSERT_FALSE(planned);
+  const RenderedFrame full =
+      render_planned(scene, [](Renderer::Impl& impl) { impl.plan.catchers_occlude = true; });
+  test::expect_same_bits(lean, full);
+  EXPECT_EQ(lean.counters.catcher_shadow_rays, 0);
+  EXPECT_GT(full.counters.catcher_shadow_rays, 0)
+      << "the sphere's shadow must send them, or nothing was tested";
+}
+
+TEST(FramePlanTest, ARatioPerChannelIsTheSameUnderWhiteLight) {
+  const Scene scene = catcher_scene();
+  const RenderedFrame lean =
+      render_planned(scene, [](Renderer::Impl& impl) { ASSERT_FALSE(impl.plan.coloured_ratio); });
+  const RenderedFrame full = render_planned(scene, [](Renderer::Impl& impl) {
+    impl.plan.coloured_ratio = true;
+    for (RadianceBuffer& buffer : impl.buffers) {
+      buffer.allocate(padded_columns(impl.settings.polar_width), padded_rows(impl.settings.polar_height),
+                      true);
+    }
+  });
+  test::expect_same_bits(lean, full);
+}
+
+bool runs(const FramePlan& plan, const std::string& name) {
+  for (const PlanEntry& entry : plan.entries) {
+    if (entry.name == name) return entry.runs;
+  }
+  ADD_FAILURE() << "no entry '" << name << "'";
+  return false;
+}
+
+TEST(FramePlanTest, EveryEntryHasItsNameAndReason) {
+  RenderSettings settings;
+  for (const Scene& scene : {Scene{}, plain_scene(), catcher_scene()}) {
+    for (const bool camera : {false, true}) {
+      const FramePlan plan = plan_frame(scene, settings, camera);
+      EXPECT_GE(plan.entries.size(), 10u);
+      for (const PlanEntry& entry : plan.entries) {
+        EXPECT_FALSE(entry.name.empty());
+        EXPECT_FALSE(entry.reason.empty()) << entry.name;
+      }
+    }
+  }
+}
+
+TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
+  RenderSettings settings;
+  const FramePlan plain = plan_frame(plain_scene(), settings, false);
+  EXPECT_TRUE(plain.polar);
+  EXPECT_TRUE(plain.specular);
+  EXPECT_FALSE(plain.textures);
+  EXPECT_FALSE(plain.mirror_rays);
+  EXPECT_FALSE(plain.catchers);
+  EXPECT_FALSE(plain.camera);
+  EXPECT_FALSE(plain.many_light_samples);
+  EXPECT_TRUE(plain.static_lights);
+
+  Scene scene = plain_scene();
+  scene.materials[1].mirror = 0.5f;
+  scene.lights[0].path_radius_m = 1;
+  scene.lights[0].path_period_s = 10;
+  settings.light_samples = 64;
+  settings.foveation = Foveation::off;
+  settings.gaze_marker = true;
+  const FramePlan rich = plan_frame(scene, settings, true);
+  EXPECT_FALSE(rich.polar);
+  EXPECT_TRUE(rich.mirror_rays);
+  EXPECT_TRUE(rich.many_light_samples);
+  EXPECT_TRUE(rich.camera);
+  EXPECT_TRUE(rich.gaze_marker);
+  EXPECT_FALSE(rich.static_lights);
+  EXPECT_TRUE(runs(rich, "light paths"));
+  EXPECT_TRUE(runs(rich, "mirror rays"));
+  EXPECT_FALSE(runs(rich, "log-polar rays"));
+
+  settings.reflections = settings.camera = false;
+  const FramePlan without = plan_frame(scene, settings, true);
+  EXPECT_FALSE(without.mirror_rays);
+  EXPECT_FALSE(without.camera);
+}
+
+TEST(FramePlanTest, ATextureCountsOnlyWhereTheMeshHasCoordinates) {
+  Scene scene = plain_scene();
+  scene.textures.push_back({"white", 1, 1, true, {}, {}, {255, 255, 255, 255}});
+  scene.materials[0].base_colour_texture = 0;
+  EXPECT_TRUE(plan_frame(scene, {}, false).textures);
+  scene.meshes[0].uvs.clear();
+  EXPECT_FALSE(plan_frame(scene, {}, false).textures);
+}
+
+TEST(FramePlanTest, CatchersShadowOneAnotherUnlessThereIsOneAndItIsFlat) {
+  EXPECT_FALSE(plan_frame(catcher_scene(), {}, true).catchers_occlude);
+  Scene two = catcher_scene();
+  test::add(two, test::floor_quad(1, 1), test::matte(glm::vec3{0.5f}), true);
+  EXPECT_TRUE(plan_frame(two, {}, true).catchers_occlude);
+  Scene box;
+  test::add(box, test::box({0, 0, 0}, {1, 1, 1}), test::matte(glm::vec3{0.5f}), true);
+  EXPECT_TRUE(plan_frame(box, {}, true).catchers_occlude);
+}
+
+TEST(FramePlanTest, TheRatioHasAColourWhereLightsOrAmbientDifferInHue) {
+  Scene scene = catcher_scene();
+  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+  scene.lights[0].intensity_w_sr = {15, 15, 14};
+  EXPECT_TRUE(plan_frame(scene, {}, true).coloured_ratio);
+  scene.ambient = glm::vec3{0.0f};
+  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+  scene.lights.push_back(test::light_at({0, 1, 0}, {30, 30, 28}));  // the same hue, twice as strong
+  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+  scene.lights.push_back(test::light_at({0, 1, 0}, {0, 0, 0}));  // one that does not shine has no hue
+  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+}
+
+}  // namespace
+}  // namespace herr
