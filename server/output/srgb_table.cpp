@@ -13,11 +13,6 @@ double srgb_from_linear(double linear) {
   return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
 }
 
-double linear_from_srgb(double encoded) {
-  const double x = std::clamp(encoded, 0.0, 1.0);
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 float float_from_half(std::uint16_t bits) {
   return imath_half_to_float(bits);
 }

@@ -10,9 +10,9 @@
 
 namespace herr {
 
-// Linear light to encoded value, both in [0, 1]; inputs outside are clamped. And its inverse.
+// Linear light to encoded value, both in [0, 1]; inputs outside are clamped. Its inverse is
+// linear_from_srgb() of sessions/camera/half_from_samples.h.
 double srgb_from_linear(double linear);
-double linear_from_srgb(double encoded);
 
 // round(255 * srgb_from_linear(h)) of every pattern; below 0 and NaN give 0, above 1 and +Inf give 255.
 const std::array<std::uint8_t, 65536>& srgb8_of_half();

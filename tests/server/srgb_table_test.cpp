@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "pictures.h"
+#include "sessions/camera/half_from_samples.h"
 
 namespace herr {
 namespace {
