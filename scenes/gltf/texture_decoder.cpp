@@ -19,6 +19,20 @@ const char* format_of(const unsigned char* bytes, std::size_t size) {
   return nullptr;
 }
 
+// Does the chain of chunks reach IEND within the bytes? The reader leaks when it runs off the end of its
+// memory.
+bool png_is_whole(const unsigned char* bytes, std::size_t size) {
+  std::size_t at = 8;  // past the signature; a chunk is length, name, data, CRC
+  while (size - at >= 12) {
+    const std::size_t length = (std::size_t{bytes[at]} << 24) | (std::size_t{bytes[at + 1]} << 16) |
+                               (std::size_t{bytes[at + 2]} << 8) | std::size_t{bytes[at + 3]};
+    if (length > size - at - 12) return false;
+    if (std::memcmp(bytes + at + 4, "IEND", 4) == 0) return true;
+    at += length + 12;
+  }
+  return false;
+}
+
 // Grey, grey + alpha, RGB or RGBA rows to RGBA, in place from the end.
 void expand_to_rgba(std::vector<std::uint8_t>& rgba, std::size_t pixels, int channels) {
   const auto width = static_cast<std::size_t>(channels);
@@ -64,6 +78,9 @@ DecodedImage decode_image(const unsigned char* bytes, std::size_t size, std::int
   if (spec.nchannels < 1 || spec.nchannels > 4)
     throw fail("has an unusual number of channels", "convert it to RGBA");
 
+  if (std::strcmp(format, "png") == 0 && !png_is_whole(bytes, size)) {
+    throw fail("cannot be decoded (it was cut off)", "copy or export it again");
+  }
   DecodedImage image{spec.width, spec.height, {}};
   image.rgba.resize(static_cast<std::size_t>(4 * pixels));
   const bool read = reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.rgba.data());
