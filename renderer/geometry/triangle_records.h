@@ -20,7 +20,8 @@ struct BakedMesh {
 };
 BakedMesh bake_triangles(const TriangleMesh& mesh);
 
-// Unit normal <-> two 16-bit snorms. Worst angle between a normal and its round trip: below 0.003 degrees.
+// Unit normal <-> two 16-bit snorms. Worst angle between a normal and its round trip: 0.0038 degrees, at the
+// centre of a face of the octahedron.
 std::uint32_t encode_octahedral(const glm::vec3& normal);
 glm::vec3 decode_octahedral(std::uint32_t code);
 
