@@ -36,9 +36,7 @@ TEST(MirrorTest, AMirroredSphereAppearsWhereGeometrySays) {
   const glm::dvec3 image{0.5, 0.2, -5};
   const double pixel_rad = 2 * std::tan(15 / kDegreesPerRadian) / kSide;
   const double radius_rad = std::asin(kRadius_m / glm::length(image));
-  // The sphere's 256 rings cut its outline by 1 - cos(pi / 512) = 2e-5 of the radius. A thousandth of a pixel
-  // beside it the direction must decide, were it not for pixel centres: the nearest of 8e4 rays per outline
-  // lies closer.
+  // 256 rings and 512 sectors each cut the outline by at most 1 - cos(pi / 512) = 2e-5 of the radius.
   const double facets_rad = radius_rad * 4e-5, slack_rad = 1e-3 * pixel_rad + facets_rad;
   int seen = 0;
   test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {

@@ -1,0 +1,132 @@
+// Whole frames of the generated sample scene: what foveation, threads and the gaze must not change.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "renderer/renderer_impl.h"
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+class SampleFrameTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::filesystem::path samples = std::filesystem::path(HERR_SOURCE_DIR) / "scenes" / "samples";
+    if (!std::filesystem::exists(samples / "generated" / "teapot.glb")) {
+      GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    }
+    scene_ = load_scene(samples / "general.scene.json");
+  }
+
+  // In front of the table, eyes 63 mm apart, looking at `target`.
+  static FrameSample looking_at(const glm::dvec3& target) {
+    FrameSample sample = test::sample_from({0.1, 1.5, 3.6});
+    sample.head_from_eye[0].position.x = -0.0315;
+    sample.head_from_eye[1].position.x = 0.0315;
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+      const glm::dvec3 from = sample.head.world_from_head.position + sample.head_from_eye[eye].position;
+      sample.gaze.head_direction[eye] = glm::normalize(target - from);
+    }
+    return sample;
+  }
+
+  Scene scene_;
+};
+
+int srgb_step(double linear) {
+  const double c = std::clamp(linear, 0.0, 1.0);
+  return static_cast<int>(
+      std::lround(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055)));
+}
+
+struct Agreement {
+  int pixels = 0, agree = 0;
+  double share() const { return static_cast<double>(agree) / std::max(pixels, 1); }
+};
+
+// Of the pixels within `reach_deg` of the gaze: those whose every channel differs by one 8-bit step at most.
+Agreement agreement(const Viewport& view, const glm::dvec3& gaze, const ViewportImage& a,
+                    const ViewportImage& b, double reach_deg) {
+  Agreement found;
+  test::for_each_pixel(a, [&](int x, int y, const test::Pixel& pixel) {
+    if (eccentricity_deg(gaze, test::direction_of_pixel(view, x, y)) > reach_deg) return;
+    const test::Pixel other = test::pixel_at(b, x, y);
+    ++found.pixels;
+    bool close = true;
+    for (std::size_t c = 0; c < 3; ++c) close &= std::abs(srgb_step(pixel[c]) - srgb_step(other[c])) <= 1;
+    found.agree += close;
+  });
+  return found;
+}
+
+TEST_F(SampleFrameTest, AtTheGazeTheFoveatedPictureIsTheFullOne) {
+  const DisplayProfile profile = xr1_profile();
+  RenderSettings settings;
+  settings.polar_width = 788;
+  settings.polar_height = 768;
+  // The teapot in front, the statue in the middle of the room, the torus knot (a mirror) behind.
+  for (const glm::dvec3& target : {glm::dvec3{-0.36, 0.85, 1.66}, {-0.6, 1.2, -0.55}, {0.84, 0.4, -0.9}}) {
+    const FrameSample sample = looking_at(target);
+    settings.foveation = Foveation::log_polar;
+    const RenderedFrame foveated = test::render(scene_, profile, settings, sample);
+    settings.foveation = Foveation::off;
+    const RenderedFrame full = test::render(scene_, profile, settings, sample);
+    for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
+      const Viewport& view = profile.viewports[i];
+      const glm::dvec3 gaze = sample.gaze.head_direction[static_cast<std::size_t>(view.eye)];
+      const Agreement found = agreement(view, gaze, foveated.viewports[i], full.viewports[i], 2.0);
+      std::cout << view.name << " at " << target.x << " " << target.y << " " << target.z << ": "
+                << 100 * found.share() << " % of " << found.pixels << " pixels\n";
+      if (found.pixels == 0) continue;  // the gaze is outside the focus viewport
+      EXPECT_GE(found.share(), 0.95) << view.name;
+    }
+  }
+}
+
+TEST_F(SampleFrameTest, ThreadsDoNotChangeAByte) {
+  RenderSettings settings;
+  settings.polar_width = 394;
+  settings.polar_height = 384;
+  settings.light_samples = 4;
+  const FrameSample sample = looking_at({-0.36, 0.85, 1.66});
+  settings.threads = 1;
+  const RenderedFrame one = test::render(scene_, xr1_half_profile(), settings, sample);
+  test::expect_times_add_up(one);
+  for (const int threads : {2, 4}) {
+    settings.threads = threads;
+    test::expect_same_bits(one, test::render(scene_, xr1_half_profile(), settings, sample));
+  }
+}
+
+TEST_F(SampleFrameTest, EveryPixelHasDataForAnyGaze) {
+  RenderSettings settings;
+  settings.polar_width = 788;
+  settings.polar_height = 768;
+  Renderer renderer(scene_, xr1_half_profile(), settings, false);
+  RenderedFrame frame;
+  for (const glm::dvec3& gaze : {glm::dvec3{0, 0, -1},
+                                 {1, 1, -1},
+                                 {-1, 1, -1},
+                                 {1, -1, -1},
+                                 {-1, -1, -1},
+                                 test::gaze_deg(80, 0),
+                                 {0, 0, 1}}) {
+    SCOPED_TRACE(testing::Message() << gaze.x << " " << gaze.y << " " << gaze.z);
+    for (RadianceBuffer& buffer : renderer.internals().buffers) {
+      std::fill_n(buffer.texels(), 4 * buffer.row_stride() * 769, std::uint16_t{0x7e00});
+    }
+    FrameSample sample = looking_at({0, 0, 0});
+    sample.gaze.head_direction = {gaze, gaze};
+    test::render_with(renderer, scene_, sample, frame);
+    test::expect_finite(frame);
+    EXPECT_EQ(frame.counters.invalid_rays, 0);
+  }
+}
+
+}  // namespace
+}  // namespace herr
