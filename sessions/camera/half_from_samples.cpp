@@ -7,7 +7,9 @@
 namespace herr {
 namespace {
 
-std::uint16_t bits(double value) { return Imath::half(static_cast<float>(value)).bits(); }
+std::uint16_t bits(double value) {
+  return Imath::half(static_cast<float>(value)).bits();
+}
 
 }  // namespace
 
@@ -18,7 +20,8 @@ double linear_from_srgb(double encoded) {
 const std::array<std::uint16_t, 256>& half_from_srgb8() {
   static const std::array<std::uint16_t, 256> table = [] {
     std::array<std::uint16_t, 256> made{};
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = bits(linear_from_srgb(static_cast<double>(i) / 255.0));
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = bits(linear_from_srgb(static_cast<double>(i) / 255.0));
     return made;
   }();
   return table;
@@ -27,7 +30,8 @@ const std::array<std::uint16_t, 256>& half_from_srgb8() {
 const std::vector<std::uint16_t>& half_from_srgb16() {
   static const std::vector<std::uint16_t> table = [] {
     std::vector<std::uint16_t> made(65536);
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = bits(linear_from_srgb(static_cast<double>(i) / 65535.0));
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = bits(linear_from_srgb(static_cast<double>(i) / 65535.0));
     return made;
   }();
   return table;

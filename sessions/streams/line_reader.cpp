@@ -47,7 +47,7 @@ bool LineReader::next(TextLine& line) {
     }
     searched = unread;
     if (unread > max_line_bytes_) {
-      line.too_long = true;  // its rest is thrown away; only its beginning is kept, for the message
+      line.too_long = true;  // it is read to its end, but not kept
       begin_ = end_ - 1;     // one byte stays, so that the search below goes on within one line
       searched = 0;
     }

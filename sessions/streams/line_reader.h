@@ -15,7 +15,7 @@ struct TextLine {
   std::string_view text;    // without its line end; valid until the next line is read
   std::int64_t number = 0;  // 1-based
   bool whole = true;        // false: the file ended before the line did
-  bool too_long = false;    // `text` holds only its first bytes
+  bool too_long = false;    // longer than allowed: `text` is only a part of it
 };
 
 class LineReader {
