@@ -86,7 +86,7 @@ std::string ray_rows(const BenchResult& result) {
 }
 
 std::string stage_rows(const BenchResult& result) {
-  std::string text = line("stage", {"ms", "share", "ns / item", "item"});
+  std::string text = line("stage", {"ms", "share", "ns / item", "  item"});
   for (std::size_t i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
     const double ms = result.median_times.ms[i];
@@ -95,7 +95,7 @@ std::string stage_rows(const BenchResult& result) {
     const double share = result.median_times.frame_ms > 0 ? 100 * ms / result.median_times.frame_ms : 0;
     text += line(readable(name_of(stage)),
                  {fixed_text(ms, 3), fixed_text(share, 1) + " %", ns > 0 ? fixed_text(ns, 2) : "",
-                  items_of(stage, result.counters).name});
+                  std::string("  ") + items_of(stage, result.counters).name});
   }
   return text;
 }
