@@ -113,6 +113,10 @@ TEST(CameraFeedTest, Kb4IsProjectedExactly) {
 }
 
 TEST(CameraFeedTest, FineViewportsWhoseCellsAreInterpolatedAreExactToo) {
+  // 16 pixels of this viewport are 5 of the camera's.
+  const test::TestCamera camera = brown_conrady();
+  const FeedView feed{camera.image.get(), &camera.model, inverse(camera_pose()), 1.5, true};
+  ASSERT_TRUE(camera_cells_suffice(test::viewport_deg(Eye::left, 990, 990, -45, 45, -45, 45), feed));
   expect_exact_projection(brown_conrady(), test::single_view(990, 990, 45, 45));
 }
 

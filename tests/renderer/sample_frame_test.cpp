@@ -23,14 +23,19 @@ class SampleFrameTest : public testing::Test {
     scene_ = load_scene(samples / "general.scene.json");
   }
 
-  // In front of the table, eyes 63 mm apart, looking at `target`.
+  // In front of the table, eyes 63 mm apart, the head turned to within 4 degrees of `target` and the gaze at
+  // it.
   static FrameSample looking_at(const glm::dvec3& target) {
     FrameSample sample = test::sample_from({0.1, 1.5, 3.6});
+    Pose& head = sample.head.world_from_head;
+    const glm::dvec3 aim = glm::normalize(target - head.position);
+    const double yaw = std::atan2(-aim.x, -aim.z) + 0.05, pitch = std::asin(aim.y) + 0.05;
+    head.orientation = glm::angleAxis(yaw, glm::dvec3{0, 1, 0}) * glm::angleAxis(pitch, glm::dvec3{1, 0, 0});
     sample.head_from_eye[0].position.x = -0.0315;
     sample.head_from_eye[1].position.x = 0.0315;
     for (std::size_t eye = 0; eye < 2; ++eye) {
-      const glm::dvec3 from = sample.head.world_from_head.position + sample.head_from_eye[eye].position;
-      sample.gaze.head_direction[eye] = glm::normalize(target - from);
+      const glm::dvec3 in_head = inverse(head)(target);
+      sample.gaze.head_direction[eye] = glm::normalize(in_head - sample.head_from_eye[eye].position);
     }
     return sample;
   }
@@ -69,22 +74,36 @@ TEST_F(SampleFrameTest, AtTheGazeTheFoveatedPictureIsTheFullOne) {
   RenderSettings settings;
   settings.polar_width = 788;
   settings.polar_height = 768;
-  // The teapot in front, the statue in the middle of the room, the torus knot (a mirror) behind.
-  for (const glm::dvec3& target : {glm::dvec3{-0.36, 0.85, 1.66}, {-0.6, 1.2, -0.55}, {0.84, 0.4, -0.9}}) {
+  Renderer foveating(scene_, profile, settings, false);
+  settings.foveation = Foveation::off;
+  Renderer complete(scene_, profile, settings, false);
+  RenderedFrame foveated, full;
+  // The teapot in front, the statue in the middle of the room, the vase; then the stem of the torus knot, a
+  // convex mirror: it shows the room and the vase's pattern some twenty times smaller, finer than a pixel, so
+  // that both pictures alias there, each in its own way.
+  struct Case {
+    glm::dvec3 target;
+    double least_share;
+  };
+  for (const auto& [target, least_share] : {Case{{-0.36, 0.85, 1.66}, 0.95},
+                                            {{-0.6, 1.2, -0.55}, 0.95},
+                                            {{1.5, 0.6, -0.1}, 0.95},
+                                            {{0.84, 0.4, -0.9}, 0.93}}) {
     const FrameSample sample = looking_at(target);
-    settings.foveation = Foveation::log_polar;
-    const RenderedFrame foveated = test::render(scene_, profile, settings, sample);
-    settings.foveation = Foveation::off;
-    const RenderedFrame full = test::render(scene_, profile, settings, sample);
+    test::render_with(foveating, scene_, sample, foveated);
+    test::render_with(complete, scene_, sample, full);
+    Agreement all;
     for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
       const Viewport& view = profile.viewports[i];
       const glm::dvec3 gaze = sample.gaze.head_direction[static_cast<std::size_t>(view.eye)];
       const Agreement found = agreement(view, gaze, foveated.viewports[i], full.viewports[i], 2.0);
       std::cout << view.name << " at " << target.x << " " << target.y << " " << target.z << ": "
                 << 100 * found.share() << " % of " << found.pixels << " pixels\n";
-      if (found.pixels == 0) continue;  // the gaze is outside the focus viewport
-      EXPECT_GE(found.share(), 0.95) << view.name;
+      all.pixels += found.pixels;
+      all.agree += found.agree;
     }
+    EXPECT_GT(all.pixels, 4 * 4000) << "the gaze must lie in all four viewports";
+    EXPECT_GE(all.share(), least_share);
   }
 }
 
