@@ -22,7 +22,7 @@ void fill(const RecordedRays& rays, std::size_t first, std::size_t count, float 
     packet.tfar[i] = tfar;
     packet.mask[i] = mask;
     packet.flags[i] = 0;
-    valid[i] = i < count ? -1 : 0;
+    valid[i] = i < count && !rays.is_gap(first + i) ? -1 : 0;
   }
 }
 

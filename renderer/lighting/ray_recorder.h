@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace herr {
@@ -11,19 +13,34 @@ namespace herr {
 enum class RayKind : std::uint8_t { primary, shadow, catcher_shadow, mirror, mirror_shadow };
 inline constexpr std::size_t kRayKinds = 5;
 
+// Rays in structure of arrays. An idle lane of a packet is kept as a gap (ox is NaN), so that the frame's own
+// packets can be traced again.
 struct RecordedRays {
   std::vector<float> ox, oy, oz, dx, dy, dz;
-  std::size_t size() const { return ox.size(); }
+
+  std::size_t size() const { return ox.size(); }  // gaps included
+  bool is_gap(std::size_t i) const { return std::isnan(ox[i]); }
+  void add(float o_x, float o_y, float o_z, float d_x, float d_y, float d_z) {
+    ox.push_back(o_x), oy.push_back(o_y), oz.push_back(o_z);
+    dx.push_back(d_x), dy.push_back(d_y), dz.push_back(d_z);
+  }
+  // The same rays without gaps.
+  RecordedRays dense() const {
+    RecordedRays out;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (!is_gap(i)) out.add(ox[i], oy[i], oz[i], dx[i], dy[i], dz[i]);
+    }
+    return out;
+  }
 };
 
 struct RayRecorder {
   std::array<RecordedRays, kRayKinds> rays;
 
   void add(RayKind kind, float ox, float oy, float oz, float dx, float dy, float dz) {
-    RecordedRays& r = rays[static_cast<std::size_t>(kind)];
-    r.ox.push_back(ox), r.oy.push_back(oy), r.oz.push_back(oz);
-    r.dx.push_back(dx), r.dy.push_back(dy), r.dz.push_back(dz);
+    rays[static_cast<std::size_t>(kind)].add(ox, oy, oz, dx, dy, dz);
   }
+  void add_gap(RayKind kind) { add(kind, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0); }
 };
 
 }  // namespace herr

@@ -16,7 +16,10 @@ namespace HWY_NAMESPACE {
 
 void record_primary(const TileJob& job, const RayHit& packet, const int* valid) {
   for (int i = 0; i < kLanes; ++i) {
-    if (valid[i] == 0) continue;
+    if (valid[i] == 0) {
+      job.recorder->add_gap(RayKind::primary);
+      continue;
+    }
     job.recorder->add(RayKind::primary, packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i],
                       packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
   }
