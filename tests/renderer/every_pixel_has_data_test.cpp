@@ -94,6 +94,43 @@ TEST(EveryPixelHasDataTest, InNarrowLopsidedAndSeparateViewports) {
   expect_data_everywhere(profile, test::small_settings(), hard_gazes());
 }
 
+TEST(EveryPixelHasDataTest, ThePaddingRepeatsTheSamplesAcrossThePoleTheSeamAndTheEdge) {
+  Scene scene = lit_sphere();
+  // Neighbours differ everywhere, the pole included: a wall of small glowing squares, a corner of
+  // which lies straight ahead.
+  for (int i = 0; i < 400; ++i) {
+    const glm::vec3 corner{0.07f * static_cast<float>(i % 20) - 0.7f,
+                           0.07f * static_cast<float>(i / 20) - 0.7f, -1};
+    test::add(scene, test::quad(corner, {0.07f, 0, 0}, {0, 0.07f, 0}),
+              test::glowing(glm::vec3{0.01f * static_cast<float>(i * 37 % 101)}));
+  }
+  RenderSettings settings = test::small_settings();
+  settings.polar_width = 37;
+  constexpr int kHeight = 48;
+  for (const Isa isa : test::offered_isas()) {
+    settings.isa = isa;
+    Renderer renderer(scene, test::single_view(64, 64, 45, 45), settings, false);
+    poison(renderer);
+    RenderedFrame frame;
+    test::render_with(renderer, scene, test::sample_from({0, 0, 0}), frame);
+    const RadianceBuffer& buffer = renderer.internals().buffers[0];
+    const auto texel = [&](int column, int row) {
+      const std::uint16_t* t = buffer.texels() + 4 * (static_cast<std::size_t>(row) * buffer.row_stride() +
+                                                      static_cast<std::size_t>(column + 1));
+      return std::vector<std::uint16_t>(t, t + 4);
+    };
+    int unlike = 0;
+    for (int row = 0; row < kHeight; ++row) {
+      EXPECT_EQ(texel(-1, row), texel(0, (row + kHeight / 2) % kHeight)) << "across the pole, row " << row;
+      EXPECT_EQ(texel(37, row), texel(36, row)) << "beyond the edge, row " << row;
+      unlike += texel(-1, row) != texel(0, row);
+    }
+    for (int column = -1; column <= 37; ++column)
+      EXPECT_EQ(texel(column, kHeight), texel(column, 0)) << "beyond the seam, column " << column;
+    EXPECT_GT(unlike, 0) << "the pole must lie on an edge, or nothing was tested";
+  }
+}
+
 TEST(EveryPixelHasDataTest, RaysThatNoViewportSeesAreNotTraced) {
   const Scene scene = lit_sphere();
   const DisplayProfile profile = test::single_view(64, 64, 20, 20);
