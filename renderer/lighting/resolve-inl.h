@@ -17,7 +17,6 @@ namespace HWY_NAMESPACE {
 
 constexpr float kLargestRatio = 4.0f;
 constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
-constexpr float kLargestHalf = 65504.0f;
 constexpr float kPi = 3.14159265f;
 
 // E_with / E_without where there is light to compare, clamped and snapped; ambient light counts in both.
@@ -123,7 +122,9 @@ HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& 
   const hn::Rebind<hwy::float16_t, F> half;
   const hn::RebindToUnsigned<decltype(half)> bits;
   alignas(64) std::uint16_t texels[4 * kMaxLanes];
-  const auto to_half = [&](VF value) HWY_ATTR { return hn::BitCast(bits, hn::DemoteTo(half, value)); };
+  const auto to_half = [&](VF value) HWY_ATTR {
+    return hn::BitCast(bits, hn::DemoteTo(half, half_rounded(kF, value)));
+  };
   hn::StoreInterleaved4(to_half(rgb.x), to_half(rgb.y), to_half(rgb.z), to_half(w), bits, texels);
   alignas(64) std::int32_t kinds[kMaxLanes];
   hn::Store(kind, kI, kinds);

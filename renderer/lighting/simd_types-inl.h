@@ -26,6 +26,8 @@ using VI = hn::Vec<I>;
 using VU = hn::Vec<U>;
 using MF = hn::Mask<F>;
 
+constexpr float kLargestHalf = 65504.0f;
+
 constexpr F kF{};
 constexpr I kI{};
 constexpr U kU{};
@@ -84,6 +86,21 @@ HWY_INLINE V3 select(MF m, const V3& yes, const V3& no) {
 // Stores `lanes` of a value and keeps the others. A masked store is microcoded on some CPUs; this is not.
 HWY_INLINE void store_lanes(VF value, MF lanes, float* p) {
   hn::Store(hn::IfThenElse(lanes, value, hn::Load(kF, p)), kF, p);
+}
+
+// Float ready to be demoted to half with rounding to nearest: Highway's SSE4 demotion cuts the low bits off
+// instead.
+template <class D, class V>
+HWY_INLINE V half_rounded(D d, V value) {
+#if HWY_TARGET == HWY_SSE4
+  const hn::RebindToUnsigned<D> bits_tag;
+  const auto bits = hn::BitCast(bits_tag, value);
+  const auto odd = hn::And(hn::ShiftRight<13>(bits), hn::Set(bits_tag, 1u));
+  return hn::BitCast(d, hn::Add(bits, hn::Add(odd, hn::Set(bits_tag, 0xfffu))));
+#else
+  (void)d;
+  return value;
+#endif
 }
 
 // Lanes [0, n).

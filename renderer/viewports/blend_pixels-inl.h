@@ -80,7 +80,8 @@ HWY_INLINE V4 blend_pixel(const BlendSources& from, const BlockCoordinates& pola
     const V4 feed = bilinear(from.feed + 4 * static_cast<std::size_t>(camera.at.offset[i]), from.feed_stride,
                              camera.at.x[i], camera.at.y[i]);
     const V4 kept = hn::Mul(ratio, hn::Set(kF4, camera.seen[i]));
-    return with_alpha(hn::MulAdd(feed, kept, s), one);
+    // Feed and texel are each within half's range, their sum need not be.
+    return with_alpha(hn::Min(hn::MulAdd(feed, kept, s), hn::Set(kF4, kLargestHalf)), one);
   }
   return with_alpha(s, from.opaque ? one : hn::Sub(one, hn::Broadcast<3>(s)));
 }
@@ -94,8 +95,10 @@ HWY_INLINE void blend_block(const BlendSources& from, const BlockCoordinates& po
     const V4 second = blend_pixel<kFeed, kColoured>(from, polar, camera, i + 1);
 #if HWY_TARGET == HWY_SSE4
     const hn::FixedTag<hwy::float16_t, 4> half;
-    hn::StoreU(hn::DemoteTo(half, first), half, reinterpret_cast<hwy::float16_t*>(out) + 4 * i);
-    hn::StoreU(hn::DemoteTo(half, second), half, reinterpret_cast<hwy::float16_t*>(out) + 4 * i + 4);
+    hn::StoreU(hn::DemoteTo(half, half_rounded(kF4, first)), half,
+               reinterpret_cast<hwy::float16_t*>(out) + 4 * i);
+    hn::StoreU(hn::DemoteTo(half, half_rounded(kF4, second)), half,
+               reinterpret_cast<hwy::float16_t*>(out) + 4 * i + 4);
 #else
     const hn::FixedTag<float, 8> f8;
     const hn::FixedTag<hwy::float16_t, 8> half;

@@ -69,41 +69,71 @@ Agreement agreement(const Viewport& view, const glm::dvec3& gaze, const Viewport
   return found;
 }
 
-TEST_F(SampleFrameTest, AtTheGazeTheFoveatedPictureIsTheFullOne) {
-  const DisplayProfile profile = xr1_profile();
-  RenderSettings settings;
-  settings.polar_width = 788;
-  settings.polar_height = 768;
-  Renderer foveating(scene_, profile, settings, false);
-  settings.foveation = Foveation::off;
-  Renderer complete(scene_, profile, settings, false);
-  RenderedFrame foveated, full;
-  // The teapot in front, the statue in the middle of the room, the vase; then the stem of the torus knot, a
-  // convex mirror: it shows the room and the vase's pattern some twenty times smaller, finer than a pixel, so
-  // that both pictures alias there, each in its own way.
-  struct Case {
-    glm::dvec3 target;
-    double least_share;
-  };
-  for (const auto& [target, least_share] : {Case{{-0.36, 0.85, 1.66}, 0.95},
-                                            {{-0.6, 1.2, -0.55}, 0.95},
-                                            {{1.5, 0.6, -0.1}, 0.95},
-                                            {{0.84, 0.4, -0.9}, 0.93}}) {
-    const FrameSample sample = looking_at(target);
-    test::render_with(foveating, scene_, sample, foveated);
-    test::render_with(complete, scene_, sample, full);
+// One frame with and without foveation: agreement within 2 degrees of the gaze, over all four viewports.
+class GazeComparison {
+ public:
+  GazeComparison(const Scene& scene, bool camera)
+      : scene_(scene),
+        foveating_(scene, profile_, settings(Foveation::log_polar), camera),
+        complete_(scene, profile_, settings(Foveation::off), camera) {}
+
+  double share_at(const FrameSample& sample, const std::string& what) {
+    test::render_with(foveating_, scene_, sample, foveated_);
+    test::render_with(complete_, scene_, sample, full_);
     Agreement all;
-    for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
-      const Viewport& view = profile.viewports[i];
+    for (std::size_t i = 0; i < profile_.viewports.size(); ++i) {
+      const Viewport& view = profile_.viewports[i];
       const glm::dvec3 gaze = sample.gaze.head_direction[static_cast<std::size_t>(view.eye)];
-      const Agreement found = agreement(view, gaze, foveated.viewports[i], full.viewports[i], 2.0);
-      std::cout << view.name << " at " << target.x << " " << target.y << " " << target.z << ": "
-                << 100 * found.share() << " % of " << found.pixels << " pixels\n";
+      const Agreement found = agreement(view, gaze, foveated_.viewports[i], full_.viewports[i], 2.0);
       all.pixels += found.pixels;
       all.agree += found.agree;
     }
+    std::cout << what << ": " << 100 * all.share() << " % of " << all.pixels << " pixels\n";
     EXPECT_GT(all.pixels, 4 * 4000) << "the gaze must lie in all four viewports";
-    EXPECT_GE(all.share(), least_share);
+    return all.share();
+  }
+
+ private:
+  static RenderSettings settings(Foveation foveation) {
+    RenderSettings settings;
+    settings.polar_width = 788;
+    settings.polar_height = 768;
+    settings.foveation = foveation;
+    return settings;
+  }
+
+  const Scene& scene_;
+  const DisplayProfile profile_ = xr1_profile();
+  Renderer foveating_, complete_;
+  RenderedFrame foveated_, full_;
+};
+
+TEST_F(SampleFrameTest, AtTheGazeTheFoveatedPictureIsTheFullOne) {
+  GazeComparison compare(scene_, false);
+  EXPECT_GE(compare.share_at(looking_at({-0.36, 0.85, 1.66}), "teapot"), 0.95);
+  EXPECT_GE(compare.share_at(looking_at({-0.6, 1.2, -0.55}), "statue"), 0.95);
+  EXPECT_GE(compare.share_at(looking_at({1.5, 0.6, -0.1}), "vase"), 0.95);
+}
+
+// The stem of the torus knot is a convex mirror: it shows the room and the vase's pattern some twenty times
+// smaller, finer than a pixel, so both pictures alias, each in its own way. 94.95 % was measured; the limit
+// guards that.
+TEST_F(SampleFrameTest, InAMirrorFinerThanAPixelBothPicturesAlias) {
+  GazeComparison compare(scene_, false);
+  EXPECT_GE(compare.share_at(looking_at({0.84, 0.4, -0.9}), "knot stem"), 0.93);
+}
+
+// Frames whose gaze lies in the focus viewports. Where it leaves them (0.7 and 1.9 s) only the context
+// viewport with its 22 pixels per degree is left, and thin leaves put an edge through one pixel in five:
+// there the blend of two samples that are closer than a pixel meets the hard step of one ray a pixel (82 %
+// and 92 % agree).
+TEST_F(SampleFrameTest, AtTheRecordedGazesTheFoveatedPictureIsTheFullOneOverTheFeed) {
+  GazeComparison compare(scene_, true);
+  Session session =
+      Session::open(std::filesystem::path(HERR_SOURCE_DIR) / "sessions" / "samples" / "desk-walk");
+  for (const double at_s : {0.1, 1.0, 1.5}) {
+    const FrameSample sample = session.sample(session.start_ns() + static_cast<TimeNs>(at_s * 1e9));
+    EXPECT_GE(compare.share_at(sample, "desk-walk at " + std::to_string(at_s) + " s"), 0.95);
   }
 }
 
