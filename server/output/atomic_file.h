@@ -7,21 +7,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "sessions/write_error.h"
+
 namespace herr {
-
-// A write failed: disk full, quota, I/O error. what() is one line, "FILE: cannot STEP: reason; remedy".
-class WriteError : public std::runtime_error {
- public:
-  WriteError(const std::filesystem::path& file, const std::string& step, int error_number);
-  int error_number() const { return error_number_; }
-
- private:
-  int error_number_;
-};
 
 // Not thread-safe. Every function throws WriteError; the temporary file never outlives the object.
 class AtomicFile {

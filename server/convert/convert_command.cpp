@@ -1,0 +1,164 @@
+#include "server/convert/convert_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "server/cli/exit_code.h"
+#include "server/cli/flag_values.h"
+#include "server/cli/terminal.h"
+#include "server/cli/version.h"
+#include "server/convert/convert_report.h"
+#include "server/convert/new_session_folder.h"
+#include "server/synth/camera_renderer.h"
+#include "sessions/import/aria_calibration.h"
+#include "sessions/import/built_in_maps.h"
+#include "sessions/import/camera_pictures.h"
+#include "sessions/import/import_rows.h"
+#include "sessions/input_error.h"
+#include "sessions/input_file.h"
+#include "sessions/record/session_recorder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kMaxPictureBytes = std::int64_t{1} << 30;
+constexpr double kHalfIpdM = 0.0315;
+
+const BuiltInMap& built_in(const std::string& name) {
+  return built_in_maps().at(parse_word("--preset", name, built_in_map_names()));
+}
+
+ColumnMap chosen_map(const ConvertOptions& options) {
+  if (!options.map.empty()) return read_column_map(options.map);
+  return parse_column_map(built_in(options.preset).json, options.preset + ".json");
+}
+
+SessionHeader header_for(const ConvertOptions& options, const fs::path& out, const ColumnMap& map) {
+  SessionHeader header;
+  header.name = printable((out.has_filename() ? out : out.parent_path()).filename().string());
+  header.provenance = std::string("converted by ") + program_with_version() + " from " +
+                      printable(options.head.filename().string()) + " with the map " + printable(map.name);
+  header.licence = options.licence;
+  header.profile = load_display_profile(options.profile);
+  header.head_from_eye[0].position = {-kHalfIpdM, 0, 0};
+  header.head_from_eye[1].position = {kHalfIpdM, 0, 0};
+  header.scene = options.scene;
+  return header;
+}
+
+struct Feed {
+  CameraPictures pictures;
+  SessionHeader::Camera camera;
+};
+
+Feed open_feed(const ConvertOptions& options, const ImportRequest& request) {
+  Feed feed;
+  feed.pictures = find_camera_pictures(options.camera);
+  const ImageSize& size = feed.pictures.size;
+  if (!options.camera_calibration.empty())
+    feed.camera = read_aria_camera(options.camera_calibration, options.camera_label, size,
+                                   fitting_head_columns(request));
+  else
+    feed.camera.model = pinhole_camera(size.width_px, size.height_px, options.camera_hfov_deg);
+  feed.camera.nominal_hz = options.camera_hz;
+  return feed;
+}
+
+std::string copied_name(std::size_t index, const fs::path& picture) {
+  const std::string digits = std::to_string(index);
+  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + picture.extension().string();
+}
+
+// Every picture is copied once; a loop names them again.
+std::int64_t write_feed(const ConvertOptions& options, const Feed& feed, const ImportedStream& poses,
+                        SessionRecorder& recorder) {
+  std::vector<std::string> names;
+  std::int64_t rows = 0;
+  for (;; ++rows) {
+    const auto offset_ns =
+        static_cast<TimeNs>(std::llround(static_cast<double>(rows) * 1e9 / options.camera_hz));
+    const auto index = static_cast<std::size_t>(rows);
+    if (poses.first_ns + offset_ns > poses.last_ns) break;
+    if (!options.camera_loop && index >= feed.pictures.files.size()) break;
+    if (index < feed.pictures.files.size()) {
+      const fs::path& picture = feed.pictures.files[index];
+      const std::string bytes = read_whole_file(picture, kMaxPictureBytes);
+      names.push_back(copied_name(index, picture));
+      recorder.add_image(0, names.back(),
+                         {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    }
+    recorder.add_camera_frame(0, {poses.first_ns + offset_ns, names[index % feed.pictures.files.size()]});
+  }
+  return rows;
+}
+
+// Messages about the unfinished folder name the one that the user asked for.
+std::string with_final_name(std::string text, const fs::path& temporary, const fs::path& out) {
+  for (std::size_t at = text.find(temporary.string()); at != std::string::npos;
+       at = text.find(temporary.string(), at + 1))
+    text.replace(at, temporary.string().size(), out.string());
+  return text;
+}
+
+// What replay would say of it; the result is a session or there is none.
+SessionFindings check_result(const ConvertOptions& options, const fs::path& temporary) {
+  try {
+    SessionFindings findings = Session::open(temporary).findings();
+    for (std::string& warning : findings.warnings) warning = with_final_name(warning, temporary, options.out);
+    return findings;
+  } catch (const InputError& error) {
+    throw InputError(options.head, 0,
+                     "gives no usable session: " + with_final_name(error.what(), temporary, options.out),
+                     "check the units and columns of the map");
+  }
+}
+
+void check_options(const ConvertOptions& options) {
+  if (!options.camera.empty() && options.camera_hfov_deg == 0 && options.camera_calibration.empty())
+    throw UsageError(
+        "--camera: the lens is unknown; give --camera-hfov DEGREES or --camera-calibration FILE");
+  if (options.head == options.out) throw UsageError("OUT: is the recording itself; choose another folder");
+}
+
+}  // namespace
+
+int run_convert(const ConvertOptions& options) {
+  if (options.show_map) {
+    print_result(std::string(built_in(options.preset).json));
+    return kExitDone;
+  }
+  check_options(options);
+  const ColumnMap map = chosen_map(options);
+  SessionHeader header = header_for(options, options.out, map);
+  const ImportRequest request{options.head, options.gaze, &map, options.keep_going};
+  ConvertReport report{options.out, map.name, {}, 0, 0, {}};
+  Feed feed;
+  if (!options.camera.empty()) feed = open_feed(options, request);
+
+  NewSessionFolder folder(options.out, options.overwrite);
+  SessionRecorder recorder(folder.path());
+  report.rows = import_rows(request, {[&](const PoseRow& row) { recorder.add_pose(row); },
+                                      [&](const GazeRow& row) { recorder.add_gaze(row); }});
+  if (!options.camera.empty()) {
+    header.cameras.push_back(feed.camera);
+    report.camera_rows = write_feed(options, feed, report.rows.poses, recorder);
+    report.pictures = std::min(report.camera_rows, static_cast<std::int64_t>(feed.pictures.files.size()));
+  }
+  header.gaze_combined = report.rows.gaze_combined || !report.rows.has_gaze;
+  if (report.rows.gaze_combined) header.vergence_m = map.vergence_m;
+  header.pose_hz = report.rows.poses.rate_hz();
+  header.gaze_hz = report.rows.gaze.rate_hz();
+  recorder.write_header(header);
+  recorder.finish();
+  report.findings = check_result(options, folder.path());
+  folder.keep();
+  print_result(options.json ? convert_json(report) : convert_text(report));
+  return report.rows.poses.bad_rows + report.rows.gaze.bad_rows > 0 ? kExitPartial : kExitDone;
+}
+
+}  // namespace herr

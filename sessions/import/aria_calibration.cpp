@@ -1,0 +1,110 @@
+#include "sessions/import/aria_calibration.h"
+
+#include <cmath>
+
+#include "sessions/input_error.h"
+#include "sessions/streams/line_reader.h"
+#include "sessions/strict_json.h"
+
+namespace herr {
+namespace {
+
+constexpr std::size_t kMaxCalibrationBytes = 1 << 20;
+// The colour sensor has 2880 x 2880 pixels; smaller pictures are its middle 2816, two by two pixels added.
+constexpr int kHalfSizePx = 1408;
+constexpr double kHalfSizeMarginPx = 32;
+
+nlohmann::json read_calibration(const std::filesystem::path& file) {
+  if (file.extension() != ".jsonl") return parse_json_file(file, {kMaxCalibrationBytes, 32, 100000});
+  LineReader reader(file, kMaxCalibrationBytes);
+  TextLine line;
+  if (!reader.next(line) || line.too_long)
+    throw InputError(file, 1, "holds no calibration", "check the file");
+  return parse_json_text(line.text, file, 1, {kMaxCalibrationBytes, 32, 100000});
+}
+
+// {"Translation": [x, y, z], "UnitQuaternion": [w, [x, y, z]]}
+Pose parse_transform(const JsonObject& entry) {
+  const nlohmann::json& q = entry.value("UnitQuaternion");
+  const bool shaped = q.is_array() && q.size() == 2 && q[0].is_number() && q[1].is_array() &&
+                      q[1].size() == 3 && q[1][0].is_number() && q[1][1].is_number() && q[1][2].is_number();
+  if (!shaped) entry.fail("UnitQuaternion", "is not [w, [x, y, z]]", "check the file");
+  const glm::dquat rotation(q[0].get<double>(), q[1][0].get<double>(), q[1][1].get<double>(),
+                            q[1][2].get<double>());
+  if (!(std::abs(glm::length(rotation) - 1) <= 1e-3))
+    entry.fail("UnitQuaternion", "is not a unit quaternion", "check the file");
+  return {entry.vec3("Translation", -1, 1), glm::normalize(rotation)};
+}
+
+CameraModel parse_model(const JsonObject& projection, const ImageSize& size) {
+  CameraModel model;
+  model.width_px = size.width_px;
+  model.height_px = size.height_px;
+  const std::string kind = projection.text("Name");
+  std::size_t first = 3;
+  if (kind == "FisheyeRadTanThinPrism") {
+    model.kind = CameraModelKind::fisheye624;
+    const auto values = projection.numbers("Params", 15, -1e5, 1e5);
+    model.fx = model.fy = values[0];
+    model.cx = values[1];
+    model.cy = values[2];
+    std::copy(values.begin() + static_cast<std::ptrdiff_t>(first), values.end(), model.distortion.begin());
+  } else if (kind == "KannalaBrandtK3") {
+    model.kind = CameraModelKind::kb4;
+    const auto values = projection.numbers("Params", 8, -1e5, 1e5);
+    model.fx = values[0];
+    model.fy = values[1];
+    model.cx = values[2];
+    model.cy = values[3];
+    std::copy(values.begin() + 4, values.end(), model.distortion.begin());
+  } else {
+    projection.fail("Name", "is '" + printable(kind) + "'",
+                    "only FisheyeRadTanThinPrism and KannalaBrandtK3 are known");
+  }
+  return model;
+}
+
+void scale_to_half_size(CameraModel& model) {
+  model.fx /= 2;
+  model.fy /= 2;
+  // A pixel's centre is a whole number, its border half a pixel away.
+  model.cx = (model.cx - kHalfSizeMarginPx + 0.5) / 2 - 0.5;
+  model.cy = (model.cy - kHalfSizeMarginPx + 0.5) / 2 - 0.5;
+}
+
+bool is_near_middle(double centre_px, int size_px) {
+  return centre_px > 0.25 * size_px && centre_px < 0.75 * size_px;
+}
+
+}  // namespace
+
+SessionHeader::Camera read_aria_camera(const std::filesystem::path& file, const std::string& label,
+                                       const ImageSize& size, const HeadColumns& head) {
+  const nlohmann::json document = read_calibration(file);
+  const JsonObject root(document, file, "");
+  std::string known;
+  for (const JsonObject& entry : root.objects("CameraCalibrations")) {
+    known += (known.empty() ? "" : ", ") + printable(entry.text("Label"));
+    if (entry.text("Label") != label) continue;
+    SessionHeader::Camera camera;
+    camera.model = parse_model(entry.object("Projection"), size);
+    if (label == "camera-rgb" && size.width_px == kHalfSizePx && size.height_px == kHalfSizePx)
+      scale_to_half_size(camera.model);
+    if (!is_near_middle(camera.model.cx, size.width_px) || !is_near_middle(camera.model.cy, size.height_px))
+      throw InputError(file, 0,
+                       "calibrates " + label + " for pictures of another size than " +
+                           std::to_string(size.width_px) + "x" + std::to_string(size.height_px),
+                       "use the pictures as they were recorded");
+    camera.model.prepare();
+    // Aria's cameras look along +z with y down.
+    const auto lens = AxisDirections::from_words({"right", "down", "forward"});
+    const Pose head_from_camera =
+        inverse(head.body_from_head) * parse_transform(entry.object("T_Device_Camera"));
+    camera.head_from_camera = {head.head_axes.to_ours(head_from_camera.position),
+                               rotation_to_ours(head_from_camera.orientation, head.head_axes, *lens)};
+    return camera;
+  }
+  throw InputError(file, 0, "has no camera '" + printable(label) + "'", "its cameras are: " + known);
+}
+
+}  // namespace herr

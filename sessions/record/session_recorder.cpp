@@ -1,0 +1,138 @@
+#include "sessions/record/session_recorder.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "sessions/record/header_text.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The shortest text that reads back as the same number: recording and replaying lose no bit.
+void append_number(std::string& row, double value) {
+  char digits[32];
+  // + 0.0 turns -0 into 0.
+  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value + 0.0);
+  row += ',';
+  row.append(digits, end);
+}
+
+void append_vector(std::string& row, const glm::dvec3& v) {
+  for (const double value : {v.x, v.y, v.z}) append_number(row, value);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WriteError(folder, "make the folder", error.value());
+}
+
+std::string camera_name(std::size_t camera) {
+  return "cam" + std::to_string(camera);
+}
+
+}  // namespace
+
+SessionRecorder::SessionRecorder(fs::path folder) : folder_(std::move(folder)) {
+  make_folder(folder_);
+}
+
+void SessionRecorder::write_header(const SessionHeader& header) {
+  // Under another name first: a reader finds the old header or the new one, never half of one.
+  const fs::path final_name = folder_ / "session.json";
+  const fs::path temporary = folder_ / ("session.json.tmp." + std::to_string(::getpid()));
+  AppendFile file(temporary);
+  try {
+    file.append(header_text(header));
+    file.finish();
+    if (::rename(temporary.c_str(), final_name.c_str()) != 0) throw WriteError(final_name, "rename", errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());  // the first failure is the one to report
+    throw;
+  }
+}
+
+SessionRecorder::Stream& SessionRecorder::stream(const std::string& name, const std::string& first_line) {
+  const auto found = streams_.find(name);
+  if (found != streams_.end()) return found->second;
+  make_folder((folder_ / name).parent_path());
+  Stream made{AppendFile(folder_ / name)};
+  made.file.append(first_line);
+  return streams_.emplace(name, std::move(made)).first->second;
+}
+
+void SessionRecorder::add(Stream& stream, TimeNs stamp_ns, const std::string& row, bool may_repeat) {
+  if (stamp_ns < stream.last_ns || (stamp_ns == stream.last_ns && !may_repeat))
+    throw std::logic_error("a recorded stamp does not grow");
+  stream.last_ns = stamp_ns;
+  stream.file.append(row);
+  if (stream.flushed_ns < 0) stream.flushed_ns = stamp_ns;
+  if (stream.file.unflushed_bytes() < kRecordFlushBytes && stamp_ns - stream.flushed_ns < kRecordFlushNs)
+    return;
+  stream.file.flush();
+  stream.flushed_ns = stamp_ns;
+}
+
+void SessionRecorder::add_pose(const PoseRow& row) {
+  std::string text = std::to_string(row.stamp_ns);
+  append_vector(text, row.world_from_head.position);
+  const glm::dquat& q = row.world_from_head.orientation;
+  for (const double value : {q.x, q.y, q.z, q.w}) append_number(text, value);
+  add(stream("pose/data.csv", "timestamp_ns,px,py,pz,qx,qy,qz,qw\n"), row.stamp_ns, text + "\n");
+}
+
+void SessionRecorder::add_gaze(const GazeRow& row) {
+  std::string text = std::to_string(row.stamp_ns);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    append_vector(text, row.valid[eye] ? row.head_direction[eye] : glm::dvec3(0));
+    text += row.valid[eye] ? ",1" : ",0";
+  }
+  add(stream("gaze/data.csv", "timestamp_ns,lx,ly,lz,l_valid,rx,ry,rz,r_valid\n"), row.stamp_ns, text + "\n");
+}
+
+void SessionRecorder::add_camera_frame(std::size_t camera, const CameraRow& row) {
+  // A name with one of these would be read back as something else.
+  if (row.filename.empty() || row.filename.find_first_of(",\r\n") != std::string::npos)
+    throw std::logic_error("a camera frame's file name cannot be written into a row");
+  add(stream(camera_name(camera) + "/data.csv", "timestamp_ns,filename\n"), row.stamp_ns,
+      std::to_string(row.stamp_ns) + "," + row.filename + "\n");
+}
+
+void SessionRecorder::add_image(std::size_t camera, const std::string& filename,
+                                std::span<const std::uint8_t> bytes) {
+  const fs::path data = folder_ / camera_name(camera) / "data";
+  make_folder(data);
+  AppendFile file(data / filename);
+  file.append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  file.finish();
+}
+
+void SessionRecorder::add_event(TimeNs stamp_ns, const std::string& json_line) {
+  add(stream("events.jsonl", ""), stamp_ns, json_line + "\n", true);
+}
+
+void SessionRecorder::flush() {
+  for (auto& [name, stream] : streams_) stream.file.flush();
+}
+
+void SessionRecorder::finish() {
+  std::set<fs::path> folders{folder_};
+  for (auto& [name, stream] : streams_) {
+    stream.file.finish();
+    const fs::path folder = stream.file.path().parent_path();
+    folders.insert(folder);
+    if (fs::exists(folder / "data")) folders.insert(folder / "data");
+  }
+  for (const fs::path& folder : folders) sync_recorded_folder(folder);
+}
+
+}  // namespace herr

@@ -1,0 +1,57 @@
+// Writes a session folder in format version 1 while it happens: the header first, then rows as they come.
+// Before: a device, an importer or a synthesiser. After: Session::open, at any moment: a recorder that dies
+// leaves a session up to its last flush, and the reader drops the line that was cut off.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "sessions/record/append_file.h"
+#include "sessions/session.h"
+#include "sessions/streams/stream_rows.h"
+
+namespace herr {
+
+// What is not on its way to the disk yet is at most this much of the session, or this many bytes a stream.
+inline constexpr TimeNs kRecordFlushNs = 1'000'000'000;
+inline constexpr std::size_t kRecordFlushBytes = 64 << 10;
+
+// Not thread-safe. Every function throws WriteError. Stamps must grow within a stream, as the readers
+// demand; std::logic_error otherwise.
+class SessionRecorder {
+ public:
+  // Makes the folder where it is missing; its files must not exist yet.
+  explicit SessionRecorder(std::filesystem::path folder);
+
+  // session.json, replaced as a whole: written first, and again where the end knows more (measured rates).
+  void write_header(const SessionHeader& header);
+  void add_pose(const PoseRow& row);
+  void add_gaze(const GazeRow& row);  // an eye that is not valid is written as 0,0,0
+  // `filename` was added before with add_image, or is in cam<i>/data already; rows may share one.
+  void add_camera_frame(std::size_t camera, const CameraRow& row);
+  // A whole image file under cam<i>/data.
+  void add_image(std::size_t camera, const std::string& filename, std::span<const std::uint8_t> bytes);
+  void add_event(TimeNs stamp_ns, const std::string& json_line);  // stamps may repeat
+
+  void flush();
+  // Flushes and waits for the disk. No rows after that.
+  void finish();
+
+ private:
+  struct Stream {
+    AppendFile file;
+    TimeNs last_ns = -1, flushed_ns = -1;
+  };
+  Stream& stream(const std::string& name, const std::string& first_line);
+  void add(Stream& stream, TimeNs stamp_ns, const std::string& row, bool may_repeat = false);
+
+  std::filesystem::path folder_;
+  std::map<std::string, Stream> streams_;  // by file name relative to the folder
+};
+
+}  // namespace herr

@@ -1,0 +1,21 @@
+// Writing a file failed: disk full, quota, no permission, a fault of the disk. The other side of InputError:
+// not the user's data but the place for it. Thrown by everything that writes; the program exits with 75.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace herr {
+
+// what() is one line, "FILE: cannot STEP: reason; remedy".
+class WriteError : public std::runtime_error {
+ public:
+  WriteError(const std::filesystem::path& file, const std::string& step, int error_number);
+  int error_number() const { return error_number_; }
+
+ private:
+  int error_number_;
+};
+
+}  // namespace herr
