@@ -5,7 +5,9 @@
 #include "server/cli/exit_code.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
+#include "server/convert/convert_command.h"
 #include "server/replay/replay_command.h"
+#include "server/serve/serve_command.h"
 #include "server/synth/synth_command.h"
 
 namespace {
@@ -16,8 +18,10 @@ struct RunCommand {
     return herr::kExitDone;
   }
   int operator()(const herr::ReplayOptions& options) const { return herr::run_replay(options); }
+  int operator()(const herr::ServeOptions& options) const { return herr::run_serve(options); }
   int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
+  int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }
 };
 
 }  // namespace

@@ -2,165 +2,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <functional>
 #include <memory>
 
 #include "server/cli/flag_values.h"
+#include "server/cli/flags.h"
 #include "server/cli/version.h"
+#include "sessions/import/built_in_maps.h"
 
 namespace herr {
 namespace {
 
-constexpr std::int64_t kMostFrames = 1'000'000'000;
-constexpr double kLongestSeconds = 1e7;  // 115 days
-constexpr int kWidestPolarBuffer = 16384;
-
-using Reader = std::function<void(const std::string& text)>;
-
-// A flag with a value. The reader runs once the whole line is understood.
-void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
-                const std::string& help, const Reader& read) {
-  app.add_option_function<std::string>(flag, read, help)->type_name(value_name)->take_last()->expected(1);
-}
-
-void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const Reader& read) {
-  value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) {
-    if (text.empty()) throw UsageError(flag + ": the path is empty; give a file or folder");
-    read(text);
-  });
-}
-
-void read_polar_size(const std::string& text, RenderSettings& render) {
-  const SizeValue size = parse_size("--polar", text, kWidestPolarBuffer);
-  if (size.width % 2 != 0 || size.height % 2 != 0) {
-    throw UsageError(
-        "--polar: both numbers must be even (the width is both eyes together); for example 1576x768");
-  }
-  if (size.height > kWidestPolarBuffer / 2) {
-    throw UsageError("--polar: the height is at most " + std::to_string(kWidestPolarBuffer / 2));
-  }
-  render.polar_width = size.width / 2;
-  render.polar_height = size.height;
-}
-
-// Settings that every rendering command shares.
-void add_render_flags(CLI::App& app, RenderSettings& render) {
-  value_flag(app, "--polar", "WxH", "polar buffer of both eyes together (default 1576x768)",
-             [&render](const std::string& text) { read_polar_size(text, render); });
-  value_flag(app, "--light-samples", "N",
-             "shadow rays per light and hit, 1 ... 4096 (default 1: hard shadows)",
-             [&render](const std::string& text) {
-               render.light_samples = static_cast<int>(parse_whole_number("--light-samples", text, 1, 4096));
-             });
-  value_flag(app, "--threads", "N", "render threads, 1 ... 512 (default: all this process may use)",
-             [&render](const std::string& text) {
-               render.threads = static_cast<int>(parse_whole_number("--threads", text, 1, 512));
-             });
-  value_flag(app, "--isa", "NAME", "instruction set: sse4, avx2, avx512 or best (default best)",
-             [&render](const std::string& text) {
-               constexpr std::array<Isa, 4> kIsas{Isa::sse4, Isa::avx2, Isa::avx512, Isa::best};
-               render.isa = kIsas.at(parse_word("--isa", text, {"sse4", "avx2", "avx512", "best"}));
-             });
-  app.add_flag_callback(
-      "--no-reflections", [&render] { render.reflections = false; }, "trace no mirror rays");
-  app.add_flag_callback(
-      "--no-camera", [&render] { render.camera = false; }, "leave the camera feed out");
-}
-
-void add_picture_flags(CLI::App& app, ReplayOptions& options) {
-  value_flag(app, "--format", "NAME", "pictures: png, exr or none (default png)",
-             [&](const std::string& text) {
-               constexpr std::array<PictureFormat, 3> kFormats{PictureFormat::png, PictureFormat::exr,
-                                                               PictureFormat::none};
-               options.format = kFormats.at(parse_word("--format", text, {"png", "exr", "none"}));
-             });
-  value_flag(app, "--foveation", "NAME", "log-polar, or off: one ray per pixel (default log-polar)",
-             [&](const std::string& text) {
-               const bool off = parse_word("--foveation", text, {"log-polar", "off"}) == 1;
-               options.render.foveation = off ? Foveation::off : Foveation::log_polar;
-             });
-  app.add_flag_callback(
-      "--gaze-marker", [&] { options.render.gaze_marker = true; }, "red circle at the gaze");
-  app.add_flag_callback(
-      "--debug-tiles", [&] { options.render.debug_tiles = true; },
-      "colour the polar buffer in tiles of 15 degrees");
-  value_flag(app, "--contact-sheet", "WHICH",
-             "all viewports in one picture: none, all, middle or a frame number",
-             [&](const std::string& text) {
-               const bool number = !text.empty() && text.front() >= '0' && text.front() <= '9';
-               if (number) {
-                 options.sheet = SheetChoice::one;
-                 options.sheet_frame = parse_whole_number("--contact-sheet", text, 0, kMostFrames);
-                 return;
-               }
-               constexpr std::array<SheetChoice, 3> kChoices{SheetChoice::none, SheetChoice::all,
-                                                             SheetChoice::middle};
-               options.sheet = kChoices.at(parse_word("--contact-sheet", text, {"none", "all", "middle"}));
-             });
-}
-
-// A word that the design knows but this version does not offer is told apart from a wrong one.
-std::size_t parse_offered_word(const std::string& flag, const std::string& text,
-                               const std::vector<std::string>& offered,
-                               const std::vector<std::string>& later) {
-  if (std::find(later.begin(), later.end(), text) != later.end()) {
-    throw UsageError(flag + ": '" + text + "' is not available yet; use " + offered.front());
-  }
-  return parse_word(flag, text, offered);
-}
-
-void add_time_flags(CLI::App& app, ReplayOptions& options) {
-  value_flag(app, "--policy", "NAME", "quality of each frame: fixed (default fixed)",
-             [](const std::string& text) {
-               parse_offered_word("--policy", text, {"fixed"}, {"motion", "deadline"});
-             });
-  value_flag(app, "--clock", "NAME",
-             "virtual: one display period per frame; max: as fast as it goes (default virtual)",
-             [&](const std::string& text) {
-               const bool max = parse_offered_word("--clock", text, {"virtual", "max"}, {"realtime"}) == 1;
-               options.clock = max ? ReplayClock::max : ReplayClock::virtual_time;
-             });
-  value_flag(app, "--sampling", "NAME", "headset state: latest, predict or interpolate (default latest)",
-             [&](const std::string& text) {
-               constexpr std::array<SamplingMode, 3> kModes{SamplingMode::latest, SamplingMode::predict,
-                                                            SamplingMode::interpolate};
-               options.session.sampling =
-                   kModes.at(parse_word("--sampling", text, {"latest", "predict", "interpolate"}));
-             });
-  value_flag(app, "--start", "S", "begin this many seconds into the session (default 0)",
-             [&](const std::string& text) {
-               options.start_s = parse_real_number("--start", text, 0, kLongestSeconds);
-             });
-  value_flag(app, "--duration", "S", "replay this many seconds (default: to the end)",
-             [&](const std::string& text) {
-               options.duration_s = parse_real_number("--duration", text, 0, kLongestSeconds);
-             });
-  value_flag(app, "--frames", "N", "replay at most this many frames", [&](const std::string& text) {
-    options.frames = parse_whole_number("--frames", text, 1, kMostFrames);
-  });
-}
-
-void add_replay(CLI::App& app, ReplayOptions& options) {
-  app.add_option("SESSION", options.sessions, "session folders")->required()->type_name("");
-  file_flag(app, "--scene", "scene file (default: the one that the session names)",
-            [&](const std::string& text) { options.scene = text; });
-  file_flag(app, "--out", "folder for results; each session gets a folder in it (default out)",
-            [&](const std::string& text) { options.out = text; });
-  value_flag(app, "--profile", "NAME|FILE",
-             "display profile: xr1, xr1-half or a file (default: the session's)",
-             [&](const std::string& text) { options.profile = text; });
-  add_picture_flags(app, options);
-  add_time_flags(app, options);
-  add_render_flags(app, options.render);
-  app.add_flag_callback(
-      "--overwrite", [&] { options.overwrite = true; }, "replace results that are there");
-  app.add_flag_callback(
-      "--keep-going", [&] { options.session.keep_going = true; },
-      "skip bad rows and images, end with exit code 5");
-  app.add_flag_callback(
-      "--strict", [&] { options.session.strict = true; }, "a stream that was cut off is an error");
-  app.add_flag_callback(
-      "--json", [&] { options.json = true; }, "results on stdout as JSON");
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 void add_bench(CLI::App& app, BenchOptions& options) {
@@ -213,6 +68,49 @@ void add_synth(CLI::App& app, SynthOptions& options) {
              });
 }
 
+void add_convert(CLI::App& app, ConvertOptions& options) {
+  app.add_option("HEAD", options.head, "the recording, or its trajectory of the head")->type_name("");
+  app.add_option("OUT", options.out, "folder of the new session")->type_name("");
+  const auto path = [&app](const std::string& flag, const std::string& help, auto& target) {
+    file_flag(app, flag, help, [&target](const std::string& text) { target = text; });
+  };
+  const auto word = [&app](const std::string& flag, const char* kind, const std::string& help,
+                           std::string& target) {
+    value_flag(app, flag, kind, help, [&target](const std::string& text) { target = text; });
+  };
+  path("--gaze", "file of the gaze, where it is not in HEAD", options.gaze);
+  word("--preset", "NAME", "format of the files: " + joined(built_in_map_names()), options.preset);
+  path("--map", "column map (JSON) of a format that no preset knows", options.map);
+  app.add_flag_callback(
+      "--show-map", [&] { options.show_map = true; },
+      "print the preset's column map, to be changed and used with --map");
+  path("--camera", "folder of pictures for the camera feed, in natural order of their names", options.camera);
+  const auto number = [&app](const std::string& flag, const std::string& help, double lowest, double highest,
+                             double& value) {
+    value_flag(app, flag, "X", help, [flag, lowest, highest, &value](const std::string& text) {
+      value = parse_real_number(flag, text, lowest, highest);
+    });
+  };
+  number("--camera-hz", "pictures per second (default 15)", 0.1, 1000, options.camera_hz);
+  app.add_flag_callback(
+      "--camera-loop", [&] { options.camera_loop = true; },
+      "begin again at the end, as long as the poses last");
+  number("--camera-hfov", "width of the view in degrees, of a lens without distortion", 1, 170,
+         options.camera_hfov_deg);
+  path("--camera-calibration", "Project Aria's calibration, instead of --camera-hfov",
+       options.camera_calibration);
+  word("--camera-label", "NAME", "which of its cameras (default camera-rgb)", options.camera_label);
+  word("--profile", "NAME|FILE", "display profile of the session (default xr1)", options.profile);
+  word("--scene", "PATH", "scene that session.json names, relative to OUT", options.scene);
+  word("--licence", "TEXT", "licence of the recording", options.licence);
+  app.add_flag_callback(
+      "--overwrite", [&] { options.overwrite = true; }, "replace the session that is there");
+  app.add_flag_callback(
+      "--keep-going", [&] { options.keep_going = true; }, "leave bad rows out, end with exit code 5");
+  app.add_flag_callback(
+      "--json", [&] { options.json = true; }, "report on stdout as JSON");
+}
+
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -252,27 +150,36 @@ struct Parser {
   CLI::App app{"herr replays recorded XR sessions and ray-traces each frame with log-polar foveation.",
                "herr"};
   ReplayOptions replay;
+  ServeOptions serve;
   BenchOptions bench;
   SynthOptions synth;
+  ConvertOptions convert;
   bool show_version = false;
   CLI::App* replay_command = nullptr;
+  CLI::App* serve_command = nullptr;
   CLI::App* bench_command = nullptr;
   CLI::App* synth_command = nullptr;
+  CLI::App* convert_command = nullptr;
 
   Parser() {
     app.add_flag("--version", show_version, "show the version");
     replay_command = app.add_subcommand("replay", "render recorded sessions to files");
+    serve_command = app.add_subcommand("serve", "replay sessions in a loop behind HTTP");
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
-    add_replay(*replay_command, replay);
+    convert_command = app.add_subcommand("convert", "make a session of a recording in another format");
+    add_replay_flags(*replay_command, replay);
+    add_serve_flags(*serve_command, serve);
     add_bench(*bench_command, bench);
     add_synth(*synth_command, synth);
+    add_convert(*convert_command, convert);
     app.require_subcommand(0, 1);
     app.footer("'herr COMMAND --help' lists the flags of a command.");
   }
 
   const CLI::App* chosen() const {
-    for (const CLI::App* command : {replay_command, bench_command, synth_command}) {
+    for (const CLI::App* command :
+         {replay_command, serve_command, bench_command, synth_command, convert_command}) {
       if (command->parsed()) return command;
     }
     return nullptr;
@@ -285,7 +192,8 @@ bool has(const std::vector<std::string>& arguments, std::string_view flag) {
 }
 
 std::string help_text(const Parser& parser, const std::vector<std::string>& arguments) {
-  for (const CLI::App* command : {parser.replay_command, parser.bench_command, parser.synth_command}) {
+  for (const CLI::App* command : {parser.replay_command, parser.serve_command, parser.bench_command,
+                                  parser.synth_command, parser.convert_command}) {
     if (!arguments.empty() && arguments.front() == command->get_name()) return command->help("herr");
   }
   return parser.app.help();
@@ -294,6 +202,17 @@ std::string help_text(const Parser& parser, const std::vector<std::string>& argu
 void check_required(const SynthOptions& options) {
   if (options.out.empty()) throw UsageError("OUT: the path is empty; give a folder");
   if (options.room.empty()) throw UsageError("--scene: missing; give the scene file of the room");
+}
+
+void check_required(const ConvertOptions& options) {
+  if (options.preset.empty() == options.map.empty()) {
+    throw UsageError("--preset: give either the name of a format (" + joined(built_in_map_names()) +
+                     ") or a column map with --map FILE");
+  }
+  if (options.show_map && options.preset.empty()) throw UsageError("--show-map: give --preset NAME");
+  if (options.show_map) return;
+  if (options.head.empty()) throw UsageError("HEAD: missing; give the recording");
+  if (options.out.empty()) throw UsageError("OUT: missing; give the folder of the new session");
 }
 
 }  // namespace
@@ -310,11 +229,22 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(one_line(error.what()) + "; 'herr --help' shows the usage");
   }
-  if (parser->replay_command->parsed()) return parser->replay;
+  if (parser->replay_command->parsed()) {
+    check_replay_options(parser->replay);
+    return parser->replay;
+  }
+  if (parser->serve_command->parsed()) {
+    check_replay_options(parser->serve.replay);
+    return parser->serve;
+  }
   if (parser->bench_command->parsed()) return parser->bench;
   if (parser->synth_command->parsed()) {
     check_required(parser->synth);
     return parser->synth;
+  }
+  if (parser->convert_command->parsed()) {
+    check_required(parser->convert);
+    return parser->convert;
   }
   throw UsageError("no command; 'herr --help' lists the commands");
 }

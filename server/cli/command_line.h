@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "server/bench/bench_options.h"
+#include "server/convert/convert_options.h"
 #include "server/replay/replay_options.h"
+#include "server/serve/serve_options.h"
 #include "server/synth/synth_options.h"
 
 namespace herr {
@@ -17,7 +19,7 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<ShowText, ReplayOptions, BenchOptions, SynthOptions>;
+using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, SynthOptions, ConvertOptions>;
 
 // Arguments without the program's name. --help and --version win over every mistake in the rest.
 Command parse_command_line(const std::vector<std::string>& arguments);

@@ -35,6 +35,9 @@ int exit_code_of_current_exception(std::string& message) {
   } catch (const WriteError& error) {
     message = error.what();
     return kExitTemporary;
+  } catch (const TemporaryError& error) {
+    message = error.what();
+    return kExitTemporary;
   } catch (const std::bad_alloc&) {
     message = "out of memory; use a smaller display profile or polar size, or free memory and try again";
     return kExitTemporary;

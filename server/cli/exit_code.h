@@ -14,11 +14,17 @@ inline constexpr int kExitUsage = 2;       // the command line is wrong
 inline constexpr int kExitBadInput = 3;    // session, scene or image is wrong; trying again will not help
 inline constexpr int kExitPartial = 5;     // something was skipped because --keep-going asked for it
 inline constexpr int kExitInternal = 70;   // a fault of this program
-inline constexpr int kExitTemporary = 75;  // disk full, out of memory; trying again may help
+inline constexpr int kExitTemporary = 75;  // disk full, out of memory, port in use; trying again may help
 inline constexpr int kExitSignalBase = 128;
 
 // The command line asks for something that cannot be. what() is one line, "FLAG: problem; remedy".
 class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// What this run needs is not there now (a port in use); trying again may help. what() is one line.
+class TemporaryError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

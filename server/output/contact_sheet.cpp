@@ -117,4 +117,17 @@ void draw_contact_sheet(const std::vector<ViewportImage>& viewports, const Displ
   }
 }
 
+void draw_reduced_picture(const ViewportImage& viewport, int longest_px, Srgb8Image& out) {
+  const int longest = std::max(viewport.width_px, viewport.height_px);
+  const double scale = std::min(1.0, static_cast<double>(longest_px) / longest);
+  const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
+  const SheetCell cell{0, 0, 0, side(viewport.width_px), side(viewport.height_px)};
+  out.width_px = cell.width_px;
+  out.height_px = cell.height_px;
+  out.channels = 3;
+  out.nonfinite_values = 0;
+  out.values.resize(3 * static_cast<std::size_t>(cell.width_px) * static_cast<std::size_t>(cell.height_px));
+  for (int y = 0; y < cell.height_px; ++y) draw_cell_row(viewport, cell, y, out);
+}
+
 }  // namespace herr

@@ -29,4 +29,7 @@ SheetLayout contact_sheet_layout(const DisplayProfile& profile);
 void draw_contact_sheet(const std::vector<ViewportImage>& viewports, const DisplayProfile& profile,
                         const ParallelFor& parallel_for, Srgb8Image& out);
 
+// One viewport as RGB, reduced so that its longer side is at most `longest_px`; never enlarged.
+void draw_reduced_picture(const ViewportImage& viewport, int longest_px, Srgb8Image& out);
+
 }  // namespace herr

@@ -38,7 +38,7 @@ std::string frames_csv_header() {
       "gaze_source_left,"
       "gaze_source_right,theta_max_left_deg,theta_max_right_deg,missed,primary_rays,shadow_rays,"
       "catcher_shadow_rays,mirror_rays,mirror_shadow_rays,polar_samples,viewport_pixels,invalid_rays,"
-      "nonfinite_values,commits";
+      "nonfinite_values,commits,dropped_frames,repeated_ticks";
   return row + "\n";
 }
 
@@ -63,7 +63,8 @@ std::string frames_csv_row(const FrameRecord& record) {
   for (const std::int64_t value :
        {counters.primary_rays, counters.shadow_rays, counters.catcher_shadow_rays, counters.mirror_rays,
         counters.mirror_shadow_rays, counters.polar_samples, counters.viewport_pixels, counters.invalid_rays,
-        counters.nonfinite_values + record.nonfinite_pictures, counters.commits}) {
+        counters.nonfinite_values + record.nonfinite_pictures, counters.commits, record.dropped_frames,
+        record.repeated_ticks}) {
     cell(row, value);
   }
   return row + "\n";

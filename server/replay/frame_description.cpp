@@ -46,4 +46,11 @@ FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const 
   return record;
 }
 
+void describe_pacing(const FramePacer::Outcome& outcome, std::int64_t dropped, FrameRecord& record) {
+  record.missed = outcome.missed;
+  record.dropped_frames = dropped;
+  record.repeated_ticks = outcome.repeated;
+  if (record.pose_age_ms) record.motion_to_photon_ms = *record.pose_age_ms + outcome.shown_after_ms;
+}
+
 }  // namespace herr

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/renderer.h"
-#include "server/replay/frame_range.h"
+#include "server/replay/frame_pacer.h"
 #include "server/replay/replay_options.h"
 #include "server/statistics/frame_record.h"
 
@@ -13,5 +13,8 @@ namespace herr {
 // Costs of sampling and writing are filled in by the caller.
 FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered,
                            double period_ms, ReplayClock clock, bool session_has_gaze);
+
+// What the clock `realtime` says of a frame that describe_frame() described: presentation at a display tick.
+void describe_pacing(const FramePacer::Outcome& outcome, std::int64_t dropped, FrameRecord& record);
 
 }  // namespace herr

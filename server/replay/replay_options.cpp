@@ -14,10 +14,6 @@ const char* name_of(PictureFormat format) {
   return "unknown";
 }
 
-const char* name_of(ReplayClock clock) {
-  return clock == ReplayClock::max ? "max" : "virtual";
-}
-
 const char* name_of(SamplingMode mode) {
   switch (mode) {
     case SamplingMode::latest:

@@ -9,15 +9,12 @@
 #include <vector>
 
 #include "renderer/render_settings.h"
+#include "server/statistics/latency_json.h"
 #include "sessions/session.h"
 
 namespace herr {
 
 enum class PictureFormat { png, exr, none };
-enum class ReplayClock {
-  virtual_time,
-  max
-};  // session time is the same; they differ in when a frame is shown
 enum class SheetChoice { none, all, middle, one };
 
 struct ReplayOptions {
@@ -29,6 +26,7 @@ struct ReplayOptions {
   RenderSettings render;
   SessionOptions session;
   ReplayClock clock = ReplayClock::virtual_time;
+  std::optional<double> target_ms;     // realtime: the display period; empty: the profile's own
   double start_s = 0;                  // first frame at or after this time of the session
   std::optional<double> duration_s;    // frames before start + duration
   std::optional<std::int64_t> frames;  // at most this many frames
@@ -39,7 +37,6 @@ struct ReplayOptions {
 };
 
 const char* name_of(PictureFormat format);
-const char* name_of(ReplayClock clock);
 const char* name_of(SamplingMode mode);
 
 }  // namespace herr

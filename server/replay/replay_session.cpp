@@ -1,12 +1,9 @@
 #include "server/replay/replay_session.h"
 
-#include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
-#include "renderer/renderer.h"
 #include "server/cli/progress_bar.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/version.h"
@@ -14,19 +11,15 @@
 #include "server/output/frame_writer.h"
 #include "server/output/frames_csv.h"
 #include "server/replay/frame_description.h"
+#include "server/replay/opened_session.h"
 #include "server/replay/output_folder.h"
 #include "server/replay/picture_output.h"
+#include "server/replay/steady_time.h"
 #include "server/replay/summary_json.h"
 #include "sessions/input_error.h"
 
 namespace herr {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 class SessionReplay {
  public:
@@ -40,11 +33,11 @@ class SessionReplay {
   SessionReport run();
 
  private:
-  void open();
-  void open_scene();
   void start_output();
   void render_frames();
-  void render_one(std::int64_t frame);
+  void render_paced_frames();
+  bool stopped();
+  void render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
   void finish_pictures();
   void close_output();
   void note_failure();
@@ -54,9 +47,7 @@ class SessionReplay {
   const ReplayOptions& options_;
   const OutputFolder folder_;
   SessionReport report_;
-  std::optional<Session> session_;
-  Scene scene_;
-  std::unique_ptr<Renderer> renderer_;
+  OpenedSession opened_;
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
   std::unique_ptr<AtomicFile> csv_;
@@ -66,7 +57,7 @@ class SessionReplay {
 
 SessionReport SessionReplay::run() {
   try {
-    open();
+    open_session(options_, report_, opened_);  // nothing is written yet
     start_output();
     render_frames();
     finish_pictures();
@@ -88,38 +79,6 @@ void SessionReplay::note_failure() {
   report_.exit_code = exit_code_of_current_exception(report_.error);
 }
 
-// Reads and checks everything; nothing is written yet.
-void SessionReplay::open() {
-  session_.emplace(Session::open(report_.session_folder, options_.session));
-  report_.header = session_->header();
-  report_.findings = session_->findings();
-  report_.profile =
-      options_.profile.empty() ? report_.header.profile : load_display_profile(options_.profile);
-  report_.range = frames_to_replay(session_->start_ns(), session_->end_ns(), report_.profile.display_hz,
-                                   {options_.start_s, options_.duration_s, options_.frames});
-  if (report_.range.count == 0) {
-    throw UsageError("--start, --duration: no frame of " + printable(report_.name) +
-                     " lies in that span; choose one within the session");
-  }
-  open_scene();
-  const bool has_camera = report_.findings.camera_rows[0] > 0;
-  renderer_ = std::make_unique<Renderer>(scene_, report_.profile, options_.render, has_camera);
-  report_.plan = renderer_->plan();
-  report_.settings = renderer_->settings();
-}
-
-void SessionReplay::open_scene() {
-  const std::string& named = report_.header.scene;
-  if (options_.scene.empty() && named.empty()) {
-    throw UsageError("--scene: " + printable(report_.name) + " names no scene; give --scene FILE");
-  }
-  report_.scene_file =
-      options_.scene.empty() ? session_->folder() / named : std::filesystem::path(options_.scene);
-  scene_ = load_scene(report_.scene_file);
-  report_.scene_name = scene_.name;
-  report_.scene_triangles = triangle_count(scene_, false) + triangle_count(scene_, true);
-}
-
 void SessionReplay::start_output() {
   folder_.prepare(options_.format);
   // Two frames may wait: enough to even out the disk, little enough to hold in memory.
@@ -135,39 +94,63 @@ void SessionReplay::start_output() {
   config.metadata.program = program_with_version();
   config.metadata.isa = name_of(report_.settings.isa);
   config.metadata.settings = settings_text(report_.settings);
-  pictures_ = std::make_unique<PictureOutput>(std::move(config), folder_, *renderer_, *writer_);
+  pictures_ = std::make_unique<PictureOutput>(std::move(config), folder_, *opened_.renderer, *writer_);
   csv_ = std::make_unique<AtomicFile>(folder_.frames_csv());
   csv_->write(frames_csv_header());
 }
 
 void SessionReplay::render_frames() {
+  if (options_.clock == ReplayClock::realtime) {
+    render_paced_frames();
+    return;
+  }
   ProgressBar progress(report_.name, report_.range.count);
   for (std::int64_t i = 0; i < report_.range.count; ++i) {
-    if (const int signal = stop_signal(); signal != 0) {
-      report_.state = ReplayState::interrupted;
-      report_.exit_code = kExitSignalBase + signal;
-      return;
-    }
-    render_one(report_.range.first + i);
+    if (stopped()) return;
+    render_one(report_.range.first + i, nullptr, 0);
     progress.update(i + 1);
   }
 }
 
-void SessionReplay::render_one(std::int64_t frame) {
-  const TimeNs t_ns = report_.range.time_ns(frame);
-  const Clock::time_point start = Clock::now();
-  const FrameSample sample = session_->sample(t_ns);
-  const double sample_ms = milliseconds_since(start);
+void SessionReplay::render_paced_frames() {
+  const FrameRange& range = report_.range;
+  ProgressBar progress(report_.name, range.count);
+  FramePacer pacer(steady_now_ns(), range.period_ms() * 1e6, range.first, range.count);
+  while (const auto begin = pacer.begin(steady_now_ns())) {
+    sleep_until(begin->due_ns, [] { return stop_signal() != 0; });
+    if (stopped()) return;
+    render_one(begin->frame, &pacer, begin->dropped);
+    progress.update(begin->frame - range.first + 1);
+  }
+  report_.statistics.dropped_frames += pacer.frames_dropped_at_end();
+}
 
-  scene_state_at(scene_, static_cast<double>(t_ns - session_->start_ns()) * kSecondsPerNs, state_);
-  renderer_->render_frame(sample, state_, rendered_);
+bool SessionReplay::stopped() {
+  const int signal = stop_signal();
+  if (signal == 0) return false;
+  report_.state = ReplayState::interrupted;
+  report_.exit_code = kExitSignalBase + signal;
+  return true;
+}
+
+// `pacer`: of the clock realtime, which left `dropped` frames out before this one.
+void SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
+  const TimeNs t_ns = report_.range.time_ns(frame);
+  const TimeNs started_ns = steady_now_ns();
+  const FrameSample sample = opened_.session->sample(t_ns);
+  const TimeNs sampled_ns = steady_now_ns();
+
+  scene_state_at(opened_.scene, static_cast<double>(t_ns - opened_.session->start_ns()) * kSecondsPerNs,
+                 state_);
+  opened_.renderer->render_frame(sample, state_, rendered_);
 
   FrameRecord record = describe_frame(frame, sample, rendered_, report_.range.period_ms(), options_.clock,
                                       report_.findings.gaze_rows > 0);
+  if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, steady_now_ns()), dropped, record);
   const bool sheet = wants_sheet(frame);
   const PictureOutput::Cost cost = pictures_->write_frame(frame, sample, rendered_, sheet);
   if (sheet) report_.contact_sheets.push_back(folder_.contact_sheet(frame).filename().string());
-  record.sample_ms = sample_ms;
+  record.sample_ms = static_cast<double>(sampled_ns - started_ns) * 1e-6;
   record.write_ms = cost.encode_ms;
   record.wait_ms = cost.wait_ms;
   record.nonfinite_pictures = cost.nonfinite_values;
@@ -198,7 +181,7 @@ void SessionReplay::close_output() {
   // After bad input, frames that are still in the queue are good: they are written. After a failed write this
   // throws.
   if (report_.state == ReplayState::failed && report_.exit_code != kExitTemporary) writer_->finish();
-  report_.findings = session_->findings();
+  report_.findings = opened_.session->findings();
   report_.files_written = writer_->files_written();
   report_.bytes_written = writer_->bytes_written();
   report_.writer_waits = writer_->waits();
@@ -212,7 +195,8 @@ void SessionReplay::close_output() {
 
 void SessionReplay::add_run_warnings() {
   report_.warnings = report_.findings.warnings;
-  report_.warnings.insert(report_.warnings.end(), scene_.warnings.begin(), scene_.warnings.end());
+  report_.warnings.insert(report_.warnings.end(), opened_.scene.warnings.begin(),
+                          opened_.scene.warnings.end());
   const RunStatistics& statistics = report_.statistics;
   const std::int64_t nonfinite = statistics.counters.nonfinite_values + statistics.nonfinite_pictures;
   if (nonfinite > 0) {

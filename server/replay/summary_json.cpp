@@ -3,60 +3,13 @@
 #include <cstddef>
 
 #include "server/cli/version.h"
+#include "server/statistics/latency_json.h"
 #include "sessions/input_error.h"
 
 namespace herr {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json latency_json(const LatencyHistogram& times) {
-  Json json{{"count", times.count()}};
-  const auto put = [&](const char* name, double ns) {
-    json[name] = times.count() > 0 ? Json(ns * 1e-6) : Json(nullptr);
-  };
-  put("mean", times.mean_ns());
-  put("min", static_cast<double>(times.min_ns()));
-  put("max", static_cast<double>(times.max_ns()));
-  put("p50", times.quantile_ns(0.50));
-  put("p90", times.quantile_ns(0.90));
-  put("p95", times.quantile_ns(0.95));
-  put("p99", times.quantile_ns(0.99));
-  put("p99.9", times.quantile_ns(0.999));
-  return json;
-}
-
-Json latencies_json(const RunStatistics& statistics) {
-  Json stages = Json::object();
-  for (std::size_t i = 0; i < kStageCount; ++i) {
-    stages[name_of(static_cast<Stage>(i))] = latency_json(statistics.stages[i]);
-  }
-  return {{"unit", "ms"},
-          {"relative_error", LatencyHistogram::kRelativeError},
-          {"frame", latency_json(statistics.frame)},
-          {"stages", stages},
-          {"sample", latency_json(statistics.sample)},
-          {"write", latency_json(statistics.write)},
-          {"wait", latency_json(statistics.wait)},
-          {"motion_to_photon", latency_json(statistics.motion_to_photon)},
-          {"pose_age", latency_json(statistics.pose_age)},
-          {"gaze_age", latency_json(statistics.gaze_age)},
-          {"camera_age", latency_json(statistics.camera_age)}};
-}
-
-// What the names in "latency" and "frames" mean.
-Json definitions_json(ReplayClock clock) {
-  const char* shown = clock == ReplayClock::max ? "frame start + frame time"
-                                                : "frame start + max(frame time, one display period)";
-  return {{"frame", "wall time of rendering one frame, encoding and writing excluded; the sum of its stages"},
-          {"sample", "time spent sampling the session, camera images decoded, before the frame"},
-          {"write", "wall time of encoding one frame's pictures on the render threads, after the frame"},
-          {"wait", "time spent waiting for room in the writer's queue, after the frame"},
-          {"missed", "frames whose frame time exceeds the display period"},
-          {"presentation_time", shown},
-          {"motion_to_photon", "presentation time - stamp of the newest pose used"},
-          {"pose_age", "frame start - stamp of the newest pose used; likewise gaze_age, camera_age"}};
-}
 
 Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_pictures) {
   return {{"primary_rays", counters.primary_rays},
@@ -104,14 +57,6 @@ Json session_json(const SessionReport& report) {
           {"truncated", findings.truncated}};
 }
 
-Json plan_json(const FramePlan& plan) {
-  Json entries = Json::array();
-  for (const PlanEntry& entry : plan.entries) {
-    entries.push_back({{"name", entry.name}, {"runs", entry.runs}, {"reason", entry.reason}});
-  }
-  return entries;
-}
-
 Json profile_json(const DisplayProfile& profile) {
   Json viewports = Json::array();
   for (const Viewport& viewport : profile.viewports) {
@@ -137,22 +82,37 @@ const char* name_of(ReplayState state) {
   return "unknown";
 }
 
+Json plan_json(const FramePlan& plan) {
+  Json entries = Json::array();
+  for (const PlanEntry& entry : plan.entries) {
+    entries.push_back({{"name", entry.name}, {"runs", entry.runs}, {"reason", entry.reason}});
+  }
+  return entries;
+}
+
+Json subject_json(const SessionReport& report, const ReplayOptions& options) {
+  return {{"session", session_json(report)},
+          {"scene",
+           {{"name", report.scene_name},
+            {"file", report.scene_file.string()},
+            {"triangles", report.scene_triangles}}},
+          {"profile", profile_json(report.profile)},
+          {"settings", settings_json(report.settings, options)}};
+}
+
 Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   Json json{{"format_version", 1},
             {"program", program_with_version()},
             {"state", name_of(report.state)},
             {"exit_code", report.exit_code}};
   if (!report.error.empty()) json["error"] = report.error;
-  json["session"] = session_json(report);
-  json["scene"] = {{"name", report.scene_name},
-                   {"file", report.scene_file.string()},
-                   {"triangles", report.scene_triangles}};
-  json["profile"] = profile_json(report.profile);
-  json["settings"] = settings_json(report.settings, options);
+  json.update(subject_json(report, options));
   json["frames"] = {{"first", report.range.first},
                     {"planned", report.range.count},
                     {"rendered", report.statistics.frames},
                     {"missed", report.statistics.missed_frames},
+                    {"dropped", report.statistics.dropped_frames},
+                    {"repeated", report.statistics.repeated_ticks},
                     {"period_ms", report.range.period_ms()}};
   json["latency"] = latencies_json(report.statistics);
   json["definitions"] = definitions_json(options.clock);

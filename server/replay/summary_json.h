@@ -12,6 +12,10 @@ namespace herr {
 
 // Keys keep their order. Never NaN: an empty statistic has count 0 and null values.
 nlohmann::ordered_json summary_json(const SessionReport& report, const ReplayOptions& options);
+// What is replayed and how: {"session", "scene", "profile", "settings"}.
+nlohmann::ordered_json subject_json(const SessionReport& report, const ReplayOptions& options);
+// [{"name", "runs", "reason"}, ...]
+nlohmann::ordered_json plan_json(const FramePlan& plan);
 // {"sessions": [...], "total": {...}, "exit_code": N} of a whole run.
 nlohmann::ordered_json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options,
                                 int exit_code);

@@ -26,7 +26,9 @@ struct FrameRecord {
   SampleSource pose_source = SampleSource::held;
   std::array<SampleSource, 2> gaze_source{SampleSource::held, SampleSource::held};
   std::array<double, 2> theta_max_deg{};
-  bool missed = false;                  // the frame time exceeds the display period
+  bool missed = false;  // the frame time exceeds the display period; realtime: sampling and delays included
+  std::int64_t dropped_frames = 0;      // realtime: frames of the session left out just before this one
+  std::int64_t repeated_ticks = 0;      // realtime: display ticks before this frame that showed nothing new
   std::int64_t nonfinite_pictures = 0;  // NaN or Inf values that reached an encoder
 };
 

@@ -80,4 +80,14 @@ double LatencyHistogram::quantile_ns(double fraction) const {
   return std::clamp(2.0 * lower * upper / (lower + upper), lowest, highest);
 }
 
+std::int64_t LatencyHistogram::count_up_to_ns(std::int64_t duration_ns) const {
+  if (counts_.empty() || duration_ns < 0) return 0;
+  if (duration_ns >= kHighestNs) return count_;
+  // The whole bucket that the bound lies in: its bounds are 2 * alpha apart.
+  const std::size_t last = bucket_of(duration_ns);
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i <= last; ++i) count += counts_[i];
+  return count;
+}
+
 }  // namespace herr

@@ -34,6 +34,10 @@ class LatencyHistogram {
   // above kHighestNs the maximum.
   double quantile_ns(double fraction) const;
 
+  // Number of durations up to `duration_ns`; those within 2 * kRelativeError of it may count on either side.
+  // Never decreases with duration_ns; all for kHighestNs and more.
+  std::int64_t count_up_to_ns(std::int64_t duration_ns) const;
+
   bool operator==(const LatencyHistogram&) const = default;
 
  private:

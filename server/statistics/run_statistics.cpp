@@ -38,6 +38,8 @@ void RunStatistics::add(const FrameRecord& record) {
   ++frames;
   missed_frames += record.missed ? 1 : 0;
   nonfinite_pictures += record.nonfinite_pictures;
+  dropped_frames += record.dropped_frames;
+  repeated_ticks += record.repeated_ticks;
 }
 
 void RunStatistics::merge(const RunStatistics& other) {
@@ -54,6 +56,8 @@ void RunStatistics::merge(const RunStatistics& other) {
   frames += other.frames;
   missed_frames += other.missed_frames;
   nonfinite_pictures += other.nonfinite_pictures;
+  dropped_frames += other.dropped_frames;
+  repeated_ticks += other.repeated_ticks;
 }
 
 }  // namespace herr

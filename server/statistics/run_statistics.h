@@ -17,6 +17,7 @@ struct RunStatistics {
   LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
   FrameCounters counters;  // totals
   std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
+  std::int64_t dropped_frames = 0, repeated_ticks = 0;  // realtime only
 
   void add(const FrameRecord& record);
   void merge(const RunStatistics& other);

@@ -124,7 +124,7 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
       {"--isa", {"avx", "sse", ""}},
       {"--foveation", {"on", "logpolar"}},
       {"--policy", {"motion", "deadline", "best"}},
-      {"--clock", {"realtime", "wall"}},
+      {"--clock", {"wall", "real"}},
       {"--sampling", {"newest"}},
       {"--contact-sheet", {"-1", "first", "007", ""}},
       {"--scene", {""}},
@@ -141,8 +141,11 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
 TEST(CommandLine, ChoicesOfALaterVersionSaySo) {
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion"}),
             "--policy: 'motion' is not available yet; use fixed");
-  EXPECT_EQ(complaint({"replay", "walk", "--clock", "realtime"}),
-            "--clock: 'realtime' is not available yet; use virtual");
+  EXPECT_EQ(
+      complaint({"replay", "walk", "--clock", "realtime"}),
+      "--clock realtime: measures times and writes no pictures; give --format none --contact-sheet none");
+  EXPECT_EQ(complaint({"replay", "walk", "--target-ms", "20"}),
+            "--target-ms: only the clock realtime has one; give --clock realtime");
 }
 
 TEST(CommandLine, AnUnknownFlagNamesTheNearestOne) {

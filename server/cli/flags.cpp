@@ -1,0 +1,224 @@
+#include "server/cli/flags.h"
+
+#include <arpa/inet.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+
+#include "server/cli/flag_values.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+constexpr double kLongestSeconds = 1e7;  // 115 days
+constexpr int kWidestPolarBuffer = 16384;
+
+bool is_ipv4_loopback(const std::string& text) {
+  in_addr address{};
+  return ::inet_pton(AF_INET, text.c_str(), &address) == 1 && (ntohl(address.s_addr) >> 24) == 127;
+}
+
+void read_polar_size(const std::string& text, RenderSettings& render) {
+  const SizeValue size = parse_size("--polar", text, kWidestPolarBuffer);
+  if (size.width % 2 != 0 || size.height % 2 != 0) {
+    throw UsageError(
+        "--polar: both numbers must be even (the width is both eyes together); for example 1576x768");
+  }
+  if (size.height > kWidestPolarBuffer / 2) {
+    throw UsageError("--polar: the height is at most " + std::to_string(kWidestPolarBuffer / 2));
+  }
+  render.polar_width = size.width / 2;
+  render.polar_height = size.height;
+}
+
+// How the pictures look, written or served.
+void add_look_flags(CLI::App& app, ReplayOptions& options) {
+  value_flag(app, "--foveation", "NAME", "log-polar, or off: one ray per pixel (default log-polar)",
+             [&](const std::string& text) {
+               const bool off = parse_word("--foveation", text, {"log-polar", "off"}) == 1;
+               options.render.foveation = off ? Foveation::off : Foveation::log_polar;
+             });
+  app.add_flag_callback(
+      "--gaze-marker", [&] { options.render.gaze_marker = true; }, "red circle at the gaze");
+  app.add_flag_callback(
+      "--debug-tiles", [&] { options.render.debug_tiles = true; },
+      "colour the polar buffer in tiles of 15 degrees");
+}
+
+// Which files are written.
+void add_picture_flags(CLI::App& app, ReplayOptions& options) {
+  value_flag(app, "--format", "NAME", "pictures: png, exr or none (default png)",
+             [&](const std::string& text) {
+               constexpr std::array<PictureFormat, 3> kFormats{PictureFormat::png, PictureFormat::exr,
+                                                               PictureFormat::none};
+               options.format = kFormats.at(parse_word("--format", text, {"png", "exr", "none"}));
+             });
+  value_flag(app, "--contact-sheet", "WHICH",
+             "all viewports in one picture: none, all, middle or a frame number",
+             [&](const std::string& text) {
+               const bool number = !text.empty() && text.front() >= '0' && text.front() <= '9';
+               if (number) {
+                 options.sheet = SheetChoice::one;
+                 options.sheet_frame = parse_whole_number("--contact-sheet", text, 0, kMostFrames);
+                 return;
+               }
+               constexpr std::array<SheetChoice, 3> kChoices{SheetChoice::none, SheetChoice::all,
+                                                             SheetChoice::middle};
+               options.sheet = kChoices.at(parse_word("--contact-sheet", text, {"none", "all", "middle"}));
+             });
+}
+
+// A word that the design knows but this version does not offer is told apart from a wrong one.
+std::size_t parse_offered_word(const std::string& flag, const std::string& text,
+                               const std::vector<std::string>& offered,
+                               const std::vector<std::string>& later) {
+  if (std::find(later.begin(), later.end(), text) != later.end()) {
+    throw UsageError(flag + ": '" + text + "' is not available yet; use " + offered.front());
+  }
+  return parse_word(flag, text, offered);
+}
+
+void add_time_flags(CLI::App& app, ReplayOptions& options) {
+  value_flag(app, "--policy", "NAME", "quality of each frame: fixed (default fixed)",
+             [](const std::string& text) {
+               parse_offered_word("--policy", text, {"fixed"}, {"motion", "deadline"});
+             });
+  const std::string default_clock = name_of(options.clock);
+  value_flag(
+      app, "--clock", "NAME",
+      "virtual: one display period per frame; realtime: late frames drop; max: as fast as it goes (default " +
+          default_clock + ")",
+      [&](const std::string& text) {
+        constexpr std::array<ReplayClock, 3> kClocks{ReplayClock::virtual_time, ReplayClock::realtime,
+                                                     ReplayClock::max};
+        options.clock = kClocks.at(parse_word("--clock", text, {"virtual", "realtime", "max"}));
+      });
+  value_flag(
+      app, "--target-ms", "MS", "display period of the clock realtime (default: the profile's)",
+      [&](const std::string& text) { options.target_ms = parse_real_number("--target-ms", text, 1, 10000); });
+  value_flag(app, "--sampling", "NAME", "headset state: latest, predict or interpolate (default latest)",
+             [&](const std::string& text) {
+               constexpr std::array<SamplingMode, 3> kModes{SamplingMode::latest, SamplingMode::predict,
+                                                            SamplingMode::interpolate};
+               options.session.sampling =
+                   kModes.at(parse_word("--sampling", text, {"latest", "predict", "interpolate"}));
+             });
+  value_flag(app, "--start", "S", "begin this many seconds into the session (default 0)",
+             [&](const std::string& text) {
+               options.start_s = parse_real_number("--start", text, 0, kLongestSeconds);
+             });
+  value_flag(app, "--duration", "S", "replay this many seconds (default: to the end)",
+             [&](const std::string& text) {
+               options.duration_s = parse_real_number("--duration", text, 0, kLongestSeconds);
+             });
+  value_flag(app, "--frames", "N", "replay at most this many frames", [&](const std::string& text) {
+    options.frames = parse_whole_number("--frames", text, 1, kMostFrames);
+  });
+}
+
+// What is replayed, and how strictly it is read.
+void add_session_flags(CLI::App& app, ReplayOptions& options) {
+  app.add_option("SESSION", options.sessions, "session folders")->required()->type_name("");
+  file_flag(app, "--scene", "scene file (default: the one that the session names)",
+            [&](const std::string& text) { options.scene = text; });
+  value_flag(app, "--profile", "NAME|FILE",
+             "display profile: xr1, xr1-half or a file (default: the session's)",
+             [&](const std::string& text) { options.profile = text; });
+  app.add_flag_callback(
+      "--strict", [&] { options.session.strict = true; }, "a stream that was cut off is an error");
+}
+
+}  // namespace
+
+void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
+                const std::string& help, const FlagReader& read) {
+  app.add_option_function<std::string>(flag, read, help)->type_name(value_name)->take_last()->expected(1);
+}
+
+void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read) {
+  value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) {
+    if (text.empty()) throw UsageError(flag + ": the path is empty; give a file or folder");
+    read(text);
+  });
+}
+
+void add_render_flags(CLI::App& app, RenderSettings& render) {
+  value_flag(app, "--polar", "WxH", "polar buffer of both eyes together (default 1576x768)",
+             [&render](const std::string& text) { read_polar_size(text, render); });
+  value_flag(app, "--light-samples", "N",
+             "shadow rays per light and hit, 1 ... 4096 (default 1: hard shadows)",
+             [&render](const std::string& text) {
+               render.light_samples = static_cast<int>(parse_whole_number("--light-samples", text, 1, 4096));
+             });
+  value_flag(app, "--threads", "N", "render threads, 1 ... 512 (default: all this process may use)",
+             [&render](const std::string& text) {
+               render.threads = static_cast<int>(parse_whole_number("--threads", text, 1, 512));
+             });
+  value_flag(app, "--isa", "NAME", "instruction set: sse4, avx2, avx512 or best (default best)",
+             [&render](const std::string& text) {
+               constexpr std::array<Isa, 4> kIsas{Isa::sse4, Isa::avx2, Isa::avx512, Isa::best};
+               render.isa = kIsas.at(parse_word("--isa", text, {"sse4", "avx2", "avx512", "best"}));
+             });
+  app.add_flag_callback(
+      "--no-reflections", [&render] { render.reflections = false; }, "trace no mirror rays");
+  app.add_flag_callback(
+      "--no-camera", [&render] { render.camera = false; }, "leave the camera feed out");
+}
+
+void add_replay_flags(CLI::App& app, ReplayOptions& options) {
+  add_session_flags(app, options);
+  file_flag(app, "--out", "folder for results; each session gets a folder in it (default out)",
+            [&](const std::string& text) { options.out = text; });
+  add_picture_flags(app, options);
+  add_look_flags(app, options);
+  add_time_flags(app, options);
+  add_render_flags(app, options.render);
+  app.add_flag_callback(
+      "--overwrite", [&] { options.overwrite = true; }, "replace results that are there");
+  app.add_flag_callback(
+      "--keep-going", [&] { options.session.keep_going = true; },
+      "skip bad rows and images, end with exit code 5");
+  app.add_flag_callback(
+      "--json", [&] { options.json = true; }, "results on stdout as JSON");
+}
+
+void add_serve_flags(CLI::App& app, ServeOptions& options) {
+  options.replay.clock = ReplayClock::realtime;
+  options.replay.format = PictureFormat::none;
+  options.replay.sheet = SheetChoice::none;
+  add_session_flags(app, options.replay);
+  value_flag(app, "--host", "ADDRESS", "address of this machine to listen on (default 127.0.0.1)",
+             [&](const std::string& text) {
+               // Without a password, what is served is for this machine alone.
+               if (text != "localhost" && text != "::1" && !is_ipv4_loopback(text)) {
+                 throw UsageError("--host: '" + printable(text) +
+                                  "' is not an address of loopback; use 127.0.0.1, ::1 or localhost");
+               }
+               options.host = text;
+             });
+  value_flag(app, "--port", "N", "port, 0 ... 65535; 0: a free one (default 8080)",
+             [&](const std::string& text) {
+               options.port = static_cast<int>(parse_whole_number("--port", text, 0, 65535));
+             });
+  add_look_flags(app, options.replay);
+  add_time_flags(app, options.replay);
+  add_render_flags(app, options.replay.render);
+  app.add_flag_callback(
+      "--keep-going", [&] { options.replay.session.keep_going = true; }, "skip bad rows and images");
+}
+
+void check_replay_options(const ReplayOptions& options) {
+  if (options.target_ms && options.clock != ReplayClock::realtime) {
+    throw UsageError("--target-ms: only the clock realtime has one; give --clock realtime");
+  }
+  // Encoders on the render threads would make the frames late that they belong to.
+  const bool pictures = options.format != PictureFormat::none || options.sheet != SheetChoice::none;
+  if (options.clock == ReplayClock::realtime && pictures) {
+    throw UsageError(
+        "--clock realtime: measures times and writes no pictures; give --format none --contact-sheet none");
+  }
+}
+
+}  // namespace herr

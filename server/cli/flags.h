@@ -1,0 +1,37 @@
+// Flags that take a value, and the flags that several commands share. Values are read strictly
+// (flag_values.h). Before: command_line makes one parser for each command. After: options structs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "renderer/render_settings.h"
+#include "server/replay/replay_options.h"
+#include "server/serve/serve_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace herr {
+
+inline constexpr std::int64_t kMostFrames = 1'000'000'000;
+
+using FlagReader = std::function<void(const std::string& text)>;
+
+// A flag with a value. The reader runs once the whole line is understood.
+void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
+                const std::string& help, const FlagReader& read);
+// The same for a path that must not be empty.
+void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read);
+
+// Settings that every rendering command shares.
+void add_render_flags(CLI::App& app, RenderSettings& render);
+// All of `herr replay` and of `herr serve`; the options hold the defaults.
+void add_replay_flags(CLI::App& app, ReplayOptions& options);
+void add_serve_flags(CLI::App& app, ServeOptions& options);
+// What no single flag can know. Throws UsageError.
+void check_replay_options(const ReplayOptions& options);
+
+}  // namespace herr

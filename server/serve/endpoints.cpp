@@ -1,0 +1,123 @@
+#include "server/serve/endpoints.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "server/replay/summary_json.h"
+#include "server/serve/metrics_page.h"
+#include "server/serve/prometheus_text.h"
+#include "server/serve/serve_json.h"
+#include "server/serve/start_page.h"
+
+namespace herr {
+namespace {
+
+// A frame that takes longer than this will not end: the largest ones take seconds.
+constexpr TimeNs kStalledNs = 300'000'000'000;
+
+HttpResponse plain(int status, std::string text) {
+  HttpResponse response;
+  response.status = status;
+  response.body = std::move(text) + "\n";
+  return response;
+}
+
+HttpResponse not_yet(const std::string& text) {
+  HttpResponse response = plain(503, text);
+  response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
+HttpResponse json(const nlohmann::ordered_json& document) {
+  HttpResponse response;
+  response.content_type = "application/json";
+  response.body = json_text(document);
+  return response;
+}
+
+// Is the process worth keeping: no look at anything that may be repaired from outside.
+HttpResponse livez(const ServeSnapshot& snapshot, TimeNs now_ns) {
+  const bool stalled = snapshot.phase == ServePhase::running && now_ns - snapshot.taken_ns > kStalledNs;
+  return stalled ? plain(503, "stalled: no frame was finished for five minutes") : plain(200, "ok");
+}
+
+HttpResponse readyz(const ServeSnapshot& snapshot) {
+  if (snapshot.phase == ServePhase::running) return plain(200, "ok");
+  return not_yet(snapshot.phase == ServePhase::starting ? "starting: no frame yet" : "stopping");
+}
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Endpoints::Endpoints(const ReplayOptions& options, const ServeBoard& board,
+                     std::function<HttpCounters()> http, std::function<TimeNs()> now_ns)
+    : options_(options), board_(board), http_(std::move(http)), now_ns_(std::move(now_ns)) {}
+
+HttpResponse Endpoints::operator()(const HttpRequest& request) {
+  const std::string& path = request.path;
+  if (path.starts_with(kPicturePrefix)) return picture(request);
+  const std::shared_ptr<const ServeSnapshot> snapshot = board_.snapshot.get();
+  if (!snapshot) return not_yet("starting");
+  const TimeNs now_ns = now_ns_();
+  if (path == "/livez" || path == "/healthz") return livez(*snapshot, now_ns);
+  if (path == "/readyz") return readyz(*snapshot);
+  if (path == "/v1/status") return json(status_json(*snapshot, options_, now_ns));
+  if (path == "/v1/latency") return json(latency_reply_json(*snapshot, options_.clock, now_ns));
+  if (path == "/v1/frames") return frames(request, *snapshot);
+  if (path == "/v1/plan")
+    return snapshot->subject ? json(plan_reply_json(*snapshot)) : not_yet("no plan yet");
+  if (path == "/metrics") {
+    HttpResponse response;
+    response.content_type = PrometheusText::kContentType;
+    response.body = metrics_page(*snapshot, http_());
+    return response;
+  }
+  if (path == "/") {
+    HttpResponse response;
+    response.content_type = "text/html; charset=utf-8";
+    response.headers.emplace_back("Content-Security-Policy", kPagePolicy);
+    response.body = start_page(*snapshot, options_, now_ns);
+    return response;
+  }
+  return plain(404, "404 Not Found; / lists what is here");
+}
+
+HttpResponse Endpoints::frames(const HttpRequest& request, const ServeSnapshot& snapshot) const {
+  const auto since = request.query.find("since");
+  if (since == request.query.end()) return json(frames_json(snapshot, 0));
+  const std::optional<std::int64_t> sequence = whole_number(since->second);
+  if (!sequence) return plain(400, "since: not a whole number; give the greatest sequence that you have");
+  return json(frames_json(snapshot, *sequence));
+}
+
+HttpResponse Endpoints::picture(const HttpRequest& request) {
+  const std::string_view name =
+      std::string_view(request.path).substr(std::string_view(kPicturePrefix).size());
+  const auto full = request.query.find("full");
+  if (full != request.query.end() && full->second != "0" && full->second != "1") {
+    return plain(400, "full: neither 0 nor 1");
+  }
+  const std::shared_ptr<const ServedPictures> pictures = board_.pictures.get();
+  if (!pictures) return not_yet("no frame yet");
+  const std::vector<Viewport>& viewports = pictures->subject->profile.viewports;
+  const auto found = std::find_if(viewports.begin(), viewports.end(),
+                                  [&](const Viewport& viewport) { return viewport.name + ".png" == name; });
+  if (found == viewports.end()) return plain(404, "404 no such viewport; /v1/status lists them");
+  HttpResponse response;
+  response.content_type = "image/png";
+  response.headers.emplace_back("X-Herr-Sequence", std::to_string(pictures->sequence));
+  response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - viewports.begin()),
+                                full != request.query.end() && full->second == "1");
+  return response;
+}
+
+}  // namespace herr

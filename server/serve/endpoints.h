@@ -1,0 +1,39 @@
+// Every path that the server answers, by exact match. Thread-safe: it reads the board and nothing else.
+// Before: http_server. After: the pages and documents of this folder.
+#pragma once
+
+#include <functional>
+
+#include "server/http/http_message.h"
+#include "server/http/http_server.h"
+#include "server/replay/replay_options.h"
+#include "server/serve/latest_picture.h"
+#include "server/serve/serve_board.h"
+
+namespace herr {
+
+// What is below it takes long: http_server gives it a lane of its own.
+inline constexpr const char* kPicturePrefix = "/v1/frames/latest/";
+
+class Endpoints {
+ public:
+  // All must outlive this object. `http` tells what the server has counted, `now_ns` the time.
+  Endpoints(const ReplayOptions& options, const ServeBoard& board, std::function<HttpCounters()> http,
+            std::function<TimeNs()> now_ns);
+
+  HttpResponse operator()(const HttpRequest& request);
+
+  const LatestPicture& pictures() const { return pictures_; }
+
+ private:
+  HttpResponse picture(const HttpRequest& request);
+  HttpResponse frames(const HttpRequest& request, const ServeSnapshot& snapshot) const;
+
+  const ReplayOptions& options_;
+  const ServeBoard& board_;
+  const std::function<HttpCounters()> http_;
+  const std::function<TimeNs()> now_ns_;
+  LatestPicture pictures_;
+};
+
+}  // namespace herr

@@ -1,0 +1,142 @@
+#include "server/serve/frame_loop.h"
+
+#include <utility>
+
+#include "server/replay/frame_description.h"
+#include "server/replay/output_folder.h"
+#include "server/replay/steady_time.h"
+
+namespace herr {
+namespace {
+
+// Histograms are a third of a megabyte: copied ten times a second they cost nothing that one could measure.
+constexpr TimeNs kPublishIntervalNs = 100'000'000;
+
+}  // namespace
+
+const char* name_of(ServePhase phase) {
+  switch (phase) {
+    case ServePhase::starting:
+      return "starting";
+    case ServePhase::running:
+      return "running";
+    case ServePhase::stopping:
+      return "stopping";
+  }
+  return "unknown";
+}
+
+FrameLoop::FrameLoop(const ReplayOptions& options, ServeBoard& board, std::function<bool()> stop)
+    : options_(options), board_(board), stop_(std::move(stop)) {
+  state_.started_ns = steady_now_ns();
+  publish(true);
+}
+
+void FrameLoop::run() {
+  while (!stop_()) {
+    for (const std::filesystem::path& folder : options_.sessions) {
+      open(folder);
+      replay_lap();
+      if (stop_()) return;
+    }
+    ++state_.lap;
+  }
+}
+
+// Time in a session never goes back: each lap opens the recording anew. Scene and renderer stay while the
+// folder stays.
+void FrameLoop::open(const std::filesystem::path& folder) {
+  if (opened_ && folder == opened_folder_) {
+    opened_->session.emplace(Session::open(folder, options_.session));
+    return;
+  }
+  auto report = std::make_shared<SessionReport>();
+  report->name = session_folder_name(folder);
+  report->session_folder = folder;
+  opened_.reset();
+  opened_ = std::make_unique<OpenedSession>();
+  open_session(options_, *report, *opened_);
+  report->warnings = report->findings.warnings;
+  report->warnings.insert(report->warnings.end(), opened_->scene.warnings.begin(),
+                          opened_->scene.warnings.end());
+  opened_folder_ = folder;
+  subject_ = std::move(report);
+  state_.subject = subject_;
+}
+
+void FrameLoop::replay_lap() {
+  if (options_.clock == ReplayClock::realtime) {
+    replay_paced();
+    return;
+  }
+  const FrameRange& range = subject_->range;
+  for (std::int64_t i = 0; i < range.count && !stop_(); ++i) render(range.first + i, nullptr, 0);
+}
+
+void FrameLoop::replay_paced() {
+  const FrameRange& range = subject_->range;
+  FramePacer pacer(steady_now_ns(), range.period_ms() * 1e6, range.first, range.count);
+  while (const auto begin = pacer.begin(steady_now_ns())) {
+    if (!sleep_until(begin->due_ns, stop_)) return;
+    render(begin->frame, &pacer, begin->dropped);
+  }
+  dropped_at_end_ += pacer.frames_dropped_at_end();
+  // The last frame stays for its period: the next lap begins at the next tick.
+  sleep_until(pacer.tick_ns(range.first + range.count), stop_);
+}
+
+void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
+  const FrameRange& range = subject_->range;
+  const TimeNs t_ns = range.time_ns(frame);
+  const TimeNs started_ns = steady_now_ns();
+  const FrameSample sample = opened_->session->sample(t_ns);
+  const TimeNs sampled_ns = steady_now_ns();
+  const TimeNs since_start_ns = t_ns - opened_->session->start_ns();
+  scene_state_at(opened_->scene, static_cast<double>(since_start_ns) * kSecondsPerNs, scene_state_);
+  // Into pictures that nobody looks at; the published ones stay as they are.
+  const std::shared_ptr<ServedPictures> pictures = picture_storage_.take();
+  opened_->renderer->render_frame(sample, scene_state_, pictures->frame);
+  const TimeNs finished_ns = steady_now_ns();
+
+  RecentFrame recent;
+  recent.sequence = ++state_.rendered;
+  recent.lap = state_.lap;
+  recent.finished_ns = finished_ns;
+  recent.record = describe_frame(frame, sample, pictures->frame, range.period_ms(), options_.clock,
+                                 subject_->findings.gaze_rows > 0);
+  recent.record.sample_ms = static_cast<double>(sampled_ns - started_ns) * 1e-6;
+  if (pacer != nullptr) {
+    // What the lap before left out at its end counts with the frame that came next.
+    dropped += std::exchange(dropped_at_end_, 0);
+    describe_pacing(pacer->finish(started_ns, finished_ns), dropped, recent.record);
+  }
+  recent_.add(recent);
+  state_.run.add(recent.record);
+  state_.frame = frame;
+  state_.phase = ServePhase::running;
+  pictures->sequence = recent.sequence;
+  pictures->coverage = !subject_->plan.camera;
+  pictures->subject = subject_;
+  board_.pictures.set(pictures);
+  publish(state_.rendered == 1);
+}
+
+void FrameLoop::announce_end() {
+  state_.phase = ServePhase::stopping;
+  publish(true);
+}
+
+void FrameLoop::publish(bool at_once) {
+  state_.taken_ns = steady_now_ns();
+  if (!at_once && state_.taken_ns - published_ns_ < kPublishIntervalNs) return;
+  published_ns_ = state_.taken_ns;
+  const std::shared_ptr<ServeSnapshot> snapshot = snapshot_storage_.take();
+  // Copies keep the storage of the snapshot that was taken. The records go straight in.
+  std::vector<RecentFrame> records = std::move(snapshot->recent);
+  records.assign(recent_.frames().begin(), recent_.frames().end());
+  *snapshot = state_;
+  snapshot->recent = std::move(records);
+  board_.snapshot.set(snapshot);
+}
+
+}  // namespace herr

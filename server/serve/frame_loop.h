@@ -1,0 +1,52 @@
+// The loop of `herr serve`: replays the sessions over and over by one of the three clocks and publishes what
+// it knows after each frame. Before: serve_command. After: ServeBoard.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "server/replay/frame_pacer.h"
+#include "server/replay/opened_session.h"
+#include "server/replay/replay_options.h"
+#include "server/serve/recycler.h"
+#include "server/serve/serve_board.h"
+
+namespace herr {
+
+// Times in what it publishes are those of steady_now_ns(). Used by one thread; the board's readers are
+// others.
+class FrameLoop {
+ public:
+  // `stop` is asked before each frame and while waiting for one. Both must outlive the loop.
+  FrameLoop(const ReplayOptions& options, ServeBoard& board, std::function<bool()> stop);
+
+  // Until `stop` says so. Throws what opening and sampling a session throws; what was published stays.
+  void run();
+  // Says on the board that the server ends.
+  void announce_end();
+
+  const ServeSnapshot& state() const { return state_; }
+
+ private:
+  void open(const std::filesystem::path& folder);
+  void replay_lap();
+  void replay_paced();
+  void render(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
+  void publish(bool at_once);
+
+  const ReplayOptions& options_;
+  ServeBoard& board_;
+  const std::function<bool()> stop_;
+  std::filesystem::path opened_folder_;
+  std::unique_ptr<OpenedSession> opened_;
+  std::shared_ptr<const SessionReport> subject_;
+  SceneState scene_state_;
+  Recycler<ServedPictures> picture_storage_;
+  Recycler<ServeSnapshot> snapshot_storage_;
+  ServeSnapshot state_;  // its `recent` stays empty: recent_ has them
+  RecentFrames recent_;
+  TimeNs published_ns_ = 0;
+  std::int64_t dropped_at_end_ = 0;
+};
+
+}  // namespace herr

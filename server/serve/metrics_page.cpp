@@ -1,0 +1,105 @@
+#include "server/serve/metrics_page.h"
+
+#include <cstddef>
+
+#include "server/cli/version.h"
+#include "server/serve/process_numbers.h"
+#include "server/serve/prometheus_text.h"
+#include "server/serve/serve_json.h"
+
+namespace herr {
+namespace {
+
+void add_frames(PrometheusText& page, const ServeSnapshot& snapshot) {
+  const RunStatistics& run = snapshot.run;
+  page.family("herr_frames_rendered_total", "counter", "Frames rendered since the start.");
+  page.sample(run.frames);
+  page.family("herr_frames_missed_deadline_total", "counter",
+              "Frames that took longer than a display period.");
+  page.sample(run.missed_frames);
+  page.family("herr_frames_dropped_total", "counter",
+              "Frames of the session that were never rendered because a newer one was due.");
+  page.sample(run.dropped_frames);
+  page.family("herr_display_ticks_repeated_total", "counter", "Display ticks that had no new frame.");
+  page.sample(run.repeated_ticks);
+  page.family("herr_nonfinite_values_total", "counter", "NaN or Inf values that a stage produced.");
+  page.sample(run.counters.nonfinite_values);
+  page.family("herr_rays_total", "counter", "Rays traced, by kind.");
+  page.sample(run.counters.primary_rays, {{"kind", "primary"}});
+  page.sample(run.counters.shadow_rays, {{"kind", "shadow"}});
+  page.sample(run.counters.catcher_shadow_rays, {{"kind", "catcher_shadow"}});
+  page.sample(run.counters.mirror_rays, {{"kind", "mirror"}});
+  page.sample(run.counters.mirror_shadow_rays, {{"kind", "mirror_shadow"}});
+}
+
+void add_durations(PrometheusText& page, const RunStatistics& run) {
+  page.family("herr_frame_duration_seconds", "histogram", "Wall time of rendering one frame.");
+  page.histogram(run.frame);
+  page.family("herr_stage_duration_seconds", "histogram", "Wall time of one stage in one frame.");
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    page.histogram(run.stages[i], {{"stage", name_of(static_cast<Stage>(i))}});
+  }
+  page.family("herr_sample_duration_seconds", "histogram", "Time spent sampling the session before a frame.");
+  page.histogram(run.sample);
+  page.family("herr_motion_to_photon_seconds", "histogram",
+              "Presentation time of a frame less the stamp of the pose used.");
+  page.histogram(run.motion_to_photon);
+  page.family("herr_input_age_seconds", "histogram", "Age of the newest sample used when a frame began.");
+  page.histogram(run.pose_age, {{"stream", "pose"}});
+  page.histogram(run.gaze_age, {{"stream", "gaze"}});
+  page.histogram(run.camera_age, {{"stream", "camera"}});
+}
+
+void add_state(PrometheusText& page, const ServeSnapshot& snapshot) {
+  page.family("herr_build_info", "gauge", "Always 1; the label names the version.");
+  page.sample(std::int64_t{1}, {{"version", program_version()}});
+  page.family("herr_ready", "gauge", "1 while frames are rendered, 0 before the first and while stopping.");
+  page.sample(std::int64_t{snapshot.phase == ServePhase::running});
+  page.family("herr_session_progress_ratio", "gauge", "Share of the session replayed in this lap.");
+  page.sample(session_progress(snapshot));
+  page.family("herr_session_laps_total", "counter", "Times that all sessions were replayed.");
+  page.sample(snapshot.lap);
+  if (snapshot.subject) {
+    page.family("herr_display_period_seconds", "gauge", "Time between two display ticks.");
+    page.sample(snapshot.subject->range.period_ms() * 1e-3);
+  }
+}
+
+void add_http(PrometheusText& page, const HttpCounters& http) {
+  page.family("herr_http_requests_total", "counter", "Answers sent, by HTTP status.");
+  for (const auto& [status, count] : http.requests) page.sample(count, {{"code", std::to_string(status)}});
+  page.family("herr_http_rejected_total", "counter",
+              "Requests refused before any page was asked, by reason.");
+  for (const auto& [reason, count] : http.rejected) page.sample(count, {{"reason", reason}});
+}
+
+void add_process(PrometheusText& page) {
+  const std::optional<ProcessNumbers> numbers = read_process_numbers();
+  if (!numbers) return;
+  page.family("process_cpu_seconds_total", "counter", "CPU time, user and system.");
+  page.sample(numbers->cpu_seconds);
+  page.family("process_resident_memory_bytes", "gauge", "Resident memory.");
+  page.sample(numbers->resident_bytes);
+  page.family("process_virtual_memory_bytes", "gauge", "Virtual memory.");
+  page.sample(numbers->virtual_bytes);
+  page.family("process_open_fds", "gauge", "Open file descriptors.");
+  page.sample(numbers->open_descriptors);
+  page.family("process_max_fds", "gauge", "Most file descriptors that may be open.");
+  page.sample(numbers->most_descriptors);
+  page.family("process_start_time_seconds", "gauge", "Start of the process since 1970.");
+  page.sample(numbers->start_time_seconds);
+}
+
+}  // namespace
+
+std::string metrics_page(const ServeSnapshot& snapshot, const HttpCounters& http) {
+  PrometheusText page;
+  add_state(page, snapshot);
+  add_frames(page, snapshot);
+  add_durations(page, snapshot.run);
+  add_http(page, http);
+  add_process(page);
+  return page.text();
+}
+
+}  // namespace herr

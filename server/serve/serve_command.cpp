@@ -1,0 +1,86 @@
+#include "server/serve/serve_command.h"
+
+#include <atomic>
+#include <cerrno>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "server/cli/exit_code.h"
+#include "server/cli/stop_signal.h"
+#include "server/cli/terminal.h"
+#include "server/http/http_server.h"
+#include "server/replay/steady_time.h"
+#include "server/serve/endpoints.h"
+#include "server/serve/frame_loop.h"
+#include "server/statistics/latency_table.h"
+
+namespace herr {
+namespace {
+
+void check_isa(const RenderSettings& settings) {
+  try {
+    resolve_isa(settings.isa);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
+  }
+}
+
+std::unique_ptr<HttpServer> start_server(const ServeOptions& options, HttpHandler handler) {
+  HttpServer::Config config;
+  config.host = options.host;
+  config.port = options.port;
+  config.slow_prefix = kPicturePrefix;
+  try {
+    return std::make_unique<HttpServer>(std::move(config), std::move(handler));
+  } catch (const BindError& error) {
+    if (error.error_number() == EADDRINUSE) {
+      throw TemporaryError(std::string("--port: ") + error.what() +
+                           "; end the program that has it, or choose another --port (0: a free one)");
+    }
+    throw UsageError(std::string("--host, --port: ") + error.what() + "; choose others");
+  }
+}
+
+std::string address_text(const std::string& host, int port) {
+  const bool ipv6 = host.find(':') != std::string::npos;
+  return "http://" + (ipv6 ? "[" + host + "]" : host) + ":" + std::to_string(port) + "/\n";
+}
+
+std::string end_text(const RunStatistics& run) {
+  if (run.frames == 0) return "no frame was rendered\n";
+  return std::to_string(run.frames) + " frames, " + std::to_string(run.missed_frames) + " missed, " +
+         std::to_string(run.dropped_frames) + " dropped, " + std::to_string(run.repeated_ticks) +
+         " ticks repeated\n\n" + latency_table(run);
+}
+
+}  // namespace
+
+int run_serve(const ServeOptions& options) {
+  check_isa(options.replay.render);
+  ServeBoard board;
+  FrameLoop loop(options.replay, board, [] { return stop_signal() != 0; });
+  std::unique_ptr<HttpServer> server;
+  // A request may come before the assignment to `server` is done: then nothing is counted yet.
+  std::atomic<const HttpServer*> counted{nullptr};
+  Endpoints endpoints(
+      options.replay, board,
+      [&counted] {
+        const HttpServer* known = counted;
+        return known != nullptr ? known->counters() : HttpCounters{};
+      },
+      steady_now_ns);
+  server = start_server(options, [&endpoints](const HttpRequest& request) { return endpoints(request); });
+  counted = server.get();
+  print_result(address_text(options.host, server->port()));
+
+  // The server answers while the session is opened, and goes when an error ends the loop.
+  loop.run();
+  loop.announce_end();
+  server->stop();
+  print_result(end_text(loop.state().run));
+  return kExitDone;
+}
+
+}  // namespace herr

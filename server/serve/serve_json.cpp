@@ -1,0 +1,130 @@
+#include "server/serve/serve_json.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "server/cli/version.h"
+#include "server/replay/summary_json.h"
+#include "server/statistics/latency_json.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double seconds(TimeNs ns) {
+  return static_cast<double>(ns) * kSecondsPerNs;
+}
+
+// As long as the window, or since the start while that is shorter.
+double window_length_s(const ServeSnapshot& snapshot, TimeNs now_ns) {
+  return std::max(0.0, seconds(std::min(kWindowNs, now_ns - snapshot.started_ns)));
+}
+
+Json counts_json(const RunStatistics& statistics) {
+  return {{"rendered", statistics.frames},
+          {"missed", statistics.missed_frames},
+          {"dropped", statistics.dropped_frames},
+          {"repeated", statistics.repeated_ticks}};
+}
+
+Json window_json(const ServeSnapshot& snapshot, TimeNs now_ns) {
+  const RunStatistics window = window_statistics(snapshot.recent, now_ns);
+  const double length_s = window_length_s(snapshot, now_ns);
+  Json json{{"seconds", length_s}, {"frames", counts_json(window)}};
+  json["frames_per_s"] = length_s > 0 ? Json(static_cast<double>(window.frames) / length_s) : Json(nullptr);
+  return json;
+}
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json frame_json(const RecentFrame& frame) {
+  const FrameRecord& record = frame.record;
+  Json stages = Json::object();
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    stages[name_of(static_cast<Stage>(i))] = record.times.ms[i];
+  }
+  return {{"sequence", frame.sequence},
+          {"lap", frame.lap},
+          {"frame", record.frame},
+          {"t_ns", record.t_ns},
+          {"frame_ms", record.times.frame_ms},
+          {"stages_ms", stages},
+          {"sample_ms", record.sample_ms},
+          {"pose_age_ms", optional_json(record.pose_age_ms)},
+          {"gaze_age_ms", optional_json(record.gaze_age_ms)},
+          {"camera_age_ms", optional_json(record.camera_age_ms)},
+          {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
+          {"missed", record.missed},
+          {"dropped", record.dropped_frames},
+          {"repeated", record.repeated_ticks}};
+}
+
+}  // namespace
+
+double session_progress(const ServeSnapshot& snapshot) {
+  if (!snapshot.subject || snapshot.rendered == 0) return 0;
+  const FrameRange& range = snapshot.subject->range;
+  const double done = static_cast<double>(snapshot.frame - range.first + 1);
+  return std::clamp(done / static_cast<double>(std::max<std::int64_t>(range.count, 1)), 0.0, 1.0);
+}
+
+Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns) {
+  Json json{{"format_version", 1},
+            {"program", program_with_version()},
+            {"phase", name_of(snapshot.phase)},
+            {"uptime_s", seconds(now_ns - snapshot.started_ns)},
+            {"snapshot_age_s", seconds(now_ns - snapshot.taken_ns)},
+            {"clock", name_of(options.clock)},
+            {"lap", snapshot.lap},
+            {"sequence", snapshot.rendered},
+            {"run", {{"frames", counts_json(snapshot.run)}}},
+            {"window", window_json(snapshot, now_ns)}};
+  if (!snapshot.subject) return json;
+  const SessionReport& subject = *snapshot.subject;
+  json["replay"] = {{"frame", snapshot.rendered > 0 ? Json(snapshot.frame) : Json(nullptr)},
+                    {"first_frame", subject.range.first},
+                    {"frames", subject.range.count},
+                    {"progress", session_progress(snapshot)},
+                    {"period_ms", subject.range.period_ms()}};
+  json.update(subject_json(subject, options));
+  json["warnings"] = subject.warnings;
+  return json;
+}
+
+Json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs now_ns) {
+  const RunStatistics window = window_statistics(snapshot.recent, now_ns);
+  Json window_part{{"seconds", window_length_s(snapshot, now_ns)}, {"frames", counts_json(window)}};
+  window_part.update(latencies_json(window));
+  Json run_part{{"seconds", seconds(now_ns - snapshot.started_ns)}, {"frames", counts_json(snapshot.run)}};
+  run_part.update(latencies_json(snapshot.run));
+  Json definitions = definitions_json(clock);
+  definitions["window"] = "frames that were finished in the last 10 seconds";
+  definitions["run"] = "frames since the server was started";
+  return {{"format_version", 1}, {"window", window_part}, {"run", run_part}, {"definitions", definitions}};
+}
+
+Json frames_json(const ServeSnapshot& snapshot, std::int64_t since) {
+  const std::vector<RecentFrame>& recent = snapshot.recent;
+  const auto first = std::upper_bound(
+      recent.begin(), recent.end(), since,
+      [](std::int64_t sequence, const RecentFrame& frame) { return sequence < frame.sequence; });
+  const auto count = std::min<std::ptrdiff_t>(recent.end() - first, kMostFramesInAnswer);
+  Json frames = Json::array();
+  std::for_each(first, first + count, [&](const RecentFrame& frame) { frames.push_back(frame_json(frame)); });
+  return {{"format_version", 1},
+          {"oldest", recent.empty() ? Json(nullptr) : Json(recent.front().sequence)},
+          {"newest", recent.empty() ? Json(nullptr) : Json(recent.back().sequence)},
+          {"more", first + count != recent.end()},
+          {"frames", frames}};
+}
+
+Json plan_reply_json(const ServeSnapshot& snapshot) {
+  return {{"format_version", 1},
+          {"session", snapshot.subject ? Json(snapshot.subject->name) : Json(nullptr)},
+          {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()}};
+}
+
+}  // namespace herr

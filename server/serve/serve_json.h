@@ -1,0 +1,25 @@
+// The JSON documents of the HTTP interface, from a snapshot alone. Before: ServeSnapshot. After: endpoints.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "server/replay/replay_options.h"
+#include "server/serve/serve_board.h"
+
+namespace herr {
+
+// Most frames in one answer of GET /v1/frames; "more" says that there are others.
+inline constexpr std::size_t kMostFramesInAnswer = 1000;
+
+// Share of the session that was replayed in this lap, in [0, 1]; 0 before the first frame.
+double session_progress(const ServeSnapshot& snapshot);
+
+nlohmann::ordered_json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options,
+                                   TimeNs now_ns);
+nlohmann::ordered_json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs now_ns);
+// Frames whose sequence is greater than `since`, oldest first.
+nlohmann::ordered_json frames_json(const ServeSnapshot& snapshot, std::int64_t since);
+nlohmann::ordered_json plan_reply_json(const ServeSnapshot& snapshot);
+
+}  // namespace herr

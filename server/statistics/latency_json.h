@@ -1,0 +1,24 @@
+// Latency statistics as JSON, and what each of their names means.
+// Before: RunStatistics of a run or of a window. After: summary.json, GET /v1/latency.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "server/statistics/run_statistics.h"
+
+namespace herr {
+
+// How the frames of a session are laid out in time.
+enum class ReplayClock {
+  virtual_time,  // one display period of session time for each frame, however long it takes
+  realtime,      // session time is wall time: frames that come too late are dropped
+  max,           // like virtual_time, but a frame is shown when it is done
+};
+const char* name_of(ReplayClock clock);
+
+// Milliseconds; keys keep their order. An empty statistic has count 0 and null values, never NaN.
+nlohmann::ordered_json latencies_json(const RunStatistics& statistics);
+// {"name": "its formula", ...} of everything in latencies_json() and of the counts of frames.
+nlohmann::ordered_json definitions_json(ReplayClock clock);
+
+}  // namespace herr

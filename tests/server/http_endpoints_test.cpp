@@ -1,0 +1,339 @@
+// Every path of `herr serve`, over a real socket, with a board that the test fills.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "http_client.h"
+#include "server/http/http_server.h"
+#include "server/serve/endpoints.h"
+#include "server/serve/prometheus_text.h"
+#include "server/serve/recycler.h"
+#include "server/serve/start_page.h"
+#include "temporary_folder.h"
+
+namespace herr {
+namespace {
+
+using nlohmann::json;
+
+constexpr TimeNs kSecondNs = 1'000'000'000;
+
+class Serve : public ::testing::Test {
+ protected:
+  Serve()
+      : endpoints_(
+            options_, board_, [this] { return server_ ? server_->counters() : HttpCounters{}; },
+            [this] { return now_ns_; }) {
+    options_.clock = ReplayClock::realtime;
+    HttpServer::Config config;
+    config.slow_prefix = kPicturePrefix;
+    server_ = std::make_unique<HttpServer>(config, [this](const HttpRequest& r) { return endpoints_(r); });
+  }
+
+  Reply get(const std::string& target) const { return herr::get(server_->port(), target); }
+  json get_json(const std::string& target) const {
+    const Reply reply = get(target);
+    EXPECT_EQ(reply.status, 200) << target;
+    EXPECT_EQ(reply.header("Content-Type"), "application/json") << target;
+    return json::parse(reply.body);
+  }
+
+  std::shared_ptr<SessionReport> subject() const {
+    auto report = std::make_shared<SessionReport>();
+    report->name = "walk <b>&\"x\"";
+    report->scene_name = "general";
+    report->profile = xr1_profile();
+    report->profile.viewports[0].width_px = 1000;
+    report->profile.viewports[0].height_px = 600;
+    report->range.count = 120;
+    report->plan.entries = {{"mirror rays", true, "2 of 20 instances reflect"}};
+    return report;
+  }
+
+  // Frames 1 ... count, one every 100 ms until now; frame i takes i milliseconds.
+  void publish(std::int64_t count, ServePhase phase = ServePhase::running) {
+    ServeSnapshot snapshot;
+    snapshot.phase = phase;
+    snapshot.started_ns = now_ns_ - 20 * kSecondNs;
+    snapshot.taken_ns = now_ns_;
+    snapshot.subject = subject();
+    snapshot.rendered = count;
+    snapshot.frame = 59;
+    for (std::int64_t i = 1; i <= count; ++i) {
+      RecentFrame frame;
+      frame.sequence = i;
+      frame.finished_ns = now_ns_ - (count - i) * kSecondNs / 10;
+      frame.record.frame = i;
+      frame.record.times.frame_ms = static_cast<double>(i);
+      frame.record.times[Stage::first_hits] = static_cast<double>(i);
+      frame.record.missed = i % 2 == 0;
+      frame.record.dropped_frames = 1;
+      if (i % 2 == 0) frame.record.motion_to_photon_ms = 20;
+      snapshot.recent.push_back(frame);
+      snapshot.run.add(frame.record);
+    }
+    board_.snapshot.set(std::make_shared<const ServeSnapshot>(std::move(snapshot)));
+  }
+
+  void publish_pictures(std::int64_t sequence) {
+    auto pictures = std::make_shared<ServedPictures>();
+    pictures->sequence = sequence;
+    pictures->subject = subject();
+    for (const Viewport& viewport : pictures->subject->profile.viewports) {
+      ViewportImage& image = pictures->frame.viewports.emplace_back();
+      image.resize(viewport.width_px, viewport.height_px);
+    }
+    board_.pictures.set(pictures);
+  }
+
+  ReplayOptions options_;
+  ServeBoard board_;
+  TimeNs now_ns_ = 1000 * kSecondNs;
+  Endpoints endpoints_;
+  std::unique_ptr<HttpServer> server_;
+};
+
+// Width and height stand in bytes 16 ... 23 of every PNG.
+std::pair<int, int> png_size(const std::string& file) {
+  if (file.size() < 24 || file.substr(1, 3) != "PNG") return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(file[i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(Serve, BeforeTheFirstFrameItIsAliveAndNotReady) {
+  for (const bool opened : {false, true}) {
+    if (opened) publish(0, ServePhase::starting);
+    if (!opened) board_.snapshot.set(std::make_shared<const ServeSnapshot>());
+    EXPECT_EQ(get("/livez").status, 200);
+    EXPECT_EQ(get("/readyz").status, 503);
+    EXPECT_EQ(get("/readyz").header("Retry-After"), "1");
+    EXPECT_EQ(get("/").status, 200);
+    EXPECT_EQ(get("/metrics").status, 200);
+    EXPECT_EQ(get("/v1/frames/latest/left_context.png").status, 503);
+    EXPECT_EQ(get_json("/v1/status")["phase"], "starting");
+    EXPECT_TRUE(get_json("/v1/latency")["run"]["frame"]["p50"].is_null());
+    EXPECT_EQ(get_json("/v1/frames")["frames"].size(), 0u);
+  }
+}
+
+TEST_F(Serve, HealthFollowsThePhase) {
+  publish(5);
+  EXPECT_EQ(get("/readyz").status, 200);
+  EXPECT_EQ(get("/healthz").status, 200);
+  publish(5, ServePhase::stopping);
+  EXPECT_EQ(get("/readyz").status, 503);
+  EXPECT_EQ(get("/livez").status, 200);
+  publish(5);
+  now_ns_ += 301 * kSecondNs;
+  EXPECT_EQ(get("/livez").status, 503) << "no frame for five minutes";
+}
+
+TEST_F(Serve, StatusAndLatencyAgreeWithTheSnapshot) {
+  publish(150);
+  const json status = get_json("/v1/status");
+  EXPECT_EQ(status["sequence"], 150);
+  EXPECT_EQ(status["uptime_s"], 20.0);
+  EXPECT_EQ(status["clock"], "realtime");
+  EXPECT_EQ(status["replay"]["progress"], 0.5);  // frame 59 of 0 ... 119
+  EXPECT_EQ(status["run"]["frames"]["missed"], 75);
+  EXPECT_EQ(status["run"]["frames"]["dropped"], 150);
+  EXPECT_EQ(status["profile"]["viewports"].size(), 4u);
+  // Ten a second for ten seconds: frames 51 ... 150.
+  EXPECT_EQ(status["window"]["frames"]["rendered"], 100);
+  EXPECT_EQ(status["window"]["frames_per_s"], 10.0);
+
+  const json latency = get_json("/v1/latency");
+  EXPECT_EQ(latency["run"]["frame"]["count"], 150);
+  EXPECT_EQ(latency["run"]["frame"]["max"], 150.0);
+  EXPECT_EQ(latency["run"]["motion_to_photon"]["count"], 75);
+  EXPECT_EQ(latency["window"]["frame"]["count"], 100);
+  EXPECT_EQ(latency["window"]["frame"]["min"], 51.0);
+  EXPECT_EQ(latency["window"]["frame"]["mean"], 100.5);
+  // The 50th of 51 ... 150 is 100, within 0.5 %.
+  EXPECT_NEAR(latency["window"]["frame"]["p50"].get<double>(), 100, 0.5);
+  EXPECT_EQ(latency["window"]["stages"].size(), kStageCount);
+  for (const char* name :
+       {"missed", "dropped", "repeated", "presentation_time", "motion_to_photon", "window"}) {
+    EXPECT_TRUE(latency["definitions"].contains(name)) << name;
+  }
+}
+
+TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
+  publish(50);
+  std::int64_t since = 0, seen = 0;
+  const json all = get_json("/v1/frames?since=0");
+  for (const json& frame : all["frames"]) {
+    EXPECT_EQ(frame["sequence"], ++seen);
+    EXPECT_EQ(frame["frame_ms"], static_cast<double>(seen));
+    EXPECT_EQ(frame["motion_to_photon_ms"].is_null(), seen % 2 == 1);
+    since = frame["sequence"];
+  }
+  EXPECT_EQ(seen, 50);
+  EXPECT_EQ(get_json("/v1/frames?since=" + std::to_string(since))["frames"].size(), 0u);
+  EXPECT_EQ(get_json("/v1/frames?since=47")["frames"].size(), 3u);
+  EXPECT_EQ(get_json("/v1/frames?since=9223372036854775807")["frames"].size(), 0u);
+  for (const char* wrong : {"-1", "18446744073709551616", "x", "", "1e3", "5%00"}) {
+    EXPECT_EQ(get(std::string("/v1/frames?since=") + wrong).status, 400) << wrong;
+  }
+  publish(3000);
+  const json first = get_json("/v1/frames");
+  EXPECT_EQ(first["frames"].size(), 1000u);
+  EXPECT_EQ(first["more"], true);
+  EXPECT_EQ(get_json("/v1/frames?since=2000")["more"], false);
+}
+
+TEST_F(Serve, ThePlanSaysWhatRunsAndWhy) {
+  publish(1);
+  const json plan = get_json("/v1/plan")["plan"];
+  EXPECT_EQ(plan[0]["name"], "mirror rays");
+  EXPECT_EQ(plan[0]["runs"], true);
+  EXPECT_EQ(plan[0]["reason"], "2 of 20 instances reflect");
+}
+
+TEST_F(Serve, PicturesAreReducedAndEncodedOncePerFrame) {
+  publish(1);
+  publish_pictures(1);
+  const Reply reduced = get("/v1/frames/latest/left_context.png");
+  EXPECT_EQ(reduced.status, 200);
+  EXPECT_EQ(reduced.header("Content-Type"), "image/png");
+  EXPECT_EQ(reduced.header("X-Herr-Sequence"), "1");
+  // 1000 x 600 to 512 x 307.2.
+  EXPECT_EQ(png_size(reduced.body), std::make_pair(512, 307));
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(get("/v1/frames/latest/left_context.png").body, reduced.body);
+  EXPECT_EQ(endpoints_.pictures().encoded(), 1);
+  EXPECT_EQ(png_size(get("/v1/frames/latest/left_context.png?full=1").body), std::make_pair(1000, 600));
+  EXPECT_EQ(endpoints_.pictures().encoded(), 2);
+  publish_pictures(2);
+  EXPECT_EQ(get("/v1/frames/latest/left_context.png").header("X-Herr-Sequence"), "2");
+  EXPECT_EQ(endpoints_.pictures().encoded(), 3);
+  for (const char* name :
+       {"left", "left_context", "left_context.jpg", "", "../status", "a/left_context.png"}) {
+    EXPECT_EQ(get(std::string("/v1/frames/latest/") + name).status, 404) << name;
+  }
+  EXPECT_EQ(get("/v1/frames/latest/left_context.png?full=yes").status, 400);
+}
+
+TEST_F(Serve, OnlyExactPathsExist) {
+  publish(1);
+  for (const char* path : {"//", "/v1", "/v1/", "/v1/status/", "/metrics/x", "/LIVEZ", "/livez%00",
+                           "/%2e%2e/etc/passwd", "/v1/frames/latest"}) {
+    EXPECT_EQ(get(path).status, 404) << path;
+  }
+}
+
+TEST_F(Serve, ThePageEscapesWhatComesFromFilesAndLoadsNothingFromElsewhere) {
+  publish(3);
+  const Reply page = get("/");
+  EXPECT_EQ(page.status, 200);
+  EXPECT_EQ(page.header("Content-Type"), "text/html; charset=utf-8");
+  EXPECT_EQ(page.header("Content-Security-Policy"), kPagePolicy);
+  EXPECT_NE(page.body.find("walk &lt;b&gt;&amp;&quot;x&quot;"), std::string::npos);
+  EXPECT_EQ(page.body.find("<b>&\""), std::string::npos);
+  EXPECT_NE(page.body.find("/v1/frames/latest/right_focus.png"), std::string::npos);
+  EXPECT_EQ(page.body.find("http://"), std::string::npos);
+  EXPECT_EQ(page.body.find("<script"), std::string::npos);
+}
+
+// What promtool does not look for: series twice, families in pieces, buckets that fall, no bucket for all.
+TEST_F(Serve, MetricsAreSoundText) {
+  publish(100);
+  const Reply reply = get("/metrics");
+  EXPECT_EQ(reply.header("Content-Type"), "text/plain; version=0.0.4; charset=utf-8");
+  ASSERT_TRUE(reply.body.ends_with("\n"));
+  EXPECT_EQ(reply.body.find('\r'), std::string::npos);
+  std::set<std::string> series, families;
+  std::map<std::string, double> values;
+  std::string family, type, line;
+  double last_bucket = 0;
+  std::istringstream lines(reply.body);
+  while (std::getline(lines, line)) {
+    if (line.starts_with("# HELP ")) {
+      family = line.substr(7, line.find(' ', 7) - 7);
+      EXPECT_TRUE(families.insert(family).second) << line;
+      continue;
+    }
+    if (line.starts_with("# TYPE ")) {
+      ASSERT_TRUE(line.starts_with("# TYPE " + family + " ")) << line;
+      type = line.substr(line.rfind(' ') + 1);
+      EXPECT_EQ(type == "counter", family.ends_with("_total")) << line;
+      continue;
+    }
+    ASSERT_TRUE(line.starts_with(family)) << line;
+    const std::string name = line.substr(0, line.rfind(' '));
+    const double value = std::strtod(line.c_str() + line.rfind(' ') + 1, nullptr);
+    EXPECT_TRUE(series.insert(name).second) << "twice: " << line;
+    EXPECT_TRUE(std::isfinite(value)) << line;
+    values[name] = value;
+    if (type != "histogram") continue;
+    const bool bucket = name.starts_with(family + "_bucket");
+    if (name.find("le=\"0.002\"") != std::string::npos) last_bucket = 0;
+    if (bucket) {
+      EXPECT_GE(value, last_bucket) << line;
+      last_bucket = value;
+    }
+    // _count follows the buckets; the last of them was +Inf.
+    if (name.starts_with(family + "_count")) {
+      EXPECT_EQ(value, last_bucket) << line;
+    }
+  }
+  EXPECT_EQ(values["herr_frames_rendered_total"], 100);
+  EXPECT_EQ(values["herr_frames_missed_deadline_total"], 50);
+  EXPECT_EQ(values["herr_frame_duration_seconds_count"], 100);
+  // 1 + 2 + ... + 100 ms.
+  EXPECT_NEAR(values["herr_frame_duration_seconds_sum"], 5.05, 1e-9);
+  EXPECT_EQ(values["herr_frame_duration_seconds_bucket{le=\"+Inf\"}"], 100);
+  // 1 ... 50 ms; 50 ms itself lies in the bound's bucket.
+  EXPECT_EQ(values["herr_frame_duration_seconds_bucket{le=\"0.05\"}"], 50);
+  EXPECT_EQ(values["herr_ready"], 1);
+}
+
+TEST_F(Serve, PromtoolFindsNothingInTheMetrics) {
+  const char* named = std::getenv("HERR_PROMTOOL");
+  const std::string promtool = named != nullptr ? named : "promtool";
+  if (std::system((promtool + " --version >/dev/null 2>&1").c_str()) != 0) {
+    GTEST_SKIP() << "no promtool; apt-get install prometheus, or set HERR_PROMTOOL";
+  }
+  publish(100);
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "metrics").string();
+  std::ofstream(file) << get("/metrics").body;
+  EXPECT_EQ(std::system((promtool + " check metrics <'" + file + "'").c_str()), 0);
+}
+
+TEST(PrometheusText, EscapesLabelsAndWritesNumbersAsGoDoes) {
+  PrometheusText text;
+  text.family("a", "gauge", "back\\slash\nline");
+  text.sample(0.1, {{"x", "q\"b\\n\n"}});
+  text.sample(std::nan(""));
+  text.sample(HUGE_VAL, {{"y", "1"}});
+  EXPECT_EQ(
+      text.text(),
+      "# HELP a back\\\\slash\\nline\n# TYPE a gauge\na{x=\"q\\\"b\\\\n\\n\"} 0.1\na NaN\na{y=\"1\"} +Inf\n");
+}
+
+TEST(Recycler, GivesStorageBackOnceTheLastReaderIsGone) {
+  Recycler<std::string> recycler;
+  auto first = recycler.take();
+  const std::string* storage = first.get();
+  std::shared_ptr<const std::string> reader = first;
+  first.reset();
+  EXPECT_NE(recycler.take().get(), storage) << "still read";
+  reader.reset();
+  // Two are spare now; the one given back last comes first.
+  EXPECT_EQ(recycler.take().get(), storage);
+}
+
+}  // namespace
+}  // namespace herr
