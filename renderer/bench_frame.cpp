@@ -8,6 +8,7 @@
 
 #include "renderer/geometry/bare_rays.h"
 #include "renderer/renderer_impl.h"
+#include "renderer/viewports/bare_pixels.h"
 
 namespace herr {
 namespace {

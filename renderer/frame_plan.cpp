@@ -97,12 +97,6 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "the session has a camera feed",
          session_has_camera ? "switched off by settings" : "the session has no camera feed");
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
-  const bool moving = std::any_of(scene.lights.begin(), scene.lights.end(), [](const AreaLight& light) {
-    return light.path_radius_m > 0 && light.path_period_s != 0;
-  });
-  bool moving_lights = false;
-  decide(moving_lights, moving, "light paths", "a light moves", "every light is static");
-  plan.static_lights = !moving_lights;
   return plan;
 }
 

@@ -13,7 +13,7 @@ namespace herr {
 struct PlanEntry {
   std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
-  std::string reason;  // "3 of 11 instances reflect", "skipped: no material reflects"
+  std::string reason;  // "3 of 11 instances reflect", "no material reflects"
 };
 
 struct FramePlan {
@@ -29,7 +29,6 @@ struct FramePlan {
   bool specular = false;  // some material has a specular lobe
   bool camera = false;
   bool gaze_marker = false;
-  bool static_lights = false;
   std::vector<PlanEntry> entries;  // all of the above, for people
 };
 

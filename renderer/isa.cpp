@@ -30,7 +30,7 @@ bool cpu_has(Isa isa) {
              __builtin_cpu_supports("avx512cd") && cpu_has(Isa::avx2);
     case Isa::avx2:
       return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-             __builtin_cpu_supports("bmi2");
+             __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("f16c");
     case Isa::sse4:
       return __builtin_cpu_supports("sse4.2") != 0;
     case Isa::best:

@@ -1,9 +1,11 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
-// sample of the session -> scene changes -> acceleration structures -> polar rays -> first hits, light rays,
-// second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no allocation, no lock.
+// sample of the session -> acceleration structures follow the head -> lights -> polar rays -> first hits,
+// light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
+// allocation, no lock.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "renderer/lighting/light_records.h"
@@ -71,7 +73,8 @@ void Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
 int Renderer::Impl::update_acceleration(const FrameSample& sample) {
   const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
   int commits = 0;
-  threads.inside([&] { commits = geometry->follow(world_from_head.position); });
+  const auto follow = [&] { commits = geometry->follow(world_from_head.position); };
+  threads.inside(std::cref(follow));  // by reference: the capture would not fit in std::function
   for (const Eye eye : kEyes) {
     const auto e = static_cast<std::size_t>(eye);
     Pose pose = world_from_head * sample.head_from_eye[e];
@@ -91,13 +94,12 @@ void Renderer::Impl::update_scene(const SceneState& state) {
   shading.instances = geometry->instances();
   shading.lights = lights;
   shading.light_samples = settings.light_samples;
-  constexpr float kDarkest = 1e-4f;  // of the brightest: below it a ratio is noise
-  const glm::vec3 brightest =
-      plan.catchers ? brightest_irradiance(state.lights, catcher_boxes) : glm::vec3{0.0f};
+  constexpr float kDarkest = 1e-4f;  // of the light on the farthest catcher: below it a ratio is noise
+  const glm::vec3 scale = plan.catchers ? farthest_irradiance(state.lights, catcher_boxes) : glm::vec3{0.0f};
   for (int channel = 0; channel < 3; ++channel) {
     shading.ambient[channel] = scene.ambient[channel];
     shading.environment[channel] = scene.environment[channel];
-    shading.smallest_irradiance[channel] = kDarkest * brightest[channel];
+    shading.smallest_irradiance[channel] = kDarkest * scale[channel];
   }
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
@@ -170,11 +172,6 @@ void Renderer::Impl::aim_viewports(const FrameSample& sample, RenderedFrame& out
     job.feed.camera_from_eye =
         inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
     job.feed.distance_m = settings.feed_distance_m;
-    if (checked_models[i] != camera.model) {  // once per camera, in its first frame
-      feed_interpolates[i] = camera_cells_suffice(viewport, job.feed);
-      checked_models[i] = camera.model;
-    }
-    job.feed.interpolate = feed_interpolates[i] != 0;
   }
 }
 

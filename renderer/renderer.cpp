@@ -73,8 +73,6 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   for (const Viewport& v : profile.viewports) {
     first_strip.push_back(first_strip.back() + (v.height_px + kStripRows - 1) / kStripRows);
   }
-  checked_models.resize(viewports);
-  feed_interpolates.resize(viewports);
   lights.reserve(scene.lights.size());
 
   const auto workers = static_cast<std::size_t>(threads.count());

@@ -37,11 +37,9 @@ struct Renderer::Impl {
   std::vector<int> first_tile;                           // of each grid, then the total
   std::vector<LightRecord> lights;
   ShadingInputs shading;
-  std::vector<ViewportJob> viewport_jobs;          // one per viewport
-  std::vector<int> first_strip;                    // of each viewport, then the total
-  std::array<CameraImage, 2> enlarged_feeds;       // copies of images too small for a bilinear fetch
-  std::vector<const CameraModel*> checked_models;  // per viewport: whose cells were measured
-  std::vector<char> feed_interpolates;             // per viewport
+  std::vector<ViewportJob> viewport_jobs;     // one per viewport
+  std::vector<int> first_strip;               // of each viewport, then the total
+  std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
   // Per worker.
   std::vector<std::unique_ptr<TileScratch>> tile_scratch;

@@ -8,7 +8,7 @@
 namespace herr {
 
 enum class Stage : std::uint8_t {
-  scene_update,  // apply scene changes, light paths
+  scene_update,  // lights of this frame
   acceleration,  // Embree commits (only what changed)
   polar_rays,    // ray generation, visibility of samples
   first_hits,    // primary rays through Embree

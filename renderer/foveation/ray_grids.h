@@ -10,7 +10,6 @@
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_samples.h"
 #include "renderer/foveation/radiance_buffer.h"
-#include "renderer/lighting/tile_job.h"
 #include "sessions/display_profile.h"
 #include "sessions/pose.h"
 
@@ -23,9 +22,33 @@ struct EyeView {
   double theta_max_deg = 0;
 };
 
+inline constexpr int kMaxFrusta = 64;
+
+// The inward normals of a viewport's frustum, in anchor space.
+struct FrustumNormals {
+  float normal[4][3];
+};
+
+// What is the same for all tiles of one eye (or one viewport) in one frame.
+struct RayGrid {
+  bool polar = true;
+  float origin[3];  // eye, metres from the anchor
+  float right[3], up[3],
+      gaze[3];  // anchor space; polar: gaze frame; planar: the viewport's axes (gaze = forward)
+  const PolarSamples* samples = nullptr;
+  std::array<FrustumNormals, kMaxFrusta> frusta;
+  int frustum_count = 0;
+  float tan_left = 0, tan_up = 0, step_x = 0,
+        step_y = 0;  // planar: tangents at the upper left corner, per pixel
+  TexelSink sink;
+  std::uint32_t key = 0;  // frame and eye
+};
+
 // Random-number key of a frame and eye.
 std::uint32_t frame_key(TimeNs t_ns, int eye);
 
+// Fill `grid` for an eye's polar buffer, or for one viewport's pixels. `samples` and `buffer` must outlive
+// it; of the eye's viewports (kMaxFrusta at most) those that lie within another are left out.
 void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,
                     const PolarSamples& samples, RadianceBuffer& buffer, std::uint32_t key, RayGrid& grid);
 void set_planar_grid(const EyeView& view, const Viewport& viewport, RadianceBuffer& buffer, std::uint32_t key,

@@ -43,7 +43,7 @@ std::size_t trace_packets(RTCScene scene, RayKind kind, const RecordedRays& rays
       intersect_packet<kRays>(valid, scene, true, &packet);
       for (std::size_t i = 0; i < lanes; ++i) hits += packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
     } else {
-      fill<kRays>(rays, at, lanes, 1.0f, mask, packet.ray, valid);
+      fill<kRays>(rays, at, lanes, kShadowRayEnd, mask, packet.ray, valid);
       occluded_packet<kRays>(valid, scene, &packet.ray);
       for (std::size_t i = 0; i < lanes; ++i) hits += packet.ray.tfar[i] < 0;
     }

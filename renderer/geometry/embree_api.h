@@ -15,6 +15,10 @@ inline constexpr unsigned kObjectMask = 1;   // virtual objects
 inline constexpr unsigned kCatcherMask = 2;  // stand-ins for real surfaces
 inline constexpr unsigned kAllMask = ~0u;
 
+// Shadow rays run from a surface to a light, t in [0, 1], and end just short of it: what touches the light's
+// sample point does not shadow it by rounding.
+inline constexpr float kShadowRayEnd = 1.0f - 0x1p-12f;
+
 template <int kRays>
 struct RayPacket;
 template <>

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "scenes/transform_checks.h"
+
 namespace herr {
 namespace {
 
@@ -41,8 +43,9 @@ void check_transform(const glm::dmat4x3& m, const std::string& name) {
   const double determinant = std::abs(glm::determinant(linear));
   const double reach = glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]) + glm::length(m[3]);
   const double scale = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-  // 1e-6 of the volume that orthogonal axes would span: flatter boxes have no usable float inverse.
-  if (!(reach < kLargestCoordinate_m) || !(determinant >= 1e-18) || !(determinant >= 1e-6 * scale)) {
+  // scenes/ refuses such transforms with the name of the file; this is the last guard before Embree.
+  if (!(reach < kLargestCoordinate_m) || !(determinant >= 1e-18) ||
+      !(determinant >= 0.5 * kMinVolumeShare * scale)) {
     throw std::invalid_argument("instance '" + name +
                                 "' has a transform that is not finite or not invertible");
   }
@@ -90,14 +93,6 @@ void EmbreeScene::build_meshes() {
     rtcAttachGeometryByID(bottom, geometry, 0);
     rtcReleaseGeometry(geometry);
     commit(bottom);
-    for (const auto& t : mesh.triangles) {
-      for (const std::uint32_t corner : t) {
-        const glm::vec3& p = mesh.positions[corner];
-        if (std::isfinite(p.x + p.y + p.z)) continue;
-        ++dropped_triangles_;
-        break;
-      }
-    }
     baked_.push_back(bake_triangles(mesh));
   }
   for (const TextureImage& texture : scene_.textures) {

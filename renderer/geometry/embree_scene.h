@@ -32,9 +32,6 @@ class EmbreeScene {
 
   RTCScene top() const { return top_; }
   const std::vector<InstanceRecord>& instances() const { return instances_; }
-  // Primitives that Embree leaves out because a vertex is not finite (counted by us: Embree is silent about
-  // them).
-  std::int64_t dropped_triangles() const { return dropped_triangles_; }
 
  private:
   void build_meshes();
@@ -53,7 +50,6 @@ class EmbreeScene {
   std::vector<InstanceRecord> instances_;
   glm::dvec3 anchor_{0.0};
   bool placed_ = false;
-  std::int64_t dropped_triangles_ = 0;
 };
 
 }  // namespace herr

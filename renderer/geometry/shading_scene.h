@@ -40,6 +40,7 @@ struct LightRecord {
   float lower[3] = {}, size[3] = {};  // the box, for stratified samples
   float intensity[3] = {};            // W/sr
   float min_distance2 = 0;            // (half the longest edge)^2: the falloff's floor
+  std::uint32_t key = 0;              // random numbers: which light
   int strata[3] = {1, 1, 1};          // per axis; their product is the number of samples
 };
 

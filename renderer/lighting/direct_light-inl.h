@@ -10,8 +10,8 @@
 
 #include <cstring>
 
-#include "renderer/lighting/simd_types-inl.h"
 #include "renderer/lighting/tile_job.h"
+#include "renderer/simd_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -20,13 +20,13 @@ namespace HWY_NAMESPACE {
 constexpr float kInvPi = 0.318309886f;
 
 // The point of the light that sample `s` of each hit aims at: the centre, or a jittered place in stratum s.
-HWY_INLINE V3 light_point(const LightRecord& light, int samples, int s, VU key) {
-  if (samples == 1) return set3(light.centre);
+HWY_INLINE V3 light_point(const LightRecord& light, bool many, int s, VU key) {
+  if (!many) return set3(light.centre);
   const int nx = light.strata[0], ny = light.strata[1];
   const int cell[3] = {s % nx, s / nx % ny, s / (nx * ny)};
   VF point[3];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const VF jitter = unit_float(hash(key, 3 * static_cast<std::uint32_t>(s) + axis));
+    const VF jitter = unit_float(hash(key, light.key + 3 * static_cast<std::uint32_t>(s) + axis));
     const float width = light.size[axis] / static_cast<float>(light.strata[axis]);
     const float lower = light.lower[axis] + width * static_cast<float>(cell[axis]);
     point[axis] = hn::MulAdd(jitter, set(width), set(lower));
@@ -86,7 +86,7 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
     hn::Store(direction.y, kF, packet.dir_y);
     hn::Store(direction.z, kF, packet.dir_z);
     hn::Store(hn::Zero(kF), kF, packet.tnear);
-    hn::Store(set(1.0f), kF, packet.tfar);
+    hn::Store(set(kShadowRayEnd), kF, packet.tfar);
     hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, lanes)), kI, valid);
     if (job.recorder) {
       for (int i = 0; i < kLanes; ++i) {
@@ -151,7 +151,8 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const TileScratch& scratch = *job.scratch;
   const int samples = job.shading->light_samples;
   V3 to_light;
-  const V3 point = light_point(light, samples, s, hn::Load(kU, &hits.key[slot]));
+  const V3 point =
+      light_point(light, job.shading->plan->many_light_samples, s, hn::Load(kU, &hits.key[slot]));
   const MF lit = facing(hits, slot, point, to_light);
   if (hn::AllFalse(kF, lit)) return;
   const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-20f));
@@ -189,7 +190,8 @@ HWY_INLINE void queue_shadow_rays(const TileJob& job, const LightRecord& light, 
   const VI lane = hn::Iota(kI, 0);
   for (int slot = 0; slot < count; slot += kLanes) {
     V3 to_light;
-    const V3 point = light_point(light, job.shading->light_samples, s, hn::Load(kU, &hits.key[slot]));
+    const V3 point =
+        light_point(light, job.shading->plan->many_light_samples, s, hn::Load(kU, &hits.key[slot]));
     const MF lit = facing(hits, slot, point, to_light);
     hn::Store(set(1.0f), kF, &scratch.visible[slot]);
     hn::Store(set(1.0f), kF, &scratch.visible_without[slot]);

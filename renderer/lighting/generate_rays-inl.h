@@ -9,8 +9,8 @@
 
 #include <limits>
 
-#include "renderer/lighting/simd_types-inl.h"
 #include "renderer/lighting/tile_job.h"
+#include "renderer/simd_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -42,22 +42,22 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     record.min_distance2 = std::max(half * half, 1e-12f);
     const auto strata = strata_for(light.size, samples);
     std::copy(strata.begin(), strata.end(), record.strata);
+    record.key = static_cast<std::uint32_t>(&light - lights.data())
+                 << 20;  // 3 numbers for each of 4096 samples
     out.push_back(record);
   }
 }
 
-glm::vec3 brightest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes) {
+glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes) {
   glm::vec3 sum{0.0f};
   for (const AreaLight& light : lights) {
-    const glm::dvec3 half = 0.5 * glm::dvec3(light.size);
-    const double floor2 = std::max({half.x, half.y, half.z});
-    double nearest2 = 1e300;
+    double farthest2 = 1e-12;
     for (const Bounds& box : boxes) {
-      const glm::dvec3 gap = glm::max(
-          glm::max(box.lower - (light.centre + half), (light.centre - half) - box.upper), glm::dvec3{0.0});
-      nearest2 = std::min(nearest2, glm::dot(gap, gap));
+      const glm::dvec3 reach =
+          glm::max(glm::abs(box.lower - light.centre), glm::abs(box.upper - light.centre));
+      farthest2 = std::max(farthest2, glm::dot(reach, reach));
     }
-    sum += light.intensity_w_sr / static_cast<float>(std::max({nearest2, floor2 * floor2, 1e-12}));
+    sum += light.intensity_w_sr / static_cast<float>(farthest2);
   }
   return sum;
 }

@@ -19,7 +19,9 @@ std::array<int, 3> strata_for(const glm::vec3& size, int samples);
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples,
                    std::vector<LightRecord>& out);
 
-// An upper bound of the irradiance on any point of `boxes` (world space) from these lights, per channel.
-glm::vec3 brightest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes);
+// Irradiance that these lights would give, unblocked and head on, at the point of `boxes` (world space)
+// farthest from each, per channel: a scale of what catchers receive that no light near one of them can blow
+// up.
+glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes);
 
 }  // namespace herr

@@ -112,9 +112,10 @@ HWY_INLINE void trace_mirror_rays(const TileJob& job) {
 
 // Radiance that hits [slot, slot + kLanes) send back: emission, ambient and direct light; misses:
 // environment.
-HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading) {
+// The mirror ray stands for the mirror's share of the specular ambient light, where one is traced.
+HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced) {
   const VF one = set(1.0f);
-  const VF rough_share = hn::Sub(one, load(&hits.mirror[slot]));  // the mirror ray stands for the rest
+  const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
   const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
                            const Lane<float>& direct, float ambient) HWY_ATTR {
     const VF scattered = hn::MulAdd(load(&f0[slot]), rough_share, load(&diffuse[slot]));
@@ -135,7 +136,7 @@ HWY_INLINE void gather_mirror_light(const TileJob& job, int rays) {
   for (int start = 0; start < rays; start += kLanes) {
     const MF object = hn::RebindMask(
         kF, hn::Eq(hn::Load(kI, &second.kind[start]), hn::Set(kI, static_cast<int>(HitKind::object))));
-    const V3 radiance = select(object, outgoing(second, start, *job.shading), environment);
+    const V3 radiance = select(object, outgoing(second, start, *job.shading, false), environment);
     hn::Store(radiance.x, kF, r);
     hn::Store(radiance.y, kF, g);
     hn::Store(radiance.z, kF, b);

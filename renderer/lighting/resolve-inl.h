@@ -67,7 +67,7 @@ HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
   const VF zero = hn::Zero(kF), one = set(1.0f);
   Texel texel{{zero, zero, zero}, {one, one, one}};
   if (!hn::AllFalse(kF, object)) {
-    texel.light = select(object, outgoing(hits, slot, shading), texel.light);
+    texel.light = select(object, outgoing(hits, slot, shading, shading.plan->mirror_rays), texel.light);
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {

@@ -101,7 +101,12 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   const auto to_world = [&](const V3& n) HWY_ATTR {
     return normalise(V3{dot(set3(m), n), dot(set3(m + 3), n), dot(set3(m + 6), n)});
   };
-  V3 g = to_world(V3{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)});
+  // Embree's normal has the triangle's area for its length: brought near 1 first, or a sliver's would
+  // underflow.
+  const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
+  const VF largest =
+      hn::Max(hn::Max(hn::Abs(area.x), hn::Abs(area.y)), hn::Max(hn::Abs(area.z), set(1e-37f)));
+  V3 g = to_world(scale(area, hn::Div(set(1.0f), largest)));
   V3 n = to_world(mul_add(at.w, n0, mul_add(at.u, n1, scale(n2, at.v))));
   const MF g_behind = hn::Lt(dot(g, viewer), hn::Zero(kF));
   g = select(g_behind, scale(g, set(-1.0f)), g);

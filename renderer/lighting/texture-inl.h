@@ -8,7 +8,7 @@
 #define HERR_TEXTURE_INL
 #endif
 
-#include "renderer/lighting/simd_types-inl.h"
+#include "renderer/simd_types-inl.h"
 #include "scenes/scene.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "renderer/foveation/polar_samples.h"
-#include "renderer/foveation/radiance_buffer.h"
+#include "renderer/foveation/ray_grids.h"
 #include "renderer/frame_plan.h"
 #include "renderer/geometry/embree_api.h"
 #include "renderer/geometry/shading_scene.h"
@@ -71,28 +70,6 @@ struct alignas(64) TileCounters {
   std::int64_t primary_rays = 0, shadow_rays = 0, catcher_shadow_rays = 0, mirror_rays = 0,
                mirror_shadow_rays = 0;
   std::int64_t polar_samples = 0, invalid_rays = 0, nonfinite_values = 0;
-};
-
-inline constexpr int kMaxFrusta = 64;
-
-// The inward normals of a viewport's frustum, in anchor space.
-struct FrustumNormals {
-  float normal[4][3];
-};
-
-// What is the same for all tiles of one eye (or one viewport) in one frame.
-struct RayGrid {
-  bool polar = true;
-  float origin[3];  // eye, metres from the anchor
-  float right[3], up[3],
-      gaze[3];  // anchor space; polar: gaze frame; planar: the viewport's axes (gaze = forward)
-  const PolarSamples* samples = nullptr;
-  std::array<FrustumNormals, kMaxFrusta> frusta;
-  int frustum_count = 0;
-  float tan_left = 0, tan_up = 0, step_x = 0,
-        step_y = 0;  // planar: tangents at the upper left corner, per pixel
-  TexelSink sink;
-  std::uint32_t key = 0;  // frame and eye
 };
 
 // What is the same for all tiles of a frame.

@@ -6,56 +6,22 @@
 
 #include <hwy/highway.h>
 
-#include <cstring>
-
 #include "renderer/simd_dispatch.h"
-#include "renderer/viewports/blend_pixels-inl.h"
-#include "renderer/viewports/polar_coordinates-inl.h"
+#include "renderer/viewports/block_coordinates-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap; the padding holds
-// the rest.
-HWY_INLINE void place_polar(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
-  const VF last = set(static_cast<float>(job.polar_width) - 0.5f),
-           height = set(static_cast<float>(job.polar_height));
-  const VF c = hn::Min(hn::Max(column, set(-0.5f)), last);
-  VF r = hn::IfThenElse(hn::Lt(row, hn::Zero(kF)), hn::Add(row, height), row);
-  r = hn::IfThenElse(hn::Ge(r, height), hn::Sub(r, height), r);
-  const VF c0 = hn::Floor(c), r0 = hn::Min(hn::Floor(r), hn::Sub(height, set(1.0f)));
-  hn::Store(hn::Sub(c, c0), kF, &out.x[lane]);
-  hn::Store(hn::Sub(r, r0), kF, &out.y[lane]);
-  const VI stride = hn::Set(kI, static_cast<std::int32_t>(job.radiance->row_stride()));
-  const VI offset =
-      hn::Add(hn::Mul(hn::ConvertTo(kI, r0), stride), hn::Add(hn::ConvertTo(kI, c0), hn::Set(kI, 1)));
-  hn::Store(hn::BitCast(kU, offset), kU, &out.offset[lane]);
-}
-
-// Camera pixel coordinates -> texel offset and weights, clamped to the image; outside it nothing is seen.
-HWY_INLINE void place_feed(const ViewportJob& job, VF x, VF y, VF valid, int lane, FeedCoordinates& out) {
-  const CameraImage& image = *job.feed.image;
-  const VF zero = hn::Zero(kF), half = set(0.5f), one = set(1.0f);
-  const VF right = set(static_cast<float>(image.width_px - 1)),
-           bottom = set(static_cast<float>(image.height_px - 1));
-  const MF inside = hn::And(hn::And(hn::Ge(x, hn::Neg(half)), hn::Le(x, hn::Add(right, half))),
-                            hn::And(hn::Ge(y, hn::Neg(half)), hn::Le(y, hn::Add(bottom, half))));
-  hn::Store(hn::IfThenElseZero(inside, valid), kF, &out.seen[lane]);
-  const VF cx = hn::Min(hn::Max(x, zero), right), cy = hn::Min(hn::Max(y, zero), bottom);
-  const VF x0 = hn::Min(hn::Floor(cx), hn::Sub(right, one)),
-           y0 = hn::Min(hn::Floor(cy), hn::Sub(bottom, one));
-  hn::Store(hn::Sub(cx, x0), kF, &out.at.x[lane]);
-  hn::Store(hn::Sub(cy, y0), kF, &out.at.y[lane]);
-  const VI offset =
-      hn::Add(hn::Mul(hn::ConvertTo(kI, y0), hn::Set(kI, image.width_px)), hn::ConvertTo(kI, x0));
-  hn::Store(hn::BitCast(kU, offset), kU, &out.at.offset[lane]);
-}
-
-// Per-lane linear pieces of a bilinear cell: value at row t of the cell is at_top + t * per_row.
+// Per-lane pieces of a cell: value at row t of the cell is at_top + t * per_row, plus t (1 - t) * bend where
+// the cell is quadratic.
 struct alignas(64) CellRows {
   float at_top[kBlockColumns], per_row[kBlockColumns];
+  float bend = 0;
   HWY_INLINE VF at(int lane, VF t) const { return hn::MulAdd(t, load(&per_row[lane]), load(&at_top[lane])); }
+  HWY_INLINE VF bent_at(int lane, VF t) const {
+    return hn::MulAdd(hn::Mul(t, hn::Sub(set(1.0f), t)), set(bend), at(lane, t));
+  }
 };
 
 HWY_INLINE void set_cell(CellRows& rows, int first, int columns, float c00, float c10, float c01, float c11) {
@@ -65,10 +31,6 @@ HWY_INLINE void set_cell(CellRows& rows, int first, int columns, float c00, floa
     rows.at_top[first + i] = c00 + t * across;
     rows.per_row[first + i] = down + t * twist;
   }
-}
-
-HWY_INLINE VF lane_x(int x, int lane) {
-  return hn::ConvertTo(kF, hn::Add(hn::Iota(kI, 0), hn::Set(kI, x + lane)));
 }
 
 // Polar coordinates of all cell corners of the strip's three corner rows.
@@ -89,8 +51,8 @@ HWY_INLINE void compute_polar_corners(const ViewportJob& job, int y0, StripScrat
 }
 
 void compute_camera_corners(const ViewportJob& job, int y0, StripScratch& scratch) {
-  const int corners = job.viewport->width_px / kBlockColumns + 2;
-  for (int r = 0; r < 2; ++r) {
+  const int corners = job.viewport->width_px / kBlockColumns + 3;
+  for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < corners; ++c) {
       const std::size_t at =
           static_cast<std::size_t>(r) * scratch.camera_stride + static_cast<std::size_t>(c);
@@ -127,57 +89,32 @@ HWY_INLINE bool set_polar_cells(const ViewportJob& job, const StripScratch& scra
   return true;
 }
 
-HWY_INLINE bool set_camera_cell(const ViewportJob& job, const StripScratch& scratch, int block, CellRows& xs,
-                                CellRows& ys) {
-  const auto a = static_cast<std::size_t>(block), b = a + scratch.camera_stride;
-  const auto& valid = scratch.camera_valid;
-  if (!job.feed.interpolate || !valid[a] || !valid[a + 1] || !valid[b] || !valid[b + 1]) return false;
-  const auto& x = scratch.camera_x;
-  const auto& y = scratch.camera_y;
-  set_cell(xs, 0, kBlockColumns, x[a], x[a + 1], x[b], x[b + 1]);
-  set_cell(ys, 0, kBlockColumns, y[a], y[a + 1], y[b], y[b + 1]);
+// One coordinate of a camera cell from 3x3 corners (stride apart, this cell's four and the next ones):
+// quadratic along each axis. False when its curvature is too great for that.
+HWY_INLINE bool set_quadratic_cell(CellRows& rows, const float* corner, std::size_t stride) {
+  const float* c = corner;
+  const float bend_x = c[0] - 2 * c[1] + c[2], bend_y = c[0] - 2 * c[stride] + c[2 * stride];
+  // A straight cell would be off by an eighth of these, so here by 1/8 pixel at most; the quadratic term
+  // leaves the third difference, some hundredths of that for a lens.
+  constexpr float kLargestBend_px = 1.0f;
+  if (!(std::abs(bend_x) + std::abs(bend_y) <= kLargestBend_px)) return false;
+  set_cell(rows, 0, kBlockColumns, c[0], c[1], c[stride], c[stride + 1]);
+  for (int i = 0; i < kBlockColumns; ++i) {
+    const float t = static_cast<float>(i) / kBlockColumns;
+    rows.at_top[i] -= 0.5f * t * (1 - t) * bend_x;
+  }
+  rows.bend = -0.5f * bend_y;
   return true;
 }
 
-// Feed coordinates of 16 pixels without interpolation.
-void project_feed_exactly(const ViewportJob& job, int x, int y, FeedCoordinates& out) {
-  alignas(64) float cx[kBlockColumns], cy[kBlockColumns], valid[kBlockColumns];
-  for (int i = 0; i < kBlockColumns; ++i) {
-    const auto pixel = camera_pixel(*job.viewport, job.feed, x + i, y);
-    valid[i] = pixel ? 1.0f : 0.0f;
-    cx[i] = pixel ? static_cast<float>(pixel->x) : 0.0f;
-    cy[i] = pixel ? static_cast<float>(pixel->y) : 0.0f;
+HWY_INLINE bool set_camera_cell(const StripScratch& scratch, int block, CellRows& xs, CellRows& ys) {
+  const auto at = static_cast<std::size_t>(block);
+  for (std::size_t r = 0; r < 3; ++r) {
+    const std::uint8_t* valid = &scratch.camera_valid[r * scratch.camera_stride + at];
+    if (!valid[0] || !valid[1] || !valid[2]) return false;
   }
-  for (int lane = 0; lane < kBlockColumns; lane += kLanes) {
-    place_feed(job, load(&cx[lane]), load(&cy[lane]), load(&valid[lane]), lane, out);
-  }
-}
-
-// Without foveation there is one texel per pixel.
-HWY_INLINE void place_planar(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
-  for (int i = 0; i < kBlockColumns; ++i) {
-    const int column = x + i < job.viewport->width_px ? x + i : job.viewport->width_px - 1;
-    out.offset[i] = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * job.radiance->row_stride() +
-                                               static_cast<std::size_t>(column));
-    out.x[i] = out.y[i] = 0.0f;
-  }
-}
-
-HWY_INLINE void place_polar_exactly(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
-  for (int lane = 0; lane < kBlockColumns; lane += kLanes) {
-    const PolarCoordinates p = polar_coordinates(job, lane_x(x, lane), set(static_cast<float>(y)));
-    place_polar(job, p.column, p.row, lane, out);
-  }
-}
-
-HWY_INLINE BlendSources sources_of(const ViewportJob& job) {
-  const bool feed = job.feed.image != nullptr;
-  return {job.radiance->texels(),
-          job.radiance->ratios(),
-          job.radiance->row_stride(),
-          feed ? job.feed.image->rgba_half.data() : nullptr,
-          feed ? static_cast<std::size_t>(job.feed.image->width_px) : 0,
-          job.opaque};
+  return set_quadratic_cell(xs, &scratch.camera_x[at], scratch.camera_stride) &&
+         set_quadratic_cell(ys, &scratch.camera_y[at], scratch.camera_stride);
 }
 
 template <bool kFeed, bool kColoured>
@@ -196,7 +133,7 @@ void composite_strip(const ViewportJob& job, int strip, StripScratch& scratch) {
     for (int block = 0; block < blocks; ++block) {
       const int x = block * kBlockColumns;
       const bool cells = job.polar && set_polar_cells(job, scratch, half_strip, block, columns, rows);
-      const bool camera_cell = kFeed && set_camera_cell(job, scratch, block, camera_x, camera_y);
+      const bool camera_cell = kFeed && set_camera_cell(scratch, block, camera_x, camera_y);
       for (int y = top; y < bottom; ++y) {
         if (cells) {
           const VF t = set(static_cast<float>(y - top) / kCellSide);
@@ -211,7 +148,7 @@ void composite_strip(const ViewportJob& job, int strip, StripScratch& scratch) {
         if (kFeed && camera_cell) {
           const VF t = set(static_cast<float>(y - y0) / kStripRows);
           for (int lane = 0; lane < kBlockColumns; lane += kLanes) {
-            place_feed(job, camera_x.at(lane, t), camera_y.at(lane, t), set(1.0f), lane, camera);
+            place_feed(job, camera_x.bent_at(lane, t), camera_y.bent_at(lane, t), set(1.0f), lane, camera);
           }
         } else if (kFeed) {
           project_feed_exactly(job, x, y, camera);
@@ -231,56 +168,6 @@ void CompositeStripKernel(const ViewportJob& job, int strip, StripScratch& scrat
   composite_strip<false, false>(job, strip, scratch);
 }
 
-void PrecomputePixelsKernel(const ViewportJob& job, int x, int y, PrecomputedPixels& out) {
-  BlockCoordinates polar;
-  FeedCoordinates camera;
-  if (job.polar) {
-    place_polar_exactly(job, x, y, polar);
-  } else {
-    place_planar(job, x, y, polar);
-  }
-  if (job.feed.image) project_feed_exactly(job, x, y, camera);
-  for (int i = 0; i < kBlockColumns; ++i) {
-    out.polar_offset.push_back(polar.offset[i]);
-    out.polar_x.push_back(polar.x[i]);
-    out.polar_y.push_back(polar.y[i]);
-    if (!job.feed.image) continue;
-    out.camera_offset.push_back(camera.at.offset[i]);
-    out.camera_x.push_back(camera.at.x[i]);
-    out.camera_y.push_back(camera.at.y[i]);
-  }
-}
-
-template <bool kFeed, bool kColoured>
-void composite_precomputed(const ViewportJob& job, PrecomputedPixels& pixels, std::size_t first,
-                           std::size_t count) {
-  const BlendSources sources = sources_of(job);
-  BlockCoordinates polar;
-  FeedCoordinates camera;
-  for (float& seen : camera.seen) seen = 1.0f;
-  for (std::size_t block = first; block + kBlockColumns <= first + count; block += kBlockColumns) {
-    std::memcpy(polar.offset, &pixels.polar_offset[block], sizeof(polar.offset));
-    std::memcpy(polar.x, &pixels.polar_x[block], sizeof(polar.x));
-    std::memcpy(polar.y, &pixels.polar_y[block], sizeof(polar.y));
-    if constexpr (kFeed) {
-      std::memcpy(camera.at.offset, &pixels.camera_offset[block], sizeof(camera.at.offset));
-      std::memcpy(camera.at.x, &pixels.camera_x[block], sizeof(camera.at.x));
-      std::memcpy(camera.at.y, &pixels.camera_y[block], sizeof(camera.at.y));
-    }
-    blend_block<kFeed, kColoured>(sources, polar, camera, &pixels.out[4 * block]);
-  }
-}
-
-void CompositePrecomputedKernel(const ViewportJob& job, PrecomputedPixels& pixels, std::size_t first,
-                                std::size_t count) {
-  const bool coloured = job.radiance->ratios() != nullptr;
-  if (job.feed.image) {
-    return coloured ? composite_precomputed<true, true>(job, pixels, first, count)
-                    : composite_precomputed<true, false>(job, pixels, first, count);
-  }
-  composite_precomputed<false, false>(job, pixels, first, count);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
@@ -289,17 +176,9 @@ HWY_AFTER_NAMESPACE();
 namespace herr {
 
 HWY_EXPORT(CompositeStripKernel);
-HWY_EXPORT(PrecomputePixelsKernel);
-HWY_EXPORT(CompositePrecomputedKernel);
 
 CompositeStrip composite_strip_for(Isa isa) {
   return kernel_for(isa, [] { return &HWY_DYNAMIC_DISPATCH(CompositeStripKernel); });
-}
-PrecomputePixels precompute_pixels_for(Isa isa) {
-  return kernel_for(isa, [] { return &HWY_DYNAMIC_DISPATCH(PrecomputePixelsKernel); });
-}
-CompositePrecomputed composite_precomputed_for(Isa isa) {
-  return kernel_for(isa, [] { return &HWY_DYNAMIC_DISPATCH(CompositePrecomputedKernel); });
 }
 
 }  // namespace herr

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/foveation/gaze_frame.h"
+#include "renderer/foveation/polar_map.h"
 
 namespace herr {
 namespace {
@@ -19,7 +20,7 @@ void draw_gaze_marker(const Viewport& v, const glm::dvec3& gaze, ViewportImage& 
                step_y = (v.tan_up - v.tan_down) / v.height_px;
   const double tx = gaze.x / -gaze.z, ty = gaze.y / -gaze.z;
   // The ring's reach on the plane grows with 1 / cos^2 off the axis.
-  const double reach = std::tan(kReach * kRadius_deg / 57.3) * (1 + tx * tx + ty * ty) * 1.5;
+  const double reach = std::tan(kReach * kRadius_deg / kDegreesPerRadian) * (1 + tx * tx + ty * ty) * 1.5;
   const auto clamp_px = [](double x, int limit) {
     return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(limit)));
   };
@@ -27,7 +28,7 @@ void draw_gaze_marker(const Viewport& v, const glm::dvec3& gaze, ViewportImage& 
   const int x1 = clamp_px((tx + reach - v.tan_left) / step_x + 1, v.width_px);
   const int y0 = clamp_px((v.tan_up - ty - reach) / step_y, v.height_px);
   const int y1 = clamp_px((v.tan_up - ty + reach) / step_y + 1, v.height_px);
-  const double pixel_deg = step_x * 57.3;
+  const double pixel_deg = step_x * kDegreesPerRadian;
   const double half_width = std::max(kHalfWidth_deg, 0.75 * pixel_deg);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {

@@ -58,42 +58,15 @@ std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView&
   return feed.model->project(feed.camera_from_eye(point));
 }
 
-bool camera_cells_suffice(const Viewport& viewport, const FeedView& feed) {
-  constexpr double kTolerance_px = 1.0 / 32.0;
-  constexpr std::array<std::array<double, 2>, 5> kProbes{
-      {{0.5, 0.5}, {0.5, 0}, {0, 0.5}, {1, 0.5}, {0.5, 1}}};
-  for (int y = 0; y < viewport.height_px; y += kStripRows) {
-    for (int x = 0; x < viewport.width_px; x += kBlockColumns) {
-      std::array<glm::dvec2, 4> corner{};
-      bool meets_image = false, valid = true;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const auto pixel = camera_pixel(viewport, feed, x + kBlockColumns * static_cast<double>(i % 2),
-                                        y + kStripRows * static_cast<double>(i / 2));
-        if (!pixel) valid = false;
-        if (pixel) corner[i] = *pixel, meets_image |= feed.model->contains(*pixel);
-      }
-      if (!meets_image || !valid)
-        continue;  // cells with an invalid corner are projected pixel by pixel anyway
-      for (const auto& [tx, ty] : kProbes) {
-        const auto exact = camera_pixel(viewport, feed, x + kBlockColumns * tx, y + kStripRows * ty);
-        const glm::dvec2 top = corner[0] + tx * (corner[1] - corner[0]);
-        const glm::dvec2 bottom = corner[2] + tx * (corner[3] - corner[2]);
-        if (!exact || glm::distance(*exact, top + ty * (bottom - top)) > kTolerance_px) return false;
-      }
-    }
-  }
-  return true;
-}
-
 StripScratch::StripScratch(int widest_px)
     : corner_stride(static_cast<std::size_t>(widest_px / kCellSide + 40) / 16 * 16),
-      camera_stride(static_cast<std::size_t>(widest_px / kBlockColumns + 3)) {
+      camera_stride(static_cast<std::size_t>(widest_px / kBlockColumns + 4)) {
   u.resize(3 * corner_stride);
   v.resize(3 * corner_stride);
   theta.resize(3 * corner_stride);
-  camera_x.resize(2 * camera_stride);
-  camera_y.resize(2 * camera_stride);
-  camera_valid.resize(2 * camera_stride);
+  camera_x.resize(3 * camera_stride);
+  camera_y.resize(3 * camera_stride);
+  camera_valid.resize(3 * camera_stride);
 }
 
 }  // namespace herr

@@ -30,7 +30,6 @@ struct FeedView {
   const CameraModel* model = nullptr;
   Pose camera_from_eye;     // at the frame's exposure against the eye now
   double distance_m = 2.0;  // the feed is taken to lie on a sphere of this radius about the eye
-  bool interpolate = true;  // false: 16-pixel cells are too coarse for this model, project every pixel
 };
 
 // A direction of pixel (x, y) in the gaze frame is base + x * per_x + y * per_y, not normalised.
@@ -59,10 +58,6 @@ struct ViewportJob {
 // pixel^2 at s radians per pixel.
 float exact_below_deg(const Viewport& viewport, const PolarMap& map, int width, int height);
 
-// Whether camera coordinates interpolated in 16-pixel cells stay within 1/32 pixel of the exact projection,
-// measured at the centres and edge midpoints of every cell that meets the image.
-bool camera_cells_suffice(const Viewport& viewport, const FeedView& feed);
-
 // Exact camera pixel of viewport pixel (x, y), or none when the model does not see that direction.
 std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView& feed, double x, double y);
 
@@ -70,7 +65,7 @@ std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView&
 struct StripScratch {
   explicit StripScratch(int widest_px);
   std::vector<float> u, v, theta;         // 3 rows of polar cell corners
-  std::vector<float> camera_x, camera_y;  // 2 rows of camera cell corners
+  std::vector<float> camera_x, camera_y;  // 3 rows of camera cell corners
   std::vector<std::uint8_t> camera_valid;
   std::size_t corner_stride, camera_stride;
 };
@@ -78,19 +73,5 @@ struct StripScratch {
 // Composites rows [kStripRows * strip, ...) of a viewport.
 using CompositeStrip = void (*)(const ViewportJob&, int strip, StripScratch&);
 CompositeStrip composite_strip_for(Isa isa);
-
-// For benchmarks: the same fetches, blends and stores with coordinates that were computed beforehand.
-struct PrecomputedPixels {
-  std::vector<std::uint32_t> polar_offset, camera_offset;   // texels
-  std::vector<float> polar_x, polar_y, camera_x, camera_y;  // weights
-  std::vector<std::uint16_t> out;                           // 4 per pixel
-  std::size_t count() const { return polar_offset.size(); }
-};
-// Appends the coordinates of one block row of kBlockColumns pixels starting at (x, y).
-using PrecomputePixels = void (*)(const ViewportJob&, int x, int y, PrecomputedPixels&);
-PrecomputePixels precompute_pixels_for(Isa isa);
-using CompositePrecomputed = void (*)(const ViewportJob&, PrecomputedPixels&, std::size_t first,
-                                      std::size_t count);
-CompositePrecomputed composite_precomputed_for(Isa isa);
 
 }  // namespace herr

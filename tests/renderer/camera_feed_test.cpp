@@ -56,7 +56,7 @@ Shown show(const test::TestCamera& camera, const DisplayProfile& profile, Isa is
   settings.feed_distance_m = 1.5;
   settings.isa = isa;
   shown.frame = test::render(Scene{}, profile, settings, sample);
-  shown.feed = {camera.image.get(), &camera.model, inverse(camera_pose()), 1.5, true};
+  shown.feed = {camera.image.get(), &camera.model, inverse(camera_pose()), 1.5};
   return shown;
 }
 
@@ -114,10 +114,8 @@ TEST(CameraFeedTest, Kb4IsProjectedExactly) {
 
 TEST(CameraFeedTest, FineViewportsWhoseCellsAreInterpolatedAreExactToo) {
   // 16 pixels of this viewport are 5 of the camera's.
-  const test::TestCamera camera = brown_conrady();
-  const FeedView feed{camera.image.get(), &camera.model, inverse(camera_pose()), 1.5, true};
-  ASSERT_TRUE(camera_cells_suffice(test::viewport_deg(Eye::left, 990, 990, -45, 45, -45, 45), feed));
   expect_exact_projection(brown_conrady(), test::single_view(990, 990, 45, 45));
+  expect_exact_projection(kb4(), test::single_view(990, 990, 82, 82));
 }
 
 TEST(CameraFeedTest, EveryInstructionSetProjectsAlike) {
@@ -125,12 +123,11 @@ TEST(CameraFeedTest, EveryInstructionSetProjectsAlike) {
     expect_exact_projection(brown_conrady(), test::single_view(250, 246, 60, 60), isa);
 }
 
-TEST(CameraFeedTest, CellsAreUsedOnlyWhereTheySuffice) {
-  const test::TestCamera camera = brown_conrady();
-  const FeedView feed{camera.image.get(), &camera.model, inverse(camera_pose()), 1.5, true};
-  // 16 pixels of a fine viewport are a few camera pixels; of a coarse one of 60 degrees, much of the image.
-  EXPECT_TRUE(camera_cells_suffice(test::viewport_deg(Eye::left, 1980, 1980, -45, 45, -45, 45), feed));
-  EXPECT_FALSE(camera_cells_suffice(test::viewport_deg(Eye::left, 64, 64, -60, 60, -60, 60), feed));
+// Cells of a coarse viewport span much of the image: those whose curvature is too great are projected pixel
+// by pixel.
+TEST(CameraFeedTest, CoarseViewportsAreExactToo) {
+  expect_exact_projection(brown_conrady(), test::single_view(128, 128, 60, 60));
+  expect_exact_projection(kb4(), test::single_view(128, 128, 80, 80));
 }
 
 TEST(CameraFeedTest, AViewAwayFromTheCameraIsBlack) {

@@ -113,6 +113,21 @@ TEST(CatcherTest, InHardShadowTheFeedKeepsTheShareOfAmbientLight) {
   EXPECT_GT(lit, 5000);
 }
 
+// A bulb that touches a ceiling lights that point without bound; the shadows on the floor must stay.
+TEST(CatcherTest, ALightThatTouchesACatcherLeavesTheOtherShadowsAlone) {
+  const AreaLight light = test::light_at({2, 2, 0}, glm::vec3{4.0f});
+  const Scene open = shadowed_floor({light});
+  Scene roofed = open;
+  // Behind the eye and above the light: it blocks no light and is not in view.
+  test::add(roofed, test::box({-9, 2, -9}, {9, 2.5f, 9}), kReal, true);
+  const test::TestCamera camera = even_feed(0.75, 0.5, 0.25);
+  FrameSample sample = test::looking_down({0, 1.99, 0});
+  camera.attach_to(sample);
+  const DisplayProfile profile = test::single_view(64, 64, 60, 60);
+  test::expect_same_bits(test::render(open, profile, test::planar_settings(), sample),
+                         test::render(roofed, profile, test::planar_settings(), sample));
+}
+
 TEST(CatcherTest, ColouredLightsLeaveColouredShadows) {
   // Red and blue lights of equal strength from both sides, ambient grey. In the red light's shadow only red
   // is missing: the feed keeps its blue bit for bit, and its green, which neither light has.

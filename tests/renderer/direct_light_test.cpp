@@ -267,16 +267,15 @@ TEST(LightRecordsTest, LightsThatDoNotShineAreLeftOut) {
   EXPECT_EQ(records[0].min_distance2, 4.0f);
 }
 
-TEST(LightRecordsTest, TheBrightestIrradianceBoundsEveryPointOfTheBoxes) {
+TEST(LightRecordsTest, TheFarthestIrradianceIsThatOfTheBoxesFarthestPoint) {
   const std::vector<AreaLight> lights{test::light_at({0, 3, 0}, {9, 18, 0}),
                                       test::light_at({5, 0, 0}, {4, 0, 8}, {2, 2, 2})};
   const std::vector<Bounds> boxes{{{-1, 0, -1}, {1, 0, 1}}, {{-9, -9, -9}, {-8, -8, -8}}};
-  // First light: nearest point 3 m below, 9 / 9 = 1 and 18 / 9 = 2. Second: its box ends at x = 4, 3 m away,
-  // floor 1 m.
-  const glm::vec3 bound = brightest_irradiance(lights, boxes);
-  EXPECT_FLOAT_EQ(bound.x, 1.0f + 4.0f / 9);
-  EXPECT_FLOAT_EQ(bound.y, 2.0f);
-  EXPECT_FLOAT_EQ(bound.z, 8.0f / 9);
+  // Both lights are farthest from the corner (-9, -9, -9): 81 + 144 + 81 = 306 and 196 + 81 + 81 = 358.
+  const glm::vec3 scale = farthest_irradiance(lights, boxes);
+  EXPECT_FLOAT_EQ(scale.x, 9.0f / 306 + 4.0f / 358);
+  EXPECT_FLOAT_EQ(scale.y, 18.0f / 306);
+  EXPECT_FLOAT_EQ(scale.z, 8.0f / 358);
 }
 
 }  // namespace

@@ -137,7 +137,6 @@ TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
   EXPECT_FALSE(plain.catchers);
   EXPECT_FALSE(plain.camera);
   EXPECT_FALSE(plain.many_light_samples);
-  EXPECT_TRUE(plain.static_lights);
 
   Scene scene = plain_scene();
   scene.materials[1].mirror = 0.5f;
@@ -152,8 +151,6 @@ TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
   EXPECT_TRUE(rich.many_light_samples);
   EXPECT_TRUE(rich.camera);
   EXPECT_TRUE(rich.gaze_marker);
-  EXPECT_FALSE(rich.static_lights);
-  EXPECT_TRUE(runs(rich, "light paths"));
   EXPECT_TRUE(runs(rich, "mirror rays"));
   EXPECT_FALSE(runs(rich, "log-polar rays"));
 

@@ -80,6 +80,21 @@ TEST(MirrorTest, ReflectionsCanBeSwitchedOff) {
       0);
 }
 
+// Without its ray a mirror scatters ambient light like the same metal without a mirror's share.
+TEST(MirrorTest, WithoutReflectionsAMirrorKeepsItsAmbientLight) {
+  const auto wall = [](float mirror) {
+    Scene scene;
+    Material metal = perfect_mirror();
+    metal.mirror = mirror;
+    test::add(scene, test::quad({-4, -4, -2}, {8, 0, 0}, {0, 8, 0}), metal);
+    scene.ambient = glm::vec3{0.5f};
+    RenderSettings settings = test::small_settings();
+    settings.reflections = false;
+    return test::render(scene, test::small_profile(), settings, test::sample_from({0, 0, 0}));
+  };
+  test::expect_same_bits(wall(0.9f), wall(0.0f));
+}
+
 TEST(MirrorTest, AMirrorRayThatLeavesShowsTheEnvironment) {
   Scene scene;
   test::add(scene, test::quad({-4, -4, -2}, {8, 0, 0}, {0, 8, 0}), perfect_mirror());

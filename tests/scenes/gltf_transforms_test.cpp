@@ -111,6 +111,16 @@ TEST(GltfTransforms, AScaleOfExactly1em4PassesAtAnyRotation) {
   }
 }
 
+// The scale of a parent squeezes a child that is turned by 45 degrees: its x and y axes come to lie within
+// 2 * 0.0005 / 2000 of each other, a share of 5e-7 of their box.
+TEST(GltfTransforms, AShearIntoAPlaneIsRefusedByName) {
+  const double c = std::sqrt(0.5);
+  const glm::dmat4x3 sheared(glm::dvec3(2000 * c, 0.0005 * c, 0), glm::dvec3(-2000 * c, 0.0005 * c, 0),
+                             glm::dvec3(0, 0, 1), glm::dvec3(0));
+  ASSERT_TRUE(transform_problem(sheared));
+  EXPECT_NE(transform_problem(sheared)->find("plane"), std::string::npos);
+}
+
 TEST(GltfTransforms, ARotationThatIsNotUnitIsNormalisedWithAWarning) {
   json document = triangle_document();
   document["nodes"][0]["rotation"] = {0, 0, 0, 0.9};

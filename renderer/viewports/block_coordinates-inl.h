@@ -1,0 +1,102 @@
+// Where the 16 pixels of a block row fetch from: coordinates -> texel offsets and weights, and the exact
+// coordinates of pixels that no cell can interpolate.
+#if defined(HERR_BLOCK_COORDINATES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_BLOCK_COORDINATES_INL
+#undef HERR_BLOCK_COORDINATES_INL
+#else
+#define HERR_BLOCK_COORDINATES_INL
+#endif
+
+#include "renderer/viewports/blend_pixels-inl.h"
+#include "renderer/viewports/polar_coordinates-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE VF lane_x(int x, int lane) {
+  return hn::ConvertTo(kF, hn::Add(hn::Iota(kI, 0), hn::Set(kI, x + lane)));
+}
+
+// Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap; the padding holds
+// the rest.
+HWY_INLINE void place_polar(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
+  const VF last = set(static_cast<float>(job.polar_width) - 0.5f),
+           height = set(static_cast<float>(job.polar_height));
+  const VF c = hn::Min(hn::Max(column, set(-0.5f)), last);
+  VF r = hn::IfThenElse(hn::Lt(row, hn::Zero(kF)), hn::Add(row, height), row);
+  r = hn::IfThenElse(hn::Ge(r, height), hn::Sub(r, height), r);
+  const VF c0 = hn::Floor(c), r0 = hn::Min(hn::Floor(r), hn::Sub(height, set(1.0f)));
+  hn::Store(hn::Sub(c, c0), kF, &out.x[lane]);
+  hn::Store(hn::Sub(r, r0), kF, &out.y[lane]);
+  const VI stride = hn::Set(kI, static_cast<std::int32_t>(job.radiance->row_stride()));
+  const VI offset =
+      hn::Add(hn::Mul(hn::ConvertTo(kI, r0), stride), hn::Add(hn::ConvertTo(kI, c0), hn::Set(kI, 1)));
+  hn::Store(hn::BitCast(kU, offset), kU, &out.offset[lane]);
+}
+
+// Camera pixel coordinates -> texel offset and weights, clamped to the image; outside it nothing is seen.
+HWY_INLINE void place_feed(const ViewportJob& job, VF x, VF y, VF valid, int lane, FeedCoordinates& out) {
+  const CameraImage& image = *job.feed.image;
+  const VF zero = hn::Zero(kF), half = set(0.5f), one = set(1.0f);
+  const VF right = set(static_cast<float>(image.width_px - 1)),
+           bottom = set(static_cast<float>(image.height_px - 1));
+  const MF inside = hn::And(hn::And(hn::Ge(x, hn::Neg(half)), hn::Le(x, hn::Add(right, half))),
+                            hn::And(hn::Ge(y, hn::Neg(half)), hn::Le(y, hn::Add(bottom, half))));
+  hn::Store(hn::IfThenElseZero(inside, valid), kF, &out.seen[lane]);
+  const VF cx = hn::Min(hn::Max(x, zero), right), cy = hn::Min(hn::Max(y, zero), bottom);
+  const VF x0 = hn::Min(hn::Floor(cx), hn::Sub(right, one)),
+           y0 = hn::Min(hn::Floor(cy), hn::Sub(bottom, one));
+  hn::Store(hn::Sub(cx, x0), kF, &out.at.x[lane]);
+  hn::Store(hn::Sub(cy, y0), kF, &out.at.y[lane]);
+  const VI offset =
+      hn::Add(hn::Mul(hn::ConvertTo(kI, y0), hn::Set(kI, image.width_px)), hn::ConvertTo(kI, x0));
+  hn::Store(hn::BitCast(kU, offset), kU, &out.at.offset[lane]);
+}
+
+// Feed coordinates of 16 pixels without interpolation.
+void project_feed_exactly(const ViewportJob& job, int x, int y, FeedCoordinates& out) {
+  alignas(64) float cx[kBlockColumns], cy[kBlockColumns], valid[kBlockColumns];
+  for (int i = 0; i < kBlockColumns; ++i) {
+    const auto pixel = camera_pixel(*job.viewport, job.feed, x + i, y);
+    valid[i] = pixel ? 1.0f : 0.0f;
+    cx[i] = pixel ? static_cast<float>(pixel->x) : 0.0f;
+    cy[i] = pixel ? static_cast<float>(pixel->y) : 0.0f;
+  }
+  for (int lane = 0; lane < kBlockColumns; lane += kLanes) {
+    place_feed(job, load(&cx[lane]), load(&cy[lane]), load(&valid[lane]), lane, out);
+  }
+}
+
+// Without foveation there is one texel per pixel.
+HWY_INLINE void place_planar(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
+  for (int i = 0; i < kBlockColumns; ++i) {
+    const int column = x + i < job.viewport->width_px ? x + i : job.viewport->width_px - 1;
+    out.offset[i] = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * job.radiance->row_stride() +
+                                               static_cast<std::size_t>(column));
+    out.x[i] = out.y[i] = 0.0f;
+  }
+}
+
+HWY_INLINE void place_polar_exactly(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
+  for (int lane = 0; lane < kBlockColumns; lane += kLanes) {
+    const PolarCoordinates p = polar_coordinates(job, lane_x(x, lane), set(static_cast<float>(y)));
+    place_polar(job, p.column, p.row, lane, out);
+  }
+}
+
+HWY_INLINE BlendSources sources_of(const ViewportJob& job) {
+  const bool feed = job.feed.image != nullptr;
+  return {job.radiance->texels(),
+          job.radiance->ratios(),
+          job.radiance->row_stride(),
+          feed ? job.feed.image->rgba_half.data() : nullptr,
+          feed ? static_cast<std::size_t>(job.feed.image->width_px) : 0,
+          job.opaque};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif
