@@ -94,9 +94,9 @@ HWY_INLINE bool set_polar_cells(const ViewportJob& job, const StripScratch& scra
 HWY_INLINE bool set_quadratic_cell(CellRows& rows, const float* corner, std::size_t stride) {
   const float* c = corner;
   const float bend_x = c[0] - 2 * c[1] + c[2], bend_y = c[0] - 2 * c[stride] + c[2 * stride];
-  // A straight cell would be off by an eighth of these, so here by 1/8 pixel at most; the quadratic term
-  // leaves the third difference, some hundredths of that for a lens.
-  constexpr float kLargestBend_px = 1.0f;
+  // A straight cell would be off by an eighth of these: 1/32 pixel at most. The quadratic term leaves the
+  // third difference, a small part of that for a lens.
+  constexpr float kLargestBend_px = 0.25f;
   if (!(std::abs(bend_x) + std::abs(bend_y) <= kLargestBend_px)) return false;
   set_cell(rows, 0, kBlockColumns, c[0], c[1], c[stride], c[stride + 1]);
   for (int i = 0; i < kBlockColumns; ++i) {
