@@ -10,6 +10,8 @@ namespace herr {
 namespace {
 
 constexpr std::size_t kMaxCalibrationBytes = 1 << 20;
+// Sizes that the calibrations of Gen 1 are for: the colour camera's, and that of all others.
+constexpr int kColourPx = 2880, kGreyWidthPx = 640, kGreyHeightPx = 480;
 // The colour sensor has 2880 x 2880 pixels; smaller pictures are its middle 2816, two by two pixels added.
 constexpr int kHalfSizePx = 1408;
 constexpr double kHalfSizeMarginPx = 32;
@@ -72,8 +74,12 @@ void scale_to_half_size(CameraModel& model) {
   model.cy = (model.cy - kHalfSizeMarginPx + 0.5) / 2 - 0.5;
 }
 
-bool is_near_middle(double centre_px, int size_px) {
-  return centre_px > 0.25 * size_px && centre_px < 0.75 * size_px;
+// Brings the model to pictures of its size; false when it was not made for them.
+bool fit_to_pictures(CameraModel& model, const std::string& label) {
+  if (label != "camera-rgb") return model.width_px == kGreyWidthPx && model.height_px == kGreyHeightPx;
+  if (model.width_px != model.height_px) return false;
+  if (model.width_px == kHalfSizePx) scale_to_half_size(model);
+  return model.width_px == kHalfSizePx || model.width_px == kColourPx;
 }
 
 }  // namespace
@@ -88,9 +94,7 @@ SessionHeader::Camera read_aria_camera(const std::filesystem::path& file, const 
     if (entry.text("Label") != label) continue;
     SessionHeader::Camera camera;
     camera.model = parse_model(entry.object("Projection"), size);
-    if (label == "camera-rgb" && size.width_px == kHalfSizePx && size.height_px == kHalfSizePx)
-      scale_to_half_size(camera.model);
-    if (!is_near_middle(camera.model.cx, size.width_px) || !is_near_middle(camera.model.cy, size.height_px))
+    if (!fit_to_pictures(camera.model, label))
       throw InputError(file, 0,
                        "calibrates " + label + " for pictures of another size than " +
                            std::to_string(size.width_px) + "x" + std::to_string(size.height_px),

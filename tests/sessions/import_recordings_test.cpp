@@ -227,6 +227,8 @@ TEST_F(ImportedRecordings, OfAriaHaveTheirCameraWhereTheGlassesDo) {
   EXPECT_LT(glm::distance(rgb.head_from_camera.position, glm::dvec3(-0.056, 0.007, -0.013)), 0.006);
   EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-rgb", {640, 480}, map.head.front()),
                      "for pictures of another size");
+  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-slam-left", {512, 384}, map.head.front()),
+                     "for pictures of another size");
   EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-red", {640, 480}, map.head.front()),
                      "its cameras are: camera-slam-left");
   const fs::path online = sessions() / "aria_mps_gen1" / "trajectory" / "online_calibration.jsonl";
