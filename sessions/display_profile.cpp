@@ -16,6 +16,7 @@ constexpr double kNarrowestDeg = 0.01;  // 36 arc seconds: below it borders lose
 constexpr double kEdgeBlendDeg =
     1.0;  // the paper names no width; one degree is the focus display's outer 5 %
 constexpr std::size_t kMaxViewports = 64;
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;  // 8 bytes each
 
 Viewport symmetric(const std::string& name, Eye eye, bool focus, int width_px, int height_px,
                    double half_width_deg, double half_height_deg) {
@@ -118,11 +119,17 @@ DisplayProfile parse_display_profile(const nlohmann::json& document, const std::
   if (entries.empty() || entries.size() > kMaxViewports)
     root.fail("viewports", "has " + std::to_string(entries.size()) + " elements", "list 1 to 64 viewports");
   std::set<std::string> names;
+  std::int64_t pixels = 0;
   for (const JsonObject& entry : entries) {
     profile.viewports.push_back(parse_viewport(entry));
     const std::string& name = profile.viewports.back().name;
     if (!names.insert(name).second)
       entry.fail("name", "'" + name + "' is used twice", "give each viewport a name of its own");
+    pixels += std::int64_t{profile.viewports.back().width_px} * profile.viewports.back().height_px;
+  }
+  if (pixels > kMaxPixels) {
+    root.fail("viewports", "hold " + std::to_string(pixels) + " pixels together",
+              "keep them to " + std::to_string(kMaxPixels) + " (2 GiB of picture)");
   }
   return profile;
 }

@@ -15,6 +15,9 @@ namespace herr {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, int error) {
+  // What the machine lacks for the moment is no fault of the file.
+  if (error == EMFILE || error == ENFILE || error == ENOMEM)
+    throw std::system_error(error, std::generic_category(), printable(path.string()) + ": " + what);
   const std::string reason = std::generic_category().message(error);
   throw InputError(path, 0, what + ": " + reason,
                    error == ENOENT ? "check the path" : "check the file and its permissions");

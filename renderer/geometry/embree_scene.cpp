@@ -58,7 +58,10 @@ EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads) : scene_(scen
     check_transform(instance.world_from_object, instance.name);
   const std::string config = "threads=" + std::to_string(threads) + ",isa=" + embree_isa(isa);
   device_ = rtcNewDevice(config.c_str());
-  if (!device_) throw std::runtime_error("Embree cannot start with '" + config + "'");
+  if (!device_) {
+    check(nullptr);
+    throw std::runtime_error("Embree cannot start with '" + config + "'");
+  }
   build_meshes();
   build_instances();
 }

@@ -24,7 +24,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
             [&](const std::string& text) { options.scene = text; });
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
-             [&](const std::string& text) { options.profile = text; });
+             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
   add_render_flags(app, options.render);
   value_flag(app, "--frames", "N", "instants of the session to measure (default 8)",
              [&](const std::string& text) {
@@ -199,6 +199,10 @@ std::string help_text(const Parser& parser, const std::vector<std::string>& argu
   return parser.app.help();
 }
 
+void check_required(const ReplayOptions& options) {
+  for (const std::filesystem::path& session : options.sessions) non_empty("SESSION", session.native());
+}
+
 void check_required(const SynthOptions& options) {
   if (options.out.empty()) throw UsageError("OUT: the path is empty; give a folder");
   if (options.room.empty()) throw UsageError("--scene: missing; give the scene file of the room");
@@ -231,10 +235,12 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   }
   if (parser->replay_command->parsed()) {
     check_replay_options(parser->replay);
+    check_required(parser->replay);
     return parser->replay;
   }
   if (parser->serve_command->parsed()) {
     check_replay_options(parser->serve.replay);
+    check_required(parser->serve.replay);
     return parser->serve;
   }
   if (parser->bench_command->parsed()) return parser->bench;

@@ -19,7 +19,8 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, SynthOptions, ConvertOptions>;
+using Command =
+    std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, SynthOptions, ConvertOptions>;
 
 // Arguments without the program's name. --help and --version win over every mistake in the rest.
 Command parse_command_line(const std::vector<std::string>& arguments);

@@ -125,7 +125,7 @@ void add_session_flags(CLI::App& app, ReplayOptions& options) {
             [&](const std::string& text) { options.scene = text; });
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
-             [&](const std::string& text) { options.profile = text; });
+             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
   app.add_flag_callback(
       "--strict", [&] { options.session.strict = true; }, "a stream that was cut off is an error");
 }
@@ -137,11 +137,13 @@ void value_flag(CLI::App& app, const std::string& flag, const std::string& value
   app.add_option_function<std::string>(flag, read, help)->type_name(value_name)->take_last()->expected(1);
 }
 
+const std::string& non_empty(const std::string& what, const std::string& text) {
+  if (text.empty()) throw UsageError(what + ": the path is empty; give a file or folder");
+  return text;
+}
+
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read) {
-  value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) {
-    if (text.empty()) throw UsageError(flag + ": the path is empty; give a file or folder");
-    read(text);
-  });
+  value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) { read(non_empty(flag, text)); });
 }
 
 void add_render_flags(CLI::App& app, RenderSettings& render) {

@@ -24,6 +24,9 @@ using FlagReader = std::function<void(const std::string& text)>;
 void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
                 const std::string& help, const FlagReader& read);
 // The same for a path that must not be empty.
+// `text` itself; throws UsageError that names `what` when it is empty (a script's variable that was not set).
+const std::string& non_empty(const std::string& what, const std::string& text);
+
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read);
 
 // Settings that every rendering command shares.

@@ -31,6 +31,14 @@ ReplayOptions replay(Arguments arguments) {
   return std::get<ReplayOptions>(parse_command_line(arguments));
 }
 
+TEST(CommandLine, APathFromAVariableThatWasNotSetIsNamed) {
+  EXPECT_NE(complaint({"replay", ""}).find("SESSION: the path is empty"), std::string::npos);
+  EXPECT_NE(complaint({"serve", ""}).find("SESSION: the path is empty"), std::string::npos);
+  EXPECT_NE(complaint({"replay", "walk", "--profile", ""}).find("--profile: the path is empty"),
+            std::string::npos);
+  EXPECT_NE(complaint({"bench", "--profile", ""}).find("--profile: the path is empty"), std::string::npos);
+}
+
 TEST(CommandLine, ReplayHasTheDefaultsOfThePaper) {
   const ReplayOptions options = replay({});
   EXPECT_EQ(options.sessions, std::vector<std::filesystem::path>{"walk"});

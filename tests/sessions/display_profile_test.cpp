@@ -109,6 +109,16 @@ TEST(DisplayProfileFile, IsRefusedFieldByField) {
   EXPECT_INPUT_ERROR(parse(twice), "'all' is used twice");
 }
 
+// 2 * 16384 * 16384 pixels are 2^29; the limit is 2^28.
+TEST(DisplayProfileDocument, MorePixelsThanMemoryIsRefusedBeforeAnyIsAllocated) {
+  nlohmann::json document = one_viewport();
+  document["viewports"][0]["width_px"] = document["viewports"][0]["height_px"] = 16384;
+  EXPECT_EQ(parse(document).viewports[0].width_px, 16384);
+  document["viewports"].push_back(document["viewports"][0]);
+  document["viewports"][1]["name"] = "other";
+  EXPECT_INPUT_ERROR(parse(document), "536870912 pixels together");
+}
+
 TEST(DisplayProfileName, IsBuiltInOrAFile) {
   EXPECT_EQ(load_display_profile("xr1-half").viewports[0].width_px, 990);
   EXPECT_INPUT_ERROR(load_display_profile("xr2"), "use xr1, xr1-half");
