@@ -55,7 +55,7 @@ HWY_INLINE void place_feed(const ViewportJob& job, VF x, VF y, VF valid, int lan
 }
 
 // Feed coordinates of 16 pixels without interpolation.
-void project_feed_exactly(const ViewportJob& job, int x, int y, FeedCoordinates& out) {
+inline void project_feed_exactly(const ViewportJob& job, int x, int y, FeedCoordinates& out) {
   alignas(64) float cx[kBlockColumns], cy[kBlockColumns], valid[kBlockColumns];
   for (int i = 0; i < kBlockColumns; ++i) {
     const auto pixel = camera_pixel(*job.viewport, job.feed, x + i, y);
