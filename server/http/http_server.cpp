@@ -241,7 +241,7 @@ void HttpServer::Loop::answer(Connection& connection, HttpLibrary::Answer made) 
     const std::lock_guard lock(counters_mutex_);
     ++counters_.requests[made.status];
   }
-  connection.start_answer(std::move(made.bytes), Clock::now() + config_.limits.answer_time);
+  connection.start_answer(std::move(made.bytes), Clock::now() + config_.limits.send_time);
   connection.send(config_.limits.linger_time);
 }
 

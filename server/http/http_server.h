@@ -19,7 +19,8 @@ namespace herr {
 
 struct HttpLimits {
   std::chrono::milliseconds request_time{1000};  // from accept to the end of the head, however it drips
-  std::chrono::milliseconds answer_time{30000};  // to make an answer and to send it
+  std::chrono::milliseconds answer_time{30000};  // to make the answer
+  std::chrono::milliseconds send_time{30000};    // to send it
   std::chrono::milliseconds linger_time{500};    // for the client to close after the answer
   std::size_t connections = 64;                  // at once; one more drops the longest incomplete request
   std::size_t waiting = 64;                      // requests that wait for a lane; one more gets 503

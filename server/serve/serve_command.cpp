@@ -61,8 +61,7 @@ int run_serve(const ServeOptions& options) {
   check_isa(options.replay.render);
   ServeBoard board;
   FrameLoop loop(options.replay, board, [] { return stop_signal() != 0; });
-  std::unique_ptr<HttpServer> server;
-  // A request may come before the assignment to `server` is done: then nothing is counted yet.
+  // A request may come before it is known who counts: then nothing is counted yet.
   std::atomic<const HttpServer*> counted{nullptr};
   Endpoints endpoints(
       options.replay, board,
@@ -71,7 +70,9 @@ int run_serve(const ServeOptions& options) {
         return known != nullptr ? known->counters() : HttpCounters{};
       },
       steady_now_ns);
-  server = start_server(options, [&endpoints](const HttpRequest& request) { return endpoints(request); });
+  // Last, so that it ends first, also when the loop throws: its threads use all that stands above.
+  const std::unique_ptr<HttpServer> server =
+      start_server(options, [&endpoints](const HttpRequest& request) { return endpoints(request); });
   counted = server.get();
   print_result(address_text(options.host, server->port()));
 

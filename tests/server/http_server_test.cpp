@@ -150,7 +150,7 @@ TEST_F(Http, AtTheLimitTheOldestIncompleteRequestGoes) {
 }
 
 TEST_F(Http, AClientThatDoesNotReadCostsNobodyElseTime) {
-  limits.answer_time = milliseconds(400);
+  limits.send_time = milliseconds(400);
   const auto server = serve();
   RawClient deaf(server->port());
   deaf.send(request_text("/large"));  // 20 MB: more than the buffers of two sockets
