@@ -196,8 +196,10 @@ void SessionReplay::finish_pictures() {
 // frames.csv and summary.json, after the pictures that they name.
 void SessionReplay::close_output() {
   // After bad input, frames that are still in the queue are good: they are written. After a failed write this
-  // throws.
-  if (report_.state == ReplayState::failed && report_.exit_code != kExitTemporary) writer_->finish();
+  // throws. (Usage: the write was not allowed. Any other usage error comes before there is something to
+  // close.)
+  const bool write_failed = report_.exit_code == kExitTemporary || report_.exit_code == kExitUsage;
+  if (report_.state == ReplayState::failed && !write_failed) writer_->finish();
   report_.findings = session_->findings();
   report_.files_written = writer_->files_written();
   report_.bytes_written = writer_->bytes_written();
