@@ -67,7 +67,8 @@ class SessionReplay {
 SessionReport SessionReplay::run() {
   try {
     open();
-    start_output();
+    // After a signal no frame is rendered: what an earlier run left stays.
+    if (stop_signal() == 0) start_output();
     render_frames();
     finish_pictures();
   } catch (...) {
@@ -190,7 +191,7 @@ bool SessionReplay::wants_sheet(std::int64_t frame) const {
 }
 
 void SessionReplay::finish_pictures() {
-  writer_->finish();
+  if (writer_) writer_->finish();
 }
 
 // frames.csv and summary.json, after the pictures that they name.
