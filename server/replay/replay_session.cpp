@@ -118,7 +118,7 @@ void SessionReplay::open_scene() {
       options_.scene.empty() ? session_->folder() / named : std::filesystem::path(options_.scene);
   scene_ = load_scene(report_.scene_file);
   report_.scene_name = scene_.name;
-  report_.scene_triangles = triangle_count(scene_, false) + triangle_count(scene_, true);
+  report_.scene_triangles = triangle_count(scene_, false);
 }
 
 void SessionReplay::start_output() {

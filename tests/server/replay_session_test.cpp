@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "server/cli/stop_signal.h"
@@ -33,11 +34,21 @@ class ReplaySession : public ::testing::Test {
   }
   const fs::path& root() const { return folder_.path(); }
   SessionReport replay() const { return replay_session(root() / "walk", options_); }
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(content_of(root() / "o" / "walk" / "summary.json"));
+  }
+
   ReplayOptions options_;
 
  private:
   TemporaryFolder folder_;
 };
+
+TEST_F(ReplaySession, CountsTrianglesOnceAndNoCatchers) {
+  ASSERT_EQ(replay().exit_code, 0);
+  // One triangle; the floor's two are a catcher's.
+  EXPECT_EQ(summary()["scene"]["triangles"], 1);
+}
 
 using ReplaySessionDeathTest = ReplaySession;
 
