@@ -9,6 +9,7 @@
 #include "renderer/bench_frame.h"
 #include "server/bench/bench_report.h"
 #include "server/cli/exit_code.h"
+#include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/replay/summary_json.h"
 #include "sessions/input_error.h"
@@ -44,6 +45,8 @@ std::filesystem::path session_of(const BenchOptions& options) {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
+  end_at_once_on_signal();  // nothing is written, and half a measurement is none
+  if (const int signal = stop_signal(); signal != 0) return kExitSignalBase + signal;
   try {
     resolve_isa(options.render.isa);
   } catch (const std::invalid_argument& error) {

@@ -44,5 +44,15 @@ TEST_F(Signals, AfterTheLastFrameOfOneSessionTheOthersAreNotPassedOverInSilence)
   EXPECT_FALSE(fs::exists(root() / "o/second"));
 }
 
+TEST_F(Signals, BenchEndsWithTheSignalsNumberAndWithoutAResult) {
+  // 1024 frames of 4 x 48 x 40 pixels: some seconds, long after the signal.
+  ChildProgram herr(root(), {HERR_PROGRAM, "bench", "first", "--profile", "small.profile.json", "--polar",
+                             "64x64", "--frames", "1024"});
+  wait_until(herr, [&] { return herr.catches(SIGTERM); });
+  herr.send(SIGTERM);
+  EXPECT_EQ(herr.finish(), 143);
+  EXPECT_EQ(herr.out(), "");
+}
+
 }  // namespace
 }  // namespace herr
