@@ -1,5 +1,6 @@
 #include "server/replay/replay_session.h"
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -45,6 +46,7 @@ class SessionReplay {
   void start_output();
   void render_frames();
   void render_one(std::int64_t frame);
+  void count_new_images(const FrameSample& sample);
   void finish_pictures();
   void close_output();
   void note_failure();
@@ -62,6 +64,7 @@ class SessionReplay {
   std::unique_ptr<AtomicFile> csv_;
   RenderedFrame rendered_;
   SceneState state_;
+  std::array<std::shared_ptr<const CameraImage>, 2> shown_images_;
 };
 
 SessionReport SessionReplay::run() {
@@ -163,6 +166,7 @@ void SessionReplay::render_one(std::int64_t frame) {
   scene_state_at(scene_, static_cast<double>(t_ns - session_->start_ns()) * kSecondsPerNs, state_);
   renderer_->render_frame(sample, state_, rendered_);
 
+  count_new_images(sample);
   FrameRecord record = describe_frame(frame, sample, rendered_, report_.range.period_ms(), options_.clock,
                                       report_.findings.gaze_rows > 0);
   const bool sheet = wants_sheet(frame);
@@ -174,6 +178,17 @@ void SessionReplay::render_one(std::int64_t frame) {
   record.nonfinite_pictures = cost.nonfinite_values;
   report_.statistics.add(record);
   csv_->write(frames_csv_row(record));
+}
+
+// An image is shown for several frames, and by a single camera to both eyes: it counts once.
+void SessionReplay::count_new_images(const FrameSample& sample) {
+  for (std::size_t eye = 0; eye < sample.cameras.size(); ++eye) {
+    if (!sample.cameras[eye]) continue;
+    const std::shared_ptr<const CameraImage>& image = sample.cameras[eye]->image;
+    const bool counted = image == shown_images_[eye] || (eye == 1 && image == shown_images_[0]);
+    if (!counted) report_.sanitised_camera_values += image->sanitised_values;
+    shown_images_[eye] = image;
+  }
 }
 
 bool SessionReplay::wants_sheet(std::int64_t frame) const {
@@ -222,6 +237,12 @@ void SessionReplay::add_run_warnings() {
     report_.warnings.push_back(
         std::to_string(nonfinite) +
         " NaN or Inf values arose while rendering and show as black; please report it");
+  }
+  if (report_.sanitised_camera_values > 0) {
+    report_.warnings.push_back(
+        std::to_string(report_.sanitised_camera_values) +
+        " values of camera images are NaN, Inf, negative or past the range of half and were replaced by 0 or "
+        "65504; check the recording");
   }
   if (report_.findings.event_rows > 0) {
     report_.warnings.push_back(
