@@ -8,6 +8,7 @@
 
 #include "renderer/bench_frame.h"
 #include "server/bench/bench_report.h"
+#include "server/bench/ray_limits.h"
 #include "server/cli/exit_code.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
@@ -74,7 +75,11 @@ int run_bench(const BenchOptions& options) {
   subject.profile = profile;
   subject.settings = renderer.settings();
   print_result(options.json ? json_text(bench_json(result, subject)) : bench_table(result, subject));
-  return kExitDone;
+  const std::string excess =
+      rays_beyond_plan(result, renderer.plan(), scene.lights.size(), renderer.settings().light_samples);
+  if (excess.empty()) return kExitDone;
+  print_message(excess);
+  return kExitInternal;
 }
 
 }  // namespace herr
