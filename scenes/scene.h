@@ -99,6 +99,7 @@ struct Bounds {
   glm::dvec3 lower{0.0}, upper{0.0};
 };
 Bounds scene_bounds(const Scene& scene);
+// Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance.
 std::int64_t triangle_count(const Scene& scene, bool catchers);
 
 }  // namespace herr

@@ -8,7 +8,9 @@
 
 #include "renderer/bench_frame.h"
 #include "server/bench/bench_report.h"
+#include "server/bench/ray_limits.h"
 #include "server/cli/exit_code.h"
+#include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/replay/summary_json.h"
 #include "sessions/input_error.h"
@@ -44,6 +46,8 @@ std::filesystem::path session_of(const BenchOptions& options) {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
+  end_at_once_on_signal();  // nothing is written, and half a measurement is none
+  if (const int signal = stop_signal(); signal != 0) return kExitSignalBase + signal;
   try {
     resolve_isa(options.render.isa);
   } catch (const std::invalid_argument& error) {
@@ -71,7 +75,11 @@ int run_bench(const BenchOptions& options) {
   subject.profile = profile;
   subject.settings = renderer.settings();
   print_result(options.json ? json_text(bench_json(result, subject)) : bench_table(result, subject));
-  return kExitDone;
+  const std::string excess =
+      rays_beyond_plan(result, renderer.plan(), scene.lights.size(), renderer.settings().light_samples);
+  if (excess.empty()) return kExitDone;
+  print_message(excess);
+  return kExitInternal;
 }
 
 }  // namespace herr

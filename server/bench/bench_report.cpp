@@ -1,6 +1,7 @@
 #include "server/bench/bench_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 
@@ -17,28 +18,43 @@ using Json = nlohmann::ordered_json;
 constexpr int kNameWidth = 26;
 constexpr int kNumberWidth = 12;
 
-// What a stage works through, and how much of it the last frame had; 0 where a stage has no item of its own.
+// What a stage works through, and how much of it a frame has on average, as the stage's median time is that
+// of all frames; 0 where a stage has no item of its own.
 struct StageItems {
   const char* name = "";
-  std::int64_t count = 0;
+  double count = 0;
 };
 
-StageItems items_of(Stage stage, const FrameCounters& counters) {
+double rays_of(const BenchResult& result, const std::string& name) {
+  for (const BenchResult::Kind& kind : result.kinds) {
+    if (kind.name == name) return static_cast<double>(kind.rays);
+  }
+  return 0;
+}
+
+double polar_samples_of(const BenchResult& result) {
+  for (const BenchResult::Kind& kind : result.kinds) {
+    if (kind.rays_per_sample > 0) return static_cast<double>(kind.rays) / kind.rays_per_sample;
+  }
+  return 0;
+}
+
+StageItems items_of(Stage stage, const BenchResult& result) {
   switch (stage) {
     case Stage::polar_rays:
     case Stage::first_hits:
     case Stage::surfaces:
-      return {"ray", counters.primary_rays};
+      return {"ray", rays_of(result, "primary")};
     case Stage::light_rays:
-      return {"shadow ray", counters.shadow_rays + counters.catcher_shadow_rays};
+      return {"shadow ray", rays_of(result, "shadow") + rays_of(result, "catcher_shadow")};
     case Stage::second_hits:
-      return {"mirror ray", counters.mirror_rays};
+      return {"mirror ray", rays_of(result, "mirror")};
     case Stage::second_light:
-      return {"shadow ray", counters.mirror_shadow_rays};
+      return {"shadow ray", rays_of(result, "mirror_shadow")};
     case Stage::resolve:
-      return {"polar sample", counters.polar_samples};
+      return {"polar sample", polar_samples_of(result)};
     case Stage::viewports:
-      return {"pixel", counters.viewport_pixels};
+      return {"pixel", static_cast<double>(result.counters.viewport_pixels)};
     default:
       return {};
   }
@@ -46,8 +62,8 @@ StageItems items_of(Stage stage, const FrameCounters& counters) {
 
 // 0 where the stage has no items.
 double ns_per_item(Stage stage, const BenchResult& result) {
-  const StageItems items = items_of(stage, result.counters);
-  return items.count > 0 ? result.median_times[stage] * 1e6 / static_cast<double>(items.count) : 0.0;
+  const StageItems items = items_of(stage, result);
+  return items.count > 0 ? result.median_times[stage] * 1e6 / items.count : 0.0;
 }
 
 std::string line(const std::string& name, std::initializer_list<std::string> cells) {
@@ -95,7 +111,7 @@ std::string stage_rows(const BenchResult& result) {
     const double share = result.median_times.frame_ms > 0 ? 100 * ms / result.median_times.frame_ms : 0;
     text += line(readable(name_of(stage)),
                  {fixed_text(ms, 3), fixed_text(share, 1) + " %", ns > 0 ? fixed_text(ns, 2) : "",
-                  std::string("  ") + items_of(stage, result.counters).name});
+                  std::string("  ") + items_of(stage, result).name});
   }
   return text;
 }
@@ -116,7 +132,7 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
     Json entry{{"ms", result.median_times.ms[i]}};
     if (const double ns = ns_per_item(stage, result); ns > 0) {
       entry["ns_per_item"] = ns;
-      entry["item"] = items_of(stage, result.counters).name;
+      entry["item"] = items_of(stage, result).name;
     }
     stages[name_of(stage)] = entry;
   }
@@ -134,7 +150,7 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
           {"raw_ns_per_pixel", result.raw_ns_per_pixel},
           {"rays", kinds},
           {"stages", stages},
-          {"polar_samples", result.counters.polar_samples},
+          {"polar_samples", std::llround(polar_samples_of(result))},
           {"viewport_pixels", result.counters.viewport_pixels},
           {"frames", result.frames},
           {"session", subject.session},

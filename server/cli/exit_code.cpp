@@ -1,6 +1,7 @@
 #include "server/cli/exit_code.h"
 
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <new>
 #include <system_error>
@@ -23,6 +24,15 @@ int worse_exit_code(int a, int b) {
   return rank(a) >= rank(b) ? a : b;
 }
 
+namespace {
+
+// Trying again will not help; another folder will: the command line named the wrong one.
+bool may_not_write(int error_number) {
+  return error_number == EACCES || error_number == EPERM || error_number == EROFS;
+}
+
+}  // namespace
+
 int exit_code_of_current_exception(std::string& message) {
   try {
     throw;
@@ -34,7 +44,7 @@ int exit_code_of_current_exception(std::string& message) {
     return kExitBadInput;
   } catch (const WriteError& error) {
     message = error.what();
-    return kExitTemporary;
+    return may_not_write(error.error_number()) ? kExitUsage : kExitTemporary;
   } catch (const TemporaryError& error) {
     message = error.what();
     return kExitTemporary;

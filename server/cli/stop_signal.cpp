@@ -11,11 +11,14 @@ namespace herr {
 namespace {
 
 std::atomic<int> g_stop_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free, "the handler may only touch lock-free atomics");
+std::atomic<bool> g_end_at_once{false};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "the handler may only touch lock-free atomics");
 
 extern "C" void on_stop_signal(int number) {
   int none = 0;
-  if (!g_stop_signal.compare_exchange_strong(none, number)) ::_exit(kExitSignalBase + number);
+  const bool is_first = g_stop_signal.compare_exchange_strong(none, number);
+  if (!is_first || g_end_at_once) ::_exit(kExitSignalBase + number);
 }
 
 }  // namespace
@@ -36,6 +39,10 @@ void install_signal_handling() {
   sigemptyset(&ignore.sa_mask);
   sigaction(SIGPIPE, &ignore, nullptr);
   sigaction(SIGXFSZ, &ignore, nullptr);
+}
+
+void end_at_once_on_signal() {
+  g_end_at_once = true;
 }
 
 int stop_signal() {

@@ -11,6 +11,10 @@ namespace {
 // Names become durable in batches: one sync of the folder costs as much as that of a file.
 constexpr std::int64_t kFilesPerFolderSync = 64;
 
+void sync_folders(const std::set<std::filesystem::path>& folders) {
+  for (const std::filesystem::path& folder : folders) sync_folder(folder);
+}
+
 }  // namespace
 
 FrameWriter::FrameWriter(std::size_t queue_limit) : queue_limit_(queue_limit), thread_([this] { run(); }) {}
@@ -51,9 +55,9 @@ void FrameWriter::finish() {
   std::unique_lock lock(mutex_);
   room_.wait(lock, [this] { return (queue_.empty() && !busy_) || failure_; });
   rethrow_failure();
-  const std::filesystem::path folder = std::exchange(unsynced_folder_, {});
+  const std::set<std::filesystem::path> folders = std::exchange(unsynced_folders_, {});
   lock.unlock();
-  if (!folder.empty()) sync_folder(folder);
+  sync_folders(folders);
 }
 
 std::int64_t FrameWriter::files_written() const {
@@ -83,14 +87,16 @@ void FrameWriter::run() {
     Job job = std::move(queue_.front());
     queue_.pop_front();
     busy_ = true;
-    const bool sync_names = (files_written_ + 1) % kFilesPerFolderSync == 0;
+    unsynced_folders_.insert(job.file.parent_path());
+    std::set<std::filesystem::path> folders_to_sync;
+    if ((files_written_ + 1) % kFilesPerFolderSync == 0) folders_to_sync.swap(unsynced_folders_);
     lock.unlock();
     room_.notify_all();
 
     std::exception_ptr failure;
     try {
       write_whole_file(job.file, job.bytes);
-      if (sync_names) sync_folder(job.file.parent_path());
+      sync_folders(folders_to_sync);
     } catch (...) {
       failure = std::current_exception();
     }
@@ -105,7 +111,6 @@ void FrameWriter::run() {
     }
     ++files_written_;
     bytes_written_ += static_cast<std::int64_t>(job.bytes.size());
-    unsynced_folder_ = sync_names ? std::filesystem::path() : job.file.parent_path();
     if (spare_.size() < queue_limit_) spare_.push_back(std::move(job.bytes));
     room_.notify_all();
   }

@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -49,8 +50,8 @@ class FrameWriter {
   std::exception_ptr failure_;
   bool busy_ = false, stop_ = false;
   std::int64_t files_written_ = 0, bytes_written_ = 0, waits_ = 0;
-  std::filesystem::path unsynced_folder_;
-  std::thread thread_;  // last: starts when all else is ready
+  std::set<std::filesystem::path> unsynced_folders_;  // of files written since the last sync
+  std::thread thread_;                                // last: starts when all else is ready
 };
 
 }  // namespace herr

@@ -17,7 +17,7 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
       options.scene.empty() ? opened.session->folder() / named : std::filesystem::path(options.scene);
   opened.scene = load_scene(report.scene_file);
   report.scene_name = opened.scene.name;
-  report.scene_triangles = triangle_count(opened.scene, false) + triangle_count(opened.scene, true);
+  report.scene_triangles = triangle_count(opened.scene, false);
 }
 
 }  // namespace

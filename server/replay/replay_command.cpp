@@ -98,7 +98,12 @@ int run_replay(const ReplayOptions& options) {
       print_result((reports.size() > 1 ? "\n" : "") + report_text(report));
     }
     // A full disk or the user's wish to stop holds for the sessions that follow as well.
-    if (stop_signal() != 0 || report.exit_code == kExitTemporary) break;
+    if (const int signal = stop_signal(); signal != 0) {
+      const bool all_done = reports.size() == options.sessions.size();
+      if (!all_done) exit_code = worse_exit_code(exit_code, kExitSignalBase + signal);
+      break;
+    }
+    if (report.exit_code == kExitTemporary) break;
   }
   if (options.json) {
     print_result(json_text(run_json(reports, options, exit_code)));

@@ -1,5 +1,6 @@
 #include "server/replay/replay_session.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -38,6 +39,7 @@ class SessionReplay {
   void render_paced_frames();
   bool stopped();
   void render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
+  void count_new_images(const FrameSample& sample);
   void finish_pictures();
   void close_output();
   void note_failure();
@@ -53,12 +55,14 @@ class SessionReplay {
   std::unique_ptr<AtomicFile> csv_;
   RenderedFrame rendered_;
   SceneState state_;
+  std::array<std::shared_ptr<const CameraImage>, 2> shown_images_;
 };
 
 SessionReport SessionReplay::run() {
   try {
     open_session(options_, report_, opened_);  // nothing is written yet
-    start_output();
+    // After a signal no frame is rendered: what an earlier run left stays.
+    if (stop_signal() == 0) start_output();
     render_frames();
     finish_pictures();
   } catch (...) {
@@ -144,6 +148,7 @@ void SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64
                  state_);
   opened_.renderer->render_frame(sample, state_, rendered_);
 
+  count_new_images(sample);
   FrameRecord record = describe_frame(frame, sample, rendered_, report_.range.period_ms(), options_.clock,
                                       report_.findings.gaze_rows > 0);
   if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, steady_now_ns()), dropped, record);
@@ -156,6 +161,17 @@ void SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64
   record.nonfinite_pictures = cost.nonfinite_values;
   report_.statistics.add(record);
   csv_->write(frames_csv_row(record));
+}
+
+// An image is shown for several frames, and by a single camera to both eyes: it counts once.
+void SessionReplay::count_new_images(const FrameSample& sample) {
+  for (std::size_t eye = 0; eye < sample.cameras.size(); ++eye) {
+    if (!sample.cameras[eye]) continue;
+    const std::shared_ptr<const CameraImage>& image = sample.cameras[eye]->image;
+    const bool counted = image == shown_images_[eye] || (eye == 1 && image == shown_images_[0]);
+    if (!counted) report_.sanitised_camera_values += image->sanitised_values;
+    shown_images_[eye] = image;
+  }
 }
 
 bool SessionReplay::wants_sheet(std::int64_t frame) const {
@@ -173,14 +189,16 @@ bool SessionReplay::wants_sheet(std::int64_t frame) const {
 }
 
 void SessionReplay::finish_pictures() {
-  writer_->finish();
+  if (writer_) writer_->finish();
 }
 
 // frames.csv and summary.json, after the pictures that they name.
 void SessionReplay::close_output() {
   // After bad input, frames that are still in the queue are good: they are written. After a failed write this
-  // throws.
-  if (report_.state == ReplayState::failed && report_.exit_code != kExitTemporary) writer_->finish();
+  // throws. (Usage: the write was not allowed. Any other usage error comes before there is something to
+  // close.)
+  const bool write_failed = report_.exit_code == kExitTemporary || report_.exit_code == kExitUsage;
+  if (report_.state == ReplayState::failed && !write_failed) writer_->finish();
   report_.findings = opened_.session->findings();
   report_.files_written = writer_->files_written();
   report_.bytes_written = writer_->bytes_written();
@@ -203,6 +221,12 @@ void SessionReplay::add_run_warnings() {
     report_.warnings.push_back(
         std::to_string(nonfinite) +
         " NaN or Inf values arose while rendering and show as black; please report it");
+  }
+  if (report_.sanitised_camera_values > 0) {
+    report_.warnings.push_back(
+        std::to_string(report_.sanitised_camera_values) +
+        " values of camera images are NaN, Inf, negative or past the range of half and were replaced by 0 or "
+        "65504; check the recording");
   }
   if (report_.findings.event_rows > 0) {
     report_.warnings.push_back(

@@ -36,6 +36,7 @@ struct SessionReport {
   std::vector<std::string> warnings;  // of session, scene and run
 
   RunStatistics statistics;
+  std::int64_t sanitised_camera_values = 0;  // of all camera images shown: NaN, Inf, negative or too large
   std::int64_t files_written = 0, bytes_written = 0, writer_waits = 0;
   std::vector<std::string> contact_sheets;  // file names in out_folder
 };

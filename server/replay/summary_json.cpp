@@ -54,6 +54,7 @@ Json session_json(const SessionReport& report) {
           {"camera_rows", findings.camera_rows},
           {"skipped_rows", findings.skipped_rows},
           {"skipped_images", findings.skipped_images},
+          {"sanitised_camera_values", report.sanitised_camera_values},
           {"truncated", findings.truncated}};
 }
 

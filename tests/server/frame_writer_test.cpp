@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "server/output/atomic_file.h"
@@ -44,6 +46,44 @@ TEST(FrameWriter, AFailedWriteStopsTheRunAndIsToldOnEveryCall) {
   EXPECT_THROW(writer.finish(), WriteError);
   EXPECT_EQ(folder.names(), std::vector<std::string>{"good"});
   EXPECT_EQ(writer.files_written(), 1);
+}
+
+void submit_to(FrameWriter& writer, const std::filesystem::path& file) {
+  std::filesystem::create_directories(file.parent_path());
+  std::vector<std::uint8_t> bytes = bytes_of(1);
+  writer.submit(file, bytes);
+}
+
+void wait_for_files(const FrameWriter& writer, std::int64_t count) {
+  while (writer.files_written() < count) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+// A folder that is gone cannot be synced: the error shows that it was tried.
+TEST(FrameWriter, FinishMakesTheNamesOfEveryFolderDurable) {
+  const TemporaryFolder folder;
+  FrameWriter writer(8);
+  submit_to(writer, folder.path() / "frames" / "f0");
+  submit_to(writer, folder.path() / "sheet");
+  wait_for_files(writer, 2);
+  std::filesystem::remove_all(folder.path() / "frames");
+  try {
+    writer.finish();
+    FAIL() << "the folder of the first file was not synced";
+  } catch (const WriteError& error) {
+    EXPECT_NE(std::string(error.what()).find("frames: cannot open"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FrameWriter, EverySixtyFourFilesTheNamesOfEveryFolderBecomeDurable) {
+  const TemporaryFolder folder;
+  FrameWriter writer(64);
+  submit_to(writer, folder.path() / "frames" / "f0");
+  for (int i = 1; i < 63; ++i) submit_to(writer, folder.path() / ("f" + std::to_string(i)));
+  wait_for_files(writer, 63);
+  std::filesystem::remove_all(folder.path() / "frames");
+  submit_to(writer, folder.path() / "f63");
+  EXPECT_THROW(writer.finish(), WriteError);
+  EXPECT_EQ(writer.files_written(), 63) << "the 64th file fails with the folders, before finish()";
 }
 
 TEST(FrameWriter, EndsWithoutFinishWhenTheRunIsGivenUp) {

@@ -1,11 +1,13 @@
 #include "server/replay/output_folder.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <string>
 
 #include "server/cli/exit_code.h"
+#include "server/output/atomic_file.h"
 #include "temporary_folder.h"
 
 namespace herr {
@@ -79,6 +81,17 @@ TEST(OutputFolder, TemporaryFilesOfRunningProcessesAreLeftAlone) {
   EXPECT_FALSE(is_replay_result("frames.csv.tmp.1"));  // process 1 always runs
   EXPECT_TRUE(is_replay_result("frames.csv.tmp.999999999"));
   EXPECT_FALSE(is_replay_result("thesis.doc.tmp.999999999"));
+}
+
+TEST(OutputFolder, ATemporaryFileWithOurOwnNumberIsLeftFromAnEarlierRun) {
+  // Process numbers repeat: in a container every run has the same one.
+  const TemporaryFolder root;
+  const std::string own = "frames.csv.tmp." + std::to_string(::getpid());
+  touch(root.path() / "out" / "walk" / own);
+  const OutputFolder folder(root.path() / "out", root.path() / "walk");
+  folder.prepare(PictureFormat::none);
+  EXPECT_FALSE(fs::exists(folder.path() / own));
+  EXPECT_NO_THROW(AtomicFile(folder.frames_csv()).write("x"));
 }
 
 TEST(OutputFolder, AFolderThatCannotBeMadeIsAUsageError) {

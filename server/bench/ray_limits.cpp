@@ -1,0 +1,47 @@
+#include "server/bench/ray_limits.h"
+
+#include <vector>
+
+#include "server/statistics/number_text.h"
+
+namespace herr {
+namespace {
+
+// Quotients of counts below 2^53: each is off by 2^-53 of itself, products of three by less than this.
+constexpr double kRoundingSlack = 1e-12;
+
+double per_sample(const BenchResult& result, const std::string& name) {
+  for (const BenchResult::Kind& kind : result.kinds) {
+    if (kind.name == name) return kind.rays_per_sample;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, std::size_t lights,
+                             int light_samples) {
+  const double per_hit = static_cast<double>(lights) * light_samples;
+  const double shadow = per_sample(result, "shadow"), mirror = per_sample(result, "mirror");
+  const double mirror_shadow = per_sample(result, "mirror_shadow");
+  struct Limit {
+    std::string name;
+    double most;
+  };
+  // A second ray asks whether another catcher blocks; hits in mirrors ask it too.
+  const std::vector<Limit> limits{{"primary", 1.0},
+                                  {"shadow", per_hit},
+                                  {"catcher_shadow", plan.catchers_occlude ? shadow + mirror_shadow : 0.0},
+                                  {"mirror", plan.mirror_rays ? 1.0 : 0.0},
+                                  {"mirror_shadow", mirror * per_hit}};
+  for (const Limit& limit : limits) {
+    const double traced = per_sample(result, limit.name);
+    if (traced <= limit.most * (1 + kRoundingSlack)) continue;
+    return "internal error: " + shortest_text(traced) + " " + limit.name +
+           " rays per polar sample where the frame plan implies " + shortest_text(limit.most) +
+           " at most; please report it";
+  }
+  return {};
+}
+
+}  // namespace herr

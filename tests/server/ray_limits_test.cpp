@@ -1,0 +1,59 @@
+#include "server/bench/ray_limits.h"
+
+#include <gtest/gtest.h>
+
+namespace herr {
+namespace {
+
+constexpr std::size_t kLights = 2;
+constexpr int kSamples = 4;
+
+// Every kind as often as a plan with everything allows: 8 shadow rays a hit, half of the hits reflect.
+BenchResult fullest() {
+  BenchResult result;
+  result.kinds = {{"primary", 1000, 1.0, 0, 0},
+                  {"shadow", 8000, 8.0, 0, 0},
+                  {"catcher_shadow", 12000, 12.0, 0, 0},
+                  {"mirror", 500, 0.5, 0, 0},
+                  {"mirror_shadow", 4000, 4.0, 0, 0}};
+  return result;
+}
+
+FramePlan everything() {
+  FramePlan plan;
+  plan.mirror_rays = plan.catchers = plan.catchers_occlude = true;
+  return plan;
+}
+
+TEST(RayLimits, AreNotExceededByAFrameThatTracesAllThatItsPlanAllows) {
+  EXPECT_EQ(rays_beyond_plan(fullest(), everything(), kLights, kSamples), "");
+  EXPECT_EQ(rays_beyond_plan(BenchResult(), FramePlan(), 0, 1), "");
+}
+
+TEST(RayLimits, OneRayMoreOfAnyKindIsNamed) {
+  for (std::size_t kind = 0; kind < fullest().kinds.size(); ++kind) {
+    BenchResult result = fullest();
+    const std::string name = result.kinds[kind].name;
+    // More mirror rays allow more shadow rays behind them: there the limit itself is 1.
+    result.kinds[kind].rays_per_sample =
+        name == "mirror" ? 1.001 : result.kinds[kind].rays_per_sample + 0.001;
+    const std::string line = rays_beyond_plan(result, everything(), kLights, kSamples);
+    EXPECT_NE(line.find(" " + name + " rays per polar sample"), std::string::npos) << name << ": " << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
+TEST(RayLimits, KindsThatThePlanLeavesOutMayNotOccurAtAll) {
+  FramePlan no_mirror = everything();
+  no_mirror.mirror_rays = false;
+  EXPECT_NE(rays_beyond_plan(fullest(), no_mirror, kLights, kSamples).find(" mirror rays"),
+            std::string::npos);
+  FramePlan flat_catcher = everything();
+  flat_catcher.catchers_occlude = false;
+  EXPECT_NE(rays_beyond_plan(fullest(), flat_catcher, kLights, kSamples).find(" catcher_shadow rays"),
+            std::string::npos);
+  EXPECT_NE(rays_beyond_plan(fullest(), everything(), 0, kSamples).find(" shadow rays"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace herr

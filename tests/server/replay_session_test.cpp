@@ -1,0 +1,106 @@
+// One session through the replay loop, in this process: what the program's own tests cannot bring about.
+#include "server/replay/replay_session.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "server/cli/stop_signal.h"
+#include "small_session.h"
+#include "temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReplaySession : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_scene(root() / "scene");
+    write_small_profile(root() / "small.profile.json");
+    write_small_session(root() / "walk", 0.25);
+    options_.out = root() / "o";
+    options_.profile = (root() / "small.profile.json").string();
+    options_.format = PictureFormat::none;
+    options_.sheet = SheetChoice::none;
+    options_.overwrite = true;
+    options_.render.polar_width = 64;
+    options_.render.polar_height = 64;
+    options_.render.threads = 1;
+  }
+  const fs::path& root() const { return folder_.path(); }
+  SessionReport replay() const { return replay_session(root() / "walk", options_); }
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(content_of(root() / "o" / "walk" / "summary.json"));
+  }
+
+  ReplayOptions options_;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReplaySession, CountsTrianglesOnceAndNoCatchers) {
+  ASSERT_EQ(replay().exit_code, 0);
+  // One triangle; the floor's two are a catcher's.
+  EXPECT_EQ(summary()["scene"]["triangles"], 1);
+}
+
+// Grey, but for one NaN, one infinite and one negative value: three values that cannot be light.
+void write_impossible_light(const fs::path& file) {
+  OIIO::ImageSpec spec(64, 48, 3, OIIO::TypeDesc::FLOAT);
+  spec["compression"] = std::string("zip");
+  std::vector<float> values(64 * 48 * 3, 0.25f);
+  values[0] = std::nanf("");
+  values[100] = INFINITY;
+  values[200] = -1.0f;
+  const auto writer = OIIO::ImageOutput::create(file.string());
+  ASSERT_TRUE(writer && writer->open(file.string(), spec) &&
+              writer->write_image(OIIO::TypeDesc::FLOAT, values.data()) && writer->close());
+}
+
+TEST_F(ReplaySession, ValuesOfTheCameraThatCannotBeLightAreCountedAndWarnedOf) {
+  // Camera frames at 0, 0.1 and 0.2 s; the second one is shown for six frames and seen by both eyes.
+  write_impossible_light(root() / "walk/cam0/data/000001.exr");
+  std::string rows = content_of(root() / "walk/cam0/data.csv");
+  rows.replace(rows.find("000001.png"), 10, "000001.exr");
+  write_text(root() / "walk/cam0/data.csv", rows);
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  EXPECT_EQ(summary()["session"]["sanitised_camera_values"], 3);
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_EQ(report.warnings[0].find("3 values of camera images"), 0u) << report.warnings[0];
+}
+
+TEST_F(ReplaySession, ACameraWithoutFaultsIsNotWarnedOf) {
+  const SessionReport report = replay();
+  EXPECT_EQ(summary()["session"]["sanitised_camera_values"], 0);
+  EXPECT_TRUE(report.warnings.empty());
+}
+
+using ReplaySessionDeathTest = ReplaySession;
+
+TEST_F(ReplaySessionDeathTest, ASignalBeforeTheFirstFrameLeavesEarlierResultsAlone) {
+  // The signal stays for the rest of a process, so it is sent in a process of its own.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  write_text(root() / "o/walk/summary.json", "earlier");
+  const auto interrupted = [&] {
+    install_signal_handling();
+    ::raise(SIGINT);
+    const SessionReport report = replay();
+    const bool kept = content_of(root() / "o/walk/summary.json") == "earlier";
+    fs::remove_all(root());  // exit() does not end the fixture
+    std::exit(kept && report.state == ReplayState::interrupted ? report.exit_code : 1);
+  };
+  EXPECT_EXIT(interrupted(), ::testing::ExitedWithCode(130), "");
+}
+
+}  // namespace
+}  // namespace herr
