@@ -197,16 +197,7 @@ void Renderer::Impl::draw_overlays(RenderedFrame& out) {
 
 void Renderer::Impl::collect_counters(RenderedFrame& out) const {
   FrameCounters& total = out.counters;
-  for (const TileCounters& worker : counters) {
-    total.primary_rays += worker.primary_rays;
-    total.shadow_rays += worker.shadow_rays;
-    total.catcher_shadow_rays += worker.catcher_shadow_rays;
-    total.mirror_rays += worker.mirror_rays;
-    total.mirror_shadow_rays += worker.mirror_shadow_rays;
-    total.polar_samples += worker.polar_samples;
-    total.invalid_rays += worker.invalid_rays;
-    total.nonfinite_values += worker.nonfinite_values;
-  }
+  for (const TileCounters& worker : counters) total += worker;
   for (const Viewport& v : profile.viewports) {
     total.viewport_pixels += static_cast<std::int64_t>(v.width_px) * v.height_px;
   }

@@ -43,6 +43,8 @@ struct FrameCounters {
   std::int64_t invalid_rays = 0;      // not finite: never handed to Embree
   std::int64_t nonfinite_values = 0;  // NaN or Inf that a stage produced; replaced by 0 and counted
   std::int64_t commits = 0;           // Embree scenes committed
+
+  FrameCounters& operator+=(const FrameCounters& other);
 };
 
 }  // namespace herr

@@ -10,8 +10,7 @@
 
 #include <cstring>
 
-#include "renderer/lighting/tile_job.h"
-#include "renderer/simd_types-inl.h"
+#include "renderer/lighting/ray_packets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -69,9 +68,6 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
                                 const Blocked& blocked) {
   alignas(64) Ray packet;
   alignas(64) int valid[kMaxLanes];
-  hn::Store(hn::Zero(kF), kF, packet.time);
-  hn::Store(hn::Zero(kU), kU, packet.flags);
-  hn::Store(hn::Set(kU, mask), kU, packet.mask);
   for (int start = 0; start < queue.count; start += kLanes) {
     const MF used = first_lanes(queue.count - start);
     const V3 origin = load3(&queue.ox[start], &queue.oy[start], &queue.oz[start]);
@@ -79,22 +75,9 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
     const MF lanes = hn::And(used, traceable(origin, direction));
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
-    hn::Store(origin.x, kF, packet.org_x);
-    hn::Store(origin.y, kF, packet.org_y);
-    hn::Store(origin.z, kF, packet.org_z);
-    hn::Store(direction.x, kF, packet.dir_x);
-    hn::Store(direction.y, kF, packet.dir_y);
-    hn::Store(direction.z, kF, packet.dir_z);
-    hn::Store(hn::Zero(kF), kF, packet.tnear);
-    hn::Store(set(kShadowRayEnd), kF, packet.tfar);
-    hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, lanes)), kI, valid);
-    if (job.recorder) {
-      for (int i = 0; i < kLanes; ++i) {
-        if (valid[i] == 0) continue;
-        job.recorder->add(kind, packet.org_x[i], packet.org_y[i], packet.org_z[i], packet.dir_x[i],
-                          packet.dir_y[i], packet.dir_z[i]);
-      }
-    }
+    set_rays(packet, origin, direction, kShadowRayEnd, mask);
+    set_valid(valid, lanes);
+    record(job, kind, packet, valid, false);
     occluded_packet<kLanes>(valid, job.shading->scene, &packet);
     // Embree sets tfar to -inf where something is in the way.
     const MF hit = hn::And(lanes, hn::Lt(load(packet.tfar), hn::Zero(kF)));

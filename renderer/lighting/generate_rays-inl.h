@@ -7,20 +7,13 @@
 #define HERR_GENERATE_RAYS_INL
 #endif
 
-#include <limits>
-
-#include "renderer/lighting/tile_job.h"
-#include "renderer/simd_types-inl.h"
+#include "renderer/lighting/ray_packets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
 constexpr int kBlockRows = kLanes / 4;
-
-HWY_INLINE RayHit* packets_of(TileScratch& scratch) {
-  return reinterpret_cast<RayHit*>(scratch.packets);
-}
 
 // Lane -> column offset within the packet's block (0..3) and row offset.
 HWY_INLINE VI lane_column() {
@@ -85,21 +78,9 @@ HWY_INLINE int generate_rays(const TileJob& job) {
       job.counters->invalid_rays += static_cast<std::int64_t>(samples - rays);
 
       RayHit& packet = packets[count];
-      hn::Store(origin.x, kF, packet.ray.org_x);
-      hn::Store(origin.y, kF, packet.ray.org_y);
-      hn::Store(origin.z, kF, packet.ray.org_z);
-      hn::Store(direction.x, kF, packet.ray.dir_x);
-      hn::Store(direction.y, kF, packet.ray.dir_y);
-      hn::Store(direction.z, kF, packet.ray.dir_z);
-      hn::Store(hn::Zero(kF), kF, packet.ray.tnear);
-      hn::Store(set(std::numeric_limits<float>::infinity()), kF, packet.ray.tfar);
-      hn::Store(hn::Zero(kF), kF, packet.ray.time);
-      hn::Store(hn::Set(kU, kAllMask), kU, packet.ray.mask);
-      hn::Store(hn::Zero(kU), kU, packet.ray.flags);
-      hn::Store(hn::Set(kU, RTC_INVALID_GEOMETRY_ID), kU, packet.hit.geomID);
-      hn::Store(hn::Set(kU, RTC_INVALID_GEOMETRY_ID), kU, packet.hit.instID[0]);
+      set_rays(packet, origin, direction);
       const auto slot = static_cast<std::size_t>(count);
-      hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, valid)), kI, scratch.packet_valid[slot].data());
+      set_valid(scratch.packet_valid[slot].data(), valid);
       scratch.packet_x[slot] = x;
       scratch.packet_y[slot] = y;
       // Samples that are wanted keep their place even when the ray is not traceable: they show the

@@ -7,8 +7,6 @@
 #define HERR_MIRROR_RAYS_INL
 #endif
 
-#include <limits>
-
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/surfaces-inl.h"
 
@@ -79,27 +77,9 @@ HWY_INLINE void trace_mirror_rays(const TileJob& job) {
     job.counters->mirror_rays += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
-    hn::Store(origin.x, kF, packet.ray.org_x);
-    hn::Store(origin.y, kF, packet.ray.org_y);
-    hn::Store(origin.z, kF, packet.ray.org_z);
-    hn::Store(direction.x, kF, packet.ray.dir_x);
-    hn::Store(direction.y, kF, packet.ray.dir_y);
-    hn::Store(direction.z, kF, packet.ray.dir_z);
-    hn::Store(set(std::numeric_limits<float>::infinity()), kF, packet.ray.tfar);
-    hn::Store(hn::Set(kU, RTC_INVALID_GEOMETRY_ID), kU, packet.hit.geomID);
-    hn::Store(hn::Set(kU, RTC_INVALID_GEOMETRY_ID), kU, packet.hit.instID[0]);
-    hn::Store(hn::Zero(kF), kF, packet.ray.tnear);
-    hn::Store(hn::Zero(kF), kF, packet.ray.time);
-    hn::Store(hn::Set(kU, kAllMask), kU, packet.ray.mask);
-    hn::Store(hn::Zero(kU), kU, packet.ray.flags);
-    hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, lanes)), kI, valid);
-    if (job.recorder) {
-      for (int i = 0; i < kLanes; ++i) {
-        if (valid[i] == 0) continue;
-        job.recorder->add(RayKind::mirror, packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i],
-                          packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
-      }
-    }
+    set_rays(packet, origin, direction);
+    set_valid(valid, lanes);
+    record(job, RayKind::mirror, packet.ray, valid, false);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
     surface_of_packet<kTextures>(packet, lanes, *job.shading, true, scratch.second, start);
     // A mirrored hit draws other random numbers than the hit that sent it.

@@ -13,6 +13,7 @@
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/lighting/ray_recorder.h"
 #include "renderer/stage_clock.h"
+#include "renderer/stage_times.h"
 
 namespace herr {
 
@@ -66,11 +67,7 @@ struct alignas(64) TileScratch {
 };
 
 // Counts of one worker; added up after the frame.
-struct alignas(64) TileCounters {
-  std::int64_t primary_rays = 0, shadow_rays = 0, catcher_shadow_rays = 0, mirror_rays = 0,
-               mirror_shadow_rays = 0;
-  std::int64_t polar_samples = 0, invalid_rays = 0, nonfinite_values = 0;
-};
+struct alignas(64) TileCounters : FrameCounters {};
 
 // What is the same for all tiles of a frame.
 struct ShadingInputs {

@@ -14,17 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-void record_primary(const TileJob& job, const RayHit& packet, const int* valid) {
-  for (int i = 0; i < kLanes; ++i) {
-    if (valid[i] == 0) {
-      job.recorder->add_gap(RayKind::primary);
-      continue;
-    }
-    job.recorder->add(RayKind::primary, packet.ray.org_x[i], packet.ray.org_y[i], packet.ray.org_z[i],
-                      packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
-  }
-}
-
 template <bool kTextures, bool kSpecular>
 void trace_tile_with(const TileJob& job) {
   TileScratch& scratch = *job.scratch;
@@ -39,7 +28,7 @@ void trace_tile_with(const TileJob& job) {
 
   for (int p = 0; p < packet_count; ++p) {
     const int* valid = scratch.packet_valid[static_cast<std::size_t>(p)].data();
-    if (job.recorder) record_primary(job, packets[p], valid);
+    record(job, RayKind::primary, packets[p].ray, valid, true);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packets[p]);
   }
   cycles.lap(Stage::first_hits);
