@@ -23,13 +23,13 @@ std::optional<std::string> transform_problem(const glm::dmat4x3& transform) {
       return std::string("has a scale of 0 on the ") + "xyz"[axis] + " axis";
     }
   }
-  const double box = glm::length(transform[0]) * glm::length(transform[1]) * glm::length(transform[2]);
-  if (std::abs(determinant(transform)) < kMinVolumeShare * box) {
-    return "shears its axes into a plane (volume below 1e-6 of the axes' box)";
-  }
   // A rotated scale of exactly 1e-4 may round to just below the limit; a billionth of slack takes it in.
   if (std::abs(determinant(transform)) < kMinDeterminant * (1 - 1e-9)) {
     return "flattens or shrinks to almost nothing (determinant below 1e-12)";
+  }
+  const double box = glm::length(transform[0]) * glm::length(transform[1]) * glm::length(transform[2]);
+  if (std::abs(determinant(transform)) < kMinVolumeShare * box) {
+    return "shears its axes into a plane (volume below 1e-6 of the axes' box)";
   }
   return std::nullopt;
 }
