@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/lighting/direct_light-inl.h"
+#include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -88,22 +89,6 @@ HWY_INLINE void trace_mirror_rays(const TileJob& job) {
         kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), hit));
     hn::Store(hash(key, 0x517cc1b7u), kU, &scratch.second.key[start]);
   }
-}
-
-// Radiance that hits [slot, slot + kLanes) send back: emission, ambient and direct light; misses:
-// environment.
-// The mirror ray stands for the mirror's share of the specular ambient light, where one is traced.
-HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced) {
-  const VF one = set(1.0f);
-  const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
-  const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
-                           const Lane<float>& direct, float ambient) HWY_ATTR {
-    const VF scattered = hn::MulAdd(load(&f0[slot]), rough_share, load(&diffuse[slot]));
-    return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, set(ambient), load(&direct[slot])));
-  };
-  return {channel(hits.er, hits.dr, hits.fr, hits.lr, shading.ambient[0]),
-          channel(hits.eg, hits.dg, hits.fg, hits.lg, shading.ambient[1]),
-          channel(hits.eb, hits.db, hits.fb, hits.lb, shading.ambient[2])};
 }
 
 // Adds what mirror rays [0, rays) brought to the first hits' light.

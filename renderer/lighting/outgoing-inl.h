@@ -1,0 +1,37 @@
+// Lit surfaces -> the radiance that they send back along their rays. After: direct_light and what lights
+// indirectly; before: resolve (first hits), mirror_rays (second hits).
+#if defined(HERR_OUTGOING_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_OUTGOING_INL
+#undef HERR_OUTGOING_INL
+#else
+#define HERR_OUTGOING_INL
+#endif
+
+#include "renderer/lighting/tile_job.h"
+#include "renderer/simd_types-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// Radiance that hits [slot, slot + kLanes) send back: emission, ambient and direct light; misses:
+// environment.
+// The mirror ray stands for the mirror's share of the specular ambient light, where one is traced.
+HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced) {
+  const VF one = set(1.0f);
+  const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
+  const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
+                           const Lane<float>& direct, float ambient) HWY_ATTR {
+    const VF scattered = hn::MulAdd(load(&f0[slot]), rough_share, load(&diffuse[slot]));
+    return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, set(ambient), load(&direct[slot])));
+  };
+  return {channel(hits.er, hits.dr, hits.fr, hits.lr, shading.ambient[0]),
+          channel(hits.eg, hits.dg, hits.fg, hits.lg, shading.ambient[1]),
+          channel(hits.eb, hits.db, hits.fb, hits.lb, shading.ambient[2])};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif
