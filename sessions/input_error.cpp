@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace herr {
 namespace {
@@ -60,21 +61,25 @@ std::string escaped(std::string_view text, std::size_t limit) {
   return out;
 }
 
-std::string message(const std::filesystem::path& file, std::int64_t line, const std::string& problem,
-                    const std::string& remedy) {
-  std::string text = escaped(file.native(), kPathBytes);
-  if (line > 0) text += ":" + std::to_string(line);
+}  // namespace
+
+std::string InputError::message(const Parts& parts) {
+  std::string text = parts.file;
+  if (parts.line > 0) text += ":" + std::to_string(parts.line);
   if (!text.empty()) text += ": ";
-  text += escaped(problem, kMessageBytes);
-  if (!remedy.empty()) text += "; " + escaped(remedy, kMessageBytes);
+  text += parts.problem;
+  if (!parts.remedy.empty()) text += "; " + parts.remedy;
   return text;
 }
 
-}  // namespace
+InputError::InputError(std::shared_ptr<const Parts> parts)
+    : std::runtime_error(message(*parts)), parts_(std::move(parts)) {}
 
 InputError::InputError(const std::filesystem::path& file, std::int64_t line, const std::string& problem,
                        const std::string& remedy)
-    : std::runtime_error(message(file, line, problem, remedy)) {}
+    : InputError(std::make_shared<const Parts>(Parts{escaped(file.native(), kPathBytes),
+                                                     escaped(problem, kMessageBytes),
+                                                     escaped(remedy, kMessageBytes), line})) {}
 
 std::string printable(const std::string& text) {
   return escaped(text, kPrintableBytes);

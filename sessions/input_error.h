@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +15,22 @@ class InputError : public std::runtime_error {
  public:
   InputError(const std::filesystem::path& file, std::int64_t line, const std::string& problem,
              const std::string& remedy);
+
+  // The parts of what(), escaped as there; line() is 0 where the whole file is meant.
+  const std::string& file() const { return parts_->file; }
+  std::int64_t line() const { return parts_->line; }
+  const std::string& problem() const { return parts_->problem; }
+  const std::string& remedy() const { return parts_->remedy; }
+
+ private:
+  struct Parts {
+    std::string file, problem, remedy;
+    std::int64_t line = 0;
+  };
+  explicit InputError(std::shared_ptr<const Parts> parts);
+  static std::string message(const Parts& parts);
+
+  std::shared_ptr<const Parts> parts_;  // shared: copying an exception must not throw
 };
 
 // `text` with control characters and bytes that are not UTF-8 written as \xNN, cut to 200 bytes: safe to

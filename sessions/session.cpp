@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "sessions/input_error.h"
@@ -15,20 +14,6 @@
 
 namespace herr {
 namespace {
-
-void check_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(folder, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    throw InputError(folder, 0, "there is no such session folder", "check the path");
-  if (status.type() == std::filesystem::file_type::none)
-    throw InputError(folder, 0, "cannot be examined: " + error.message(),
-                     "check the path and its permissions");
-  if (!std::filesystem::is_directory(status))
-    throw InputError(folder, 0, "is not a folder", "name the folder that holds session.json");
-  if (!std::filesystem::exists(folder / "session.json", error))
-    throw InputError(folder, 0, "holds no session.json: it is not a session", "name a session folder");
-}
 
 RowStream<PoseRow> open_poses(const SessionFiles& files, bool keep_going) {
   return {files.pose(), pose_layout(), parse_pose_row, {keep_going, {}}};
@@ -50,19 +35,9 @@ struct Session::State {
   std::optional<SceneEvent> next_event;
   std::optional<TimeNs> last_sample_ns, last_events_ns;
 
-  void narrow_span(const ParsedSessionHeader& parsed, const CheckedSession& checked);
   void open_samplers(const CheckedSession& checked);
   void open_camera(std::size_t i);
 };
-
-void Session::State::narrow_span(const ParsedSessionHeader& parsed, const CheckedSession& checked) {
-  start_ns = std::max(checked.first_pose_ns, parsed.start_ns.value_or(checked.first_pose_ns));
-  end_ns = std::min(checked.last_pose_ns, parsed.end_ns.value_or(checked.last_pose_ns));
-  if (start_ns > end_ns)
-    throw InputError(files.header(), 0, "field start_ns or end_ns leaves nothing to replay",
-                     "the poses run from " + std::to_string(checked.first_pose_ns) + " to " +
-                         std::to_string(checked.last_pose_ns) + " ns");
-}
 
 void Session::State::open_camera(std::size_t i) {
   // Images were checked by the pass before; when bad ones are skipped, the same rows must be skipped again.
@@ -99,16 +74,19 @@ void Session::State::open_samplers(const CheckedSession& checked) {
 
 Session Session::open(const std::filesystem::path& folder, const SessionOptions& options) {
   if (!(options.predict_cap_s >= 0)) throw std::invalid_argument("predict_cap_s must be 0 or more");
-  check_folder(folder);
+  check_session_folder(folder);
   auto state = std::make_unique<State>();
   state->files.folder = folder;
   state->options = options;
   ParsedSessionHeader parsed = read_session_header(state->files.header());
   state->header = parsed.header;
   CheckedSession checked = check_session(state->files, state->header, options);
-  state->narrow_span(parsed, checked);
+  const SessionSpan span =
+      replayable_span(state->files.header(), parsed, checked.first_pose_ns, checked.last_pose_ns);
+  state->start_ns = span.start_ns;
+  state->end_ns = span.end_ns;
   state->findings = std::move(checked.findings);
-  for (const std::string& warning : parsed.warnings) add_warning(state->findings, warning);
+  for (const InputError& warning : parsed.warnings) add_warning(state->findings, warning.what());
   state->open_samplers(checked);
   return Session(std::move(state));
 }

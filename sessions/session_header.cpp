@@ -86,14 +86,14 @@ void parse_eyes(const JsonObject& root, ParsedSessionHeader& parsed) {
   offsets.allow_only({"left", "right"});
   eyes[0].position = offsets.vec3("left", -1, 1);
   eyes[1].position = offsets.vec3("right", -1, 1);
-  const std::string file = printable(root.file().string());
   const double ipd_m = glm::distance(eyes[0].position, eyes[1].position);
   if (eyes[0].position.x > eyes[1].position.x)
-    parsed.warnings.push_back(file +
-                              ": eye_offsets.left lies right of eye_offsets.right; are the eyes swapped?");
+    parsed.warnings.emplace_back(root.file(), 0, "eye_offsets.left lies right of eye_offsets.right",
+                                 "are the eyes swapped?");
   if (ipd_m < kNarrowestIpdM || ipd_m > kWidestIpdM)
-    parsed.warnings.push_back(file + ": eye_offsets are " + std::to_string(std::lround(ipd_m * 1000)) +
-                              " mm apart; eyes are 40 to 85 mm apart, offsets are in metres");
+    parsed.warnings.emplace_back(root.file(), 0,
+                                 "eye_offsets are " + std::to_string(std::lround(ipd_m * 1000)) + " mm apart",
+                                 "eyes are 40 to 85 mm apart, offsets are in metres");
 }
 
 void parse_gaze(const JsonObject& root, SessionHeader& header) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sessions/input_error.h"
 #include "sessions/session.h"
 
 namespace herr {
@@ -18,7 +19,7 @@ inline constexpr TimeNs kLastStampNs = 4'000'000'000'000'000'000;
 struct ParsedSessionHeader {
   SessionHeader header;
   std::optional<TimeNs> start_ns, end_ns;  // narrow the span that can be replayed
-  std::vector<std::string> warnings;       // legal but unlikely values, e.g. eyes 10 m apart
+  std::vector<InputError> warnings;        // legal but unlikely values, e.g. eyes 10 m apart
 };
 
 // Throws InputError that names the field.

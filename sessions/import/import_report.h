@@ -4,32 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "sessions/pose.h"
+#include "sessions/streams/interval_census.h"
 
 namespace herr {
-
-// Intervals of a stream: the usual one and how many are much longer, in little memory whatever the length.
-class IntervalCensus {
- public:
-  void count(TimeNs interval_ns, std::int64_t line);
-  double median_ns() const;      // mean of the intervals within 1 % of the median; 0 when there is none
-  std::int64_t hitches() const;  // intervals of more than 1.5 medians: at least one sample is missing
-  TimeNs widest_ns() const { return widest_ns_; }
-  std::int64_t widest_line() const { return widest_line_; }
-
- private:
-  struct Bucket {
-    std::int64_t intervals = 0, sum_ns = 0;
-  };
-  std::map<int, Bucket> buckets_;  // by logarithm
-  std::int64_t intervals_ = 0;
-  TimeNs widest_ns_ = 0;
-  std::int64_t widest_line_ = 0;
-};
 
 struct ImportedStream {
   std::filesystem::path file;

@@ -24,7 +24,13 @@ std::filesystem::path checked_image_path(const CsvRows& rows, const CameraRow& r
     rows.fail("image '" + printable(row.filename) + "' " + error.what(),
               "name an image inside the camera's data folder");
   }
-  const ImageSize size = read_image_size(file);
+  const ImageSize size = [&] {
+    try {
+      return read_image_size(file);
+    } catch (const InputError& error) {  // it knows the image, not the row that names it
+      rows.fail("image '" + printable(row.filename) + "' " + error.problem(), error.remedy());
+    }
+  }();
   if (size.width_px != model.width_px || size.height_px != model.height_px)
     rows.fail("image '" + printable(row.filename) + "' has " + pixels(size.width_px, size.height_px) +
                   " pixels where the intrinsics are for " + pixels(model.width_px, model.height_px),

@@ -1,6 +1,6 @@
 #include "sessions/streams/stream_census.h"
 
-#include "sessions/input_error.h"
+#include <string>
 
 namespace herr {
 namespace {
@@ -37,15 +37,14 @@ void StreamCensus::check_rate(const std::filesystem::path& file, bool slow_refus
                      "stamps are in nanoseconds: check their unit");
 }
 
-std::optional<std::string> StreamCensus::gap_warning(const std::filesystem::path& file) const {
+std::optional<InputError> StreamCensus::gap_warning(const std::filesystem::path& file) const {
   if (gaps_ == 0) return std::nullopt;
   const std::string widest_ms = std::to_string(widest_ns_ / 1'000'000);
   return InputError(file, widest_line_,
                     gaps_ == 1
                         ? "a gap of " + widest_ms + " ms ends here"
                         : "the widest of " + std::to_string(gaps_) + " gaps, " + widest_ms + " ms, ends here",
-                    "the last sample is held across a gap")
-      .what();
+                    "the last sample is held across a gap");
 }
 
 }  // namespace herr

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 
+#include "sessions/input_error.h"
 #include "sessions/pose.h"
 
 namespace herr {
@@ -25,7 +25,7 @@ class StreamCensus {
   // implausible.
   void check_rate(const std::filesystem::path& file, bool slow_refused) const;
   // A line about gaps of more than a second, when there are any.
-  std::optional<std::string> gap_warning(const std::filesystem::path& file) const;
+  std::optional<InputError> gap_warning(const std::filesystem::path& file) const;
 
  private:
   std::int64_t rows_ = 0, too_close_ = 0, too_far_ = 0, gaps_ = 0;

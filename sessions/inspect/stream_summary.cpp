@@ -1,0 +1,138 @@
+#include "sessions/inspect/stream_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace herr {
+namespace {
+
+constexpr std::size_t kGapsShown = 4;
+// Two samples lost and more than a frame of a 60 Hz display: one sees it.
+constexpr double kVisibleGapIntervals = 2.5;
+constexpr TimeNs kVisibleGapNs = 25'000'000;
+constexpr double kManyRepeats = 0.05;    // fewer are a head at rest
+constexpr double kRateTolerance = 0.02;  // of the nominal rate
+constexpr TimeNs kClockSlackNs = 1'000'000'000;
+// Two streams drift by tens of ppm; a change of more intervals is a late start or an early end.
+constexpr double kMostDriftPpm = 1000;
+
+std::string decimals(double value, int digits) {
+  const auto scale = static_cast<std::int64_t>(std::pow(10, digits));
+  const std::int64_t scaled = std::llround(std::abs(value) * static_cast<double>(scale));
+  std::string text = (value < 0 && scaled > 0 ? "-" : "") + std::to_string(scaled / scale);
+  if (digits == 0) return text;
+  const std::string fraction = std::to_string(scaled % scale);
+  return text + "." + std::string(static_cast<std::size_t>(digits) - fraction.size(), '0') + fraction;
+}
+
+std::string ms(TimeNs ns) {
+  return decimals(static_cast<double>(ns) * 1e-6, 1) + " ms";
+}
+
+void judge_gaps(const StreamSummary& stream, TimeNs start_ns, FindingList& findings) {
+  const std::vector<StreamGap> gaps = stream.longest_gaps();
+  if (gaps.empty()) return;
+  const double median_ns = stream.intervals.median_ns();
+  const auto widest_ns = static_cast<double>(gaps.front().length_ns);
+  const bool visible = widest_ns > kVisibleGapIntervals * median_ns && gaps.front().length_ns > kVisibleGapNs;
+  const auto at_s = [&](const StreamGap& gap) {
+    return decimals(static_cast<double>(gap.end_ns - start_ns) * kSecondsPerNs, 2) + " s";
+  };
+  Finding finding{
+      visible ? Severity::warning : Severity::note,
+      InputError(stream.file, gaps.front().end_line,
+                 "a gap of " + ms(gaps.front().length_ns) + " (" + decimals(widest_ns / median_ns, 1) +
+                     " intervals of " + ms(std::llround(median_ns)) + ") ends here, at " + at_s(gaps.front()),
+                 "the last sample is held across a gap"),
+      false, stream.intervals.hitches()};
+  for (std::size_t i = 1; i < std::min(gaps.size(), kGapsShown + 1); ++i)
+    finding.others.push_back(ms(gaps[i].length_ns) + " at line " + std::to_string(gaps[i].end_line) + " (" +
+                             at_s(gaps[i]) + ")");
+  findings.add(std::move(finding));
+}
+
+}  // namespace
+
+void StreamSummary::count(TimeNs stamp_ns, std::int64_t line, bool repeats) {
+  if (rows++ == 0) {
+    first_ns = last_ns = stamp_ns;
+    return;
+  }
+  const TimeNs interval_ns = stamp_ns - last_ns;
+  last_ns = stamp_ns;
+  repeated_values += repeats ? 1 : 0;
+  intervals.count(interval_ns, line);
+  if (longest_.size() == kMostGaps && interval_ns <= longest_.back().length_ns) return;
+  if (longest_.size() == kMostGaps) longest_.pop_back();
+  const auto place = std::upper_bound(longest_.begin(), longest_.end(), interval_ns,
+                                      [](TimeNs length, const StreamGap& g) { return length > g.length_ns; });
+  longest_.insert(place, {interval_ns, stamp_ns, line});
+}
+
+double StreamSummary::median_hz() const {
+  return intervals.median_ns() > 0 ? 1e9 / intervals.median_ns() : 0;
+}
+
+double StreamSummary::mean_hz() const {
+  return rows > 1 ? static_cast<double>(rows - 1) / span_s() : 0;
+}
+
+std::vector<StreamGap> StreamSummary::longest_gaps() const {
+  std::vector<StreamGap> gaps = longest_;
+  const double limit_ns = kHitchIntervals * intervals.median_ns();
+  std::erase_if(gaps, [&](const StreamGap& gap) { return static_cast<double>(gap.length_ns) <= limit_ns; });
+  return gaps;
+}
+
+void judge_stream(const StreamSummary& stream, TimeNs start_ns, FindingList& findings) {
+  judge_gaps(stream, start_ns, findings);
+  const double share =
+      stream.rows > 1 ? static_cast<double>(stream.repeated_values) / static_cast<double>(stream.rows - 1)
+                      : 0;
+  if (share > kManyRepeats)
+    findings.add(
+        Severity::note,
+        InputError(stream.file, 0, decimals(100 * share, 1) + " % of the rows say the same as the row before",
+                   "its sensor is slower than its rows: ages are larger than they seem"));
+  const double off =
+      stream.nominal_hz > 0 && stream.median_hz() > 0 ? stream.median_hz() / stream.nominal_hz - 1 : 0;
+  if (std::abs(off) > kRateTolerance)
+    findings.add(Severity::warning,
+                 InputError(stream.file, 0,
+                            "runs at " + decimals(stream.median_hz(), 2) + " Hz where session.json says " +
+                                decimals(stream.nominal_hz, 2) + " Hz",
+                            "correct the rate there, or look for lost rows"));
+}
+
+StreamOffset offset_to(const StreamSummary& poses, const StreamSummary& stream) {
+  StreamOffset offset;
+  offset.start_ns = stream.first_ns - poses.first_ns;
+  offset.end_ns = stream.last_ns - poses.last_ns;
+  offset.change_ns = offset.end_ns - offset.start_ns;
+  offset.resolution_ns = std::llround(poses.intervals.median_ns() + stream.intervals.median_ns());
+  if (std::abs(offset.change_ns) <= offset.resolution_ns || poses.span_s() <= 0) return offset;
+  const double ppm = static_cast<double>(offset.change_ns) * 1e-3 / poses.span_s();
+  if (std::abs(ppm) <= kMostDriftPpm) offset.drift_ppm = ppm;
+  return offset;
+}
+
+void judge_offset(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings) {
+  const StreamOffset offset = offset_to(poses, stream);
+  if (offset.start_ns > kClockSlackNs)
+    findings.add(Severity::warning,
+                 InputError(stream.file, 0, "starts " + ms(offset.start_ns) + " after the poses",
+                            "until then there is nothing of this stream; cut the poses, or leave it so"));
+  if (offset.end_ns < -kClockSlackNs)
+    findings.add(Severity::warning,
+                 InputError(stream.file, 0, "ends " + ms(-offset.end_ns) + " before the poses",
+                            "its last sample is held until then; cut the poses, or leave it so"));
+  if (offset.drift_ppm)
+    findings.add(Severity::note,
+                 InputError(stream.file, 0,
+                            "moved by " + ms(offset.change_ns) + " against the poses, " +
+                                decimals(*offset.drift_ppm, 0) + " ppm of their time",
+                            "if both were started and stopped together, their clocks drift apart"));
+}
+
+}  // namespace herr
