@@ -6,6 +6,7 @@
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/convert/convert_command.h"
+#include "server/inspect/inspect_command.h"
 #include "server/replay/replay_command.h"
 #include "server/serve/serve_command.h"
 #include "server/synth/synth_command.h"
@@ -20,6 +21,7 @@ struct RunCommand {
   int operator()(const herr::ReplayOptions& options) const { return herr::run_replay(options); }
   int operator()(const herr::ServeOptions& options) const { return herr::run_serve(options); }
   int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
+  int operator()(const herr::InspectOptions& options) const { return herr::run_inspect(options); }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
   int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }
 };

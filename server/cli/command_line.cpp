@@ -37,6 +37,25 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
 }
 
+void add_inspect(CLI::App& app, InspectOptions& options) {
+  app.add_option("PATH", options.path, "session folder, or a scene: .scene.json, .gltf, .glb")
+      ->required()
+      ->type_name("");
+  file_flag(app, "--scene", "scene file (default: the one that the session names)",
+            [&](const std::string& text) { options.scene = text; });
+  value_flag(app, "--profile", "NAME|FILE",
+             "display profile: xr1, xr1-half or a file (default: the session's)",
+             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_look_flags(app, options.render);
+  add_plan_flags(app, options.render);
+  app.add_flag_callback(
+      "--decode", [&] { options.decode = true; }, "read every picture whole, not only its header");
+  app.add_flag_callback(
+      "--strict", [&] { options.strict = true; }, "a stream that was cut off is an error");
+  app.add_flag_callback(
+      "--json", [&] { options.json = true; }, "results on stdout as JSON");
+}
+
 void add_synth(CLI::App& app, SynthOptions& options) {
   app.add_option("OUT", options.out, "folder of the new session; must be empty or new")
       ->required()
@@ -152,12 +171,14 @@ struct Parser {
   ReplayOptions replay;
   ServeOptions serve;
   BenchOptions bench;
+  InspectOptions inspect;
   SynthOptions synth;
   ConvertOptions convert;
   bool show_version = false;
   CLI::App* replay_command = nullptr;
   CLI::App* serve_command = nullptr;
   CLI::App* bench_command = nullptr;
+  CLI::App* inspect_command = nullptr;
   CLI::App* synth_command = nullptr;
   CLI::App* convert_command = nullptr;
 
@@ -166,11 +187,13 @@ struct Parser {
     replay_command = app.add_subcommand("replay", "render recorded sessions to files");
     serve_command = app.add_subcommand("serve", "replay sessions in a loop behind HTTP");
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
+    inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
     convert_command = app.add_subcommand("convert", "make a session of a recording in another format");
     add_replay_flags(*replay_command, replay);
     add_serve_flags(*serve_command, serve);
     add_bench(*bench_command, bench);
+    add_inspect(*inspect_command, inspect);
     add_synth(*synth_command, synth);
     add_convert(*convert_command, convert);
     app.require_subcommand(0, 1);
@@ -179,7 +202,7 @@ struct Parser {
 
   const CLI::App* chosen() const {
     for (const CLI::App* command :
-         {replay_command, serve_command, bench_command, synth_command, convert_command}) {
+         {replay_command, serve_command, bench_command, inspect_command, synth_command, convert_command}) {
       if (command->parsed()) return command;
     }
     return nullptr;
@@ -193,7 +216,7 @@ bool has(const std::vector<std::string>& arguments, std::string_view flag) {
 
 std::string help_text(const Parser& parser, const std::vector<std::string>& arguments) {
   for (const CLI::App* command : {parser.replay_command, parser.serve_command, parser.bench_command,
-                                  parser.synth_command, parser.convert_command}) {
+                                  parser.inspect_command, parser.synth_command, parser.convert_command}) {
     if (!arguments.empty() && arguments.front() == command->get_name()) return command->help("herr");
   }
   return parser.app.help();
@@ -201,6 +224,10 @@ std::string help_text(const Parser& parser, const std::vector<std::string>& argu
 
 void check_required(const ReplayOptions& options) {
   for (const std::filesystem::path& session : options.sessions) non_empty("SESSION", session.native());
+}
+
+void check_required(const InspectOptions& options) {
+  non_empty("PATH", options.path.native());
 }
 
 void check_required(const SynthOptions& options) {
@@ -244,6 +271,10 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->serve;
   }
   if (parser->bench_command->parsed()) return parser->bench;
+  if (parser->inspect_command->parsed()) {
+    check_required(parser->inspect);
+    return parser->inspect;
+  }
   if (parser->synth_command->parsed()) {
     check_required(parser->synth);
     return parser->synth;

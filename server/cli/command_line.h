@@ -8,6 +8,7 @@
 
 #include "server/bench/bench_options.h"
 #include "server/convert/convert_options.h"
+#include "server/inspect/inspect_options.h"
 #include "server/replay/replay_options.h"
 #include "server/serve/serve_options.h"
 #include "server/synth/synth_options.h"
@@ -19,8 +20,8 @@ struct ShowText {
   std::string text;
 };
 
-using Command =
-    std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, SynthOptions, ConvertOptions>;
+using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, InspectOptions,
+                             SynthOptions, ConvertOptions>;
 
 // Arguments without the program's name. --help and --version win over every mistake in the rest.
 Command parse_command_line(const std::vector<std::string>& arguments);

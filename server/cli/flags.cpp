@@ -33,20 +33,6 @@ void read_polar_size(const std::string& text, RenderSettings& render) {
   render.polar_height = size.height;
 }
 
-// How the pictures look, written or served.
-void add_look_flags(CLI::App& app, ReplayOptions& options) {
-  value_flag(app, "--foveation", "NAME", "log-polar, or off: one ray per pixel (default log-polar)",
-             [&](const std::string& text) {
-               const bool off = parse_word("--foveation", text, {"log-polar", "off"}) == 1;
-               options.render.foveation = off ? Foveation::off : Foveation::log_polar;
-             });
-  app.add_flag_callback(
-      "--gaze-marker", [&] { options.render.gaze_marker = true; }, "red circle at the gaze");
-  app.add_flag_callback(
-      "--debug-tiles", [&] { options.render.debug_tiles = true; },
-      "colour the polar buffer in tiles of 15 degrees");
-}
-
 // Which files are written.
 void add_picture_flags(CLI::App& app, ReplayOptions& options) {
   value_flag(app, "--format", "NAME", "pictures: png, exr or none (default png)",
@@ -146,7 +132,20 @@ void file_flag(CLI::App& app, const std::string& flag, const std::string& help, 
   value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) { read(non_empty(flag, text)); });
 }
 
-void add_render_flags(CLI::App& app, RenderSettings& render) {
+void add_look_flags(CLI::App& app, RenderSettings& render) {
+  value_flag(app, "--foveation", "NAME", "log-polar, or off: one ray per pixel (default log-polar)",
+             [&render](const std::string& text) {
+               const bool off = parse_word("--foveation", text, {"log-polar", "off"}) == 1;
+               render.foveation = off ? Foveation::off : Foveation::log_polar;
+             });
+  app.add_flag_callback(
+      "--gaze-marker", [&render] { render.gaze_marker = true; }, "red circle at the gaze");
+  app.add_flag_callback(
+      "--debug-tiles", [&render] { render.debug_tiles = true; },
+      "colour the polar buffer in tiles of 15 degrees");
+}
+
+void add_plan_flags(CLI::App& app, RenderSettings& render) {
   value_flag(app, "--polar", "WxH", "polar buffer of both eyes together (default 1576x768)",
              [&render](const std::string& text) { read_polar_size(text, render); });
   value_flag(app, "--light-samples", "N",
@@ -154,6 +153,14 @@ void add_render_flags(CLI::App& app, RenderSettings& render) {
              [&render](const std::string& text) {
                render.light_samples = static_cast<int>(parse_whole_number("--light-samples", text, 1, 4096));
              });
+  app.add_flag_callback(
+      "--no-reflections", [&render] { render.reflections = false; }, "trace no mirror rays");
+  app.add_flag_callback(
+      "--no-camera", [&render] { render.camera = false; }, "leave the camera feed out");
+}
+
+void add_render_flags(CLI::App& app, RenderSettings& render) {
+  add_plan_flags(app, render);
   value_flag(app, "--threads", "N", "render threads, 1 ... 512 (default: all this process may use)",
              [&render](const std::string& text) {
                render.threads = static_cast<int>(parse_whole_number("--threads", text, 1, 512));
@@ -163,10 +170,6 @@ void add_render_flags(CLI::App& app, RenderSettings& render) {
                constexpr std::array<Isa, 4> kIsas{Isa::sse4, Isa::avx2, Isa::avx512, Isa::best};
                render.isa = kIsas.at(parse_word("--isa", text, {"sse4", "avx2", "avx512", "best"}));
              });
-  app.add_flag_callback(
-      "--no-reflections", [&render] { render.reflections = false; }, "trace no mirror rays");
-  app.add_flag_callback(
-      "--no-camera", [&render] { render.camera = false; }, "leave the camera feed out");
 }
 
 void add_replay_flags(CLI::App& app, ReplayOptions& options) {
@@ -174,7 +177,7 @@ void add_replay_flags(CLI::App& app, ReplayOptions& options) {
   file_flag(app, "--out", "folder for results; each session gets a folder in it (default out)",
             [&](const std::string& text) { options.out = text; });
   add_picture_flags(app, options);
-  add_look_flags(app, options);
+  add_look_flags(app, options.render);
   add_time_flags(app, options);
   add_render_flags(app, options.render);
   app.add_flag_callback(
@@ -204,7 +207,7 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
              [&](const std::string& text) {
                options.port = static_cast<int>(parse_whole_number("--port", text, 0, 65535));
              });
-  add_look_flags(app, options.replay);
+  add_look_flags(app, options.replay.render);
   add_time_flags(app, options.replay);
   add_render_flags(app, options.replay.render);
   app.add_flag_callback(

@@ -29,7 +29,11 @@ const std::string& non_empty(const std::string& what, const std::string& text);
 
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read);
 
-// Settings that every rendering command shares.
+// How the pictures look, written or served.
+void add_look_flags(CLI::App& app, RenderSettings& render);
+// Settings that decide which stages a frame runs.
+void add_plan_flags(CLI::App& app, RenderSettings& render);
+// Settings that every rendering command shares: those and the machine's.
 void add_render_flags(CLI::App& app, RenderSettings& render);
 // All of `herr replay` and of `herr serve`; the options hold the defaults.
 void add_replay_flags(CLI::App& app, ReplayOptions& options);

@@ -1,0 +1,21 @@
+// What `herr inspect` is asked to look at.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "renderer/render_settings.h"
+
+namespace herr {
+
+struct InspectOptions {
+  std::filesystem::path path;  // a session's folder (or its session.json), or a scene
+  std::string scene;           // empty: the scene that the session names
+  std::string profile;         // built-in name or file; empty: the profile of the session
+  RenderSettings render;       // what the frame plan is made for
+  bool strict = false;         // a stream whose last line was cut off is an error
+  bool decode = false;         // read every picture whole, not only its header
+  bool json = false;           // results on stdout as JSON
+};
+
+}  // namespace herr

@@ -1,0 +1,84 @@
+#include "server/inspect/inspect_report.h"
+
+#include <system_error>
+
+#include "server/cli/exit_code.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+void inspect_scene(const InspectOptions& options, bool session_has_camera, InspectReport& report) {
+  try {
+    const Scene scene = load_scene(report.scene_file);
+    report.scene = facts_of(scene);
+    report.plan = plan_frame(scene, options.render, session_has_camera);
+    for (const std::string& warning : scene.warnings)
+      report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    if (report.scene->degenerate_triangles > 0)
+      report.findings.add(Severity::note, InputError(report.scene_file, 0,
+                                                     std::to_string(report.scene->degenerate_triangles) +
+                                                         " triangles have no area: no ray can hit them",
+                                                     "leave them out when the model is exported again"));
+  } catch (const InputError& error) {
+    report.findings.add(Severity::error, error);
+  }
+}
+
+void inspect_recording(const std::filesystem::path& folder, const InspectOptions& options,
+                       InspectReport& report) {
+  InspectionRequest request{folder, options.strict, options.decode};
+  if (!options.profile.empty()) {
+    report.profile = load_display_profile(options.profile);
+    request.display_hz = report.profile.display_hz;
+  }
+  report.session = inspect_session(request);
+  const SessionInspection& session = *report.session;
+  report.findings = session.findings;
+  if (options.profile.empty() && session.header) report.profile = session.header->profile;
+  if (session.span)
+    report.frames =
+        frames_to_replay(session.span->start_ns, session.span->end_ns, report.profile.display_hz, {});
+  if (!options.scene.empty())
+    report.scene_file = options.scene;
+  else if (session.header && !session.header->scene.empty())
+    report.scene_file = folder / session.header->scene;
+  if (!report.scene_file.empty()) return inspect_scene(options, session.has_camera_feed(), report);
+  if (session.header)
+    report.findings.add(Severity::note, InputError(folder / "session.json", 0, "names no scene",
+                                                   "give --scene FILE for the frame plan and for replay"));
+}
+
+// A session may be named by its header, too.
+bool is_header(const std::filesystem::path& path) {
+  return path.filename() == "session.json";
+}
+
+bool is_scene(const std::filesystem::path& path) {
+  std::error_code ignored;  // whatever it is, opening it says what is wrong
+  return std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored) &&
+         !is_header(path);
+}
+
+}  // namespace
+
+InspectReport inspect(const InspectOptions& options) {
+  InspectReport report;
+  report.path = options.path;
+  report.settings = options.render;
+  if (!is_scene(options.path)) {
+    std::filesystem::path folder = options.path;
+    if (is_header(folder)) folder = folder.has_parent_path() ? folder.parent_path() : ".";
+    inspect_recording(folder, options, report);
+    return report;
+  }
+  if (!options.scene.empty())
+    throw UsageError("--scene: " + printable(options.path.string()) +
+                     " is a scene itself; leave the flag out, or name a session");
+  report.profile = options.profile.empty() ? xr1_profile() : load_display_profile(options.profile);
+  report.scene_file = options.path;
+  inspect_scene(options, false, report);
+  return report;
+}
+
+}  // namespace herr

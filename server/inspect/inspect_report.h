@@ -1,0 +1,34 @@
+// Everything that `herr inspect` found, before it becomes text or JSON.
+// Before: inspect_session, load_scene, plan_frame. After: inspect_text, inspect_json.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "renderer/frame_plan.h"
+#include "server/inspect/inspect_options.h"
+#include "server/inspect/scene_facts.h"
+#include "server/replay/frame_range.h"
+#include "sessions/display_profile.h"
+#include "sessions/inspect/session_inspection.h"
+
+namespace herr {
+
+struct InspectReport {
+  std::filesystem::path path;
+  std::optional<SessionInspection> session;  // none: a scene was inspected
+  DisplayProfile profile;                    // of the session, or the one asked for
+  std::optional<FrameRange> frames;          // that replay would render; none where the span is not known
+  std::filesystem::path scene_file;          // empty: none is named
+  std::optional<SceneFacts> scene;           // none: not named, or it cannot be read
+  std::optional<FramePlan> plan;             // as soon as there is a scene
+  RenderSettings settings;
+  FindingList findings;  // of the session and of the scene
+
+  bool sound() const { return findings.first_error() == nullptr; }
+};
+
+InspectReport inspect(const InspectOptions& options);
+
+}  // namespace herr

@@ -1,0 +1,75 @@
+#include "server/inspect/scene_facts.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+
+namespace herr {
+namespace {
+
+bool has_no_area(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+  const glm::dvec3 a = mesh.positions[corners[0]], b = mesh.positions[corners[1]],
+                   c = mesh.positions[corners[2]];
+  return glm::cross(b - a, c - a) == glm::dvec3(0.0);
+}
+
+void add_meshes(const Scene& scene, SceneFacts& facts) {
+  facts.meshes = static_cast<std::int64_t>(scene.meshes.size());
+  for (const TriangleMesh& mesh : scene.meshes) {
+    facts.stored_triangles += static_cast<std::int64_t>(mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles)
+      facts.degenerate_triangles += has_no_area(mesh, triangle) ? 1 : 0;
+    facts.geometry_bytes += static_cast<std::int64_t>(
+        mesh.positions.size() * sizeof(mesh.positions[0]) + mesh.normals.size() * sizeof(mesh.normals[0]) +
+        mesh.uvs.size() * sizeof(mesh.uvs[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]));
+  }
+}
+
+void add_objects(const Scene& scene, SceneFacts& facts) {
+  std::map<std::string, SceneObject> objects;
+  for (const MeshInstance& instance : scene.instances) {
+    SceneObject& object = objects[instance.name.substr(0, instance.name.find('/'))];
+    ++object.instances;
+    object.triangles += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());
+    object.catcher = object.catcher || instance.catcher;
+    facts.catchers += instance.catcher ? 1 : 0;
+  }
+  for (auto& [name, object] : objects) {
+    object.name = name;
+    facts.objects.push_back(object);
+  }
+  std::stable_sort(facts.objects.begin(), facts.objects.end(),
+                   [](const SceneObject& a, const SceneObject& b) { return a.triangles > b.triangles; });
+}
+
+}  // namespace
+
+SceneFacts facts_of(const Scene& scene) {
+  SceneFacts facts;
+  facts.name = scene.name;
+  facts.instances = static_cast<std::int64_t>(scene.instances.size());
+  facts.triangles = triangle_count(scene, false);
+  facts.catcher_triangles = triangle_count(scene, true) - facts.triangles;
+  add_meshes(scene, facts);
+  add_objects(scene, facts);
+  facts.materials = static_cast<std::int64_t>(scene.materials.size());
+  for (const Material& material : scene.materials) {
+    facts.mirrors += material.mirror > 0 ? 1 : 0;
+    facts.emitters += material.emission != glm::vec3(0.0f) ? 1 : 0;
+  }
+  facts.textures = static_cast<std::int64_t>(scene.textures.size());
+  for (const TextureImage& texture : scene.textures) {
+    facts.texture_pixels += static_cast<std::int64_t>(texture.width_px) * texture.height_px;
+    facts.texture_bytes += static_cast<std::int64_t>(texture.rgba.size());
+  }
+  facts.lights = static_cast<std::int64_t>(scene.lights.size());
+  for (const AreaLight& light : scene.lights)
+    facts.moving_lights += light.path_radius_m > 0 && light.path_period_s != 0 ? 1 : 0;
+  facts.ambient = scene.ambient;
+  facts.environment = scene.environment;
+  facts.bounds = scene_bounds(scene);
+  facts.files = scene.files;
+  return facts;
+}
+
+}  // namespace herr

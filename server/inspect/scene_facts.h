@@ -1,0 +1,38 @@
+// What can be counted about a scene: objects, triangles, materials, textures, lights, memory.
+// Before: load_scene. After: the report of `herr inspect`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace herr {
+
+// Instances with the same name up to the first slash: one entry of the scene document.
+struct SceneObject {
+  std::string name;
+  std::int64_t instances = 0, triangles = 0;
+  bool catcher = false;
+};
+
+struct SceneFacts {
+  std::string name;
+  std::vector<SceneObject> objects;  // most triangles first
+  std::int64_t instances = 0, catchers = 0, meshes = 0;
+  std::int64_t triangles = 0, catcher_triangles = 0;
+  std::int64_t stored_triangles = 0;      // each mesh once
+  std::int64_t degenerate_triangles = 0;  // of the stored ones: without area, no ray can hit them
+  std::int64_t materials = 0, mirrors = 0, emitters = 0;
+  std::int64_t textures = 0, texture_pixels = 0;
+  std::int64_t lights = 0, moving_lights = 0;
+  glm::vec3 ambient{0.0f}, environment{0.0f};
+  Bounds bounds;
+  std::int64_t geometry_bytes = 0, texture_bytes = 0;  // as loaded, without acceleration structures
+  std::vector<std::filesystem::path> files;
+};
+
+SceneFacts facts_of(const Scene& scene);
+
+}  // namespace herr

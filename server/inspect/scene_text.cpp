@@ -1,0 +1,69 @@
+#include "server/inspect/scene_text.h"
+
+#include <algorithm>
+
+#include "server/statistics/number_text.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+constexpr std::size_t kObjectsShown = 12;
+
+std::string megabytes(std::int64_t bytes) {
+  return fixed_text(static_cast<double>(bytes) * 1e-6, 1) + " MB";
+}
+
+std::string point(const glm::dvec3& p) {
+  return "(" + fixed_text(p.x, 2) + ", " + fixed_text(p.y, 2) + ", " + fixed_text(p.z, 2) + ")";
+}
+
+std::string line(const std::string& name, const std::string& value) {
+  return "  " + left_aligned(name, 12) + value + "\n";
+}
+
+std::string objects_text(const SceneFacts& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(scene.objects.size(), kObjectsShown); ++i) {
+    const SceneObject& object = scene.objects[i];
+    text += "  " + left_aligned(object.name.empty() ? "(no name)" : printable(object.name), 30) +
+            right_aligned(std::to_string(object.instances), 8) +
+            right_aligned(std::to_string(object.triangles), 12) + (object.catcher ? "  catcher" : "") + "\n";
+  }
+  if (scene.objects.size() > kObjectsShown)
+    text += "  and " + std::to_string(scene.objects.size() - kObjectsShown) + " more\n";
+  const std::string head =
+      "  " + left_aligned("object", 30) + right_aligned("meshes", 8) + right_aligned("triangles", 12) + "\n";
+  return text.empty() ? "" : head + text;
+}
+
+}  // namespace
+
+std::string scene_text(const InspectReport& report) {
+  const SceneFacts& scene = *report.scene;
+  std::string text =
+      "scene " + printable(scene.name) + "   (" + printable(report.scene_file.string()) + ")\n";
+  text += line("triangles", std::to_string(scene.triangles) + " in " +
+                                std::to_string(scene.instances - scene.catchers) + " instances, and " +
+                                std::to_string(scene.catcher_triangles) + " in " +
+                                std::to_string(scene.catchers) + " catchers; " +
+                                std::to_string(scene.degenerate_triangles) + " without area");
+  text += line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
+                             std::to_string(scene.meshes) + " meshes, " + megabytes(scene.geometry_bytes) +
+                             " (acceleration structures come on top)");
+  text += line("materials", std::to_string(scene.materials) + ", " + std::to_string(scene.mirrors) +
+                                " reflect, " + std::to_string(scene.emitters) + " emit light");
+  text += line("textures", std::to_string(scene.textures) + ", " +
+                               fixed_text(static_cast<double>(scene.texture_pixels) * 1e-6, 2) + " Mpx, " +
+                               megabytes(scene.texture_bytes));
+  text += line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
+                             " on a path; ambient " + point(scene.ambient) + ", environment " +
+                             point(scene.environment));
+  text += line("bounds",
+               point(scene.bounds.lower) + " to " + point(scene.bounds.upper) + " m" +
+                   (scene.catchers > 0 && scene.catchers < scene.instances ? ", without catchers" : ""));
+  text += line("files", std::to_string(scene.files.size()));
+  return text + objects_text(scene) + "\n";
+}
+
+}  // namespace herr
