@@ -120,6 +120,7 @@ Json eyes_json(const SessionInspection& session) {
   Json json{{"eccentricity_deg", quantiles_json(eyes.eccentricity_deg())},
             {"rows", eyes.rows()},
             {"lost_rows", eyes.lost_rows()},
+            {"either_lost_rows", eyes.either_lost_rows()},
             {"lost_rows_left", eyes.lost_rows_of(0)},
             {"lost_rows_right", eyes.lost_rows_of(1)},
             {"off_axis_rows", eyes.off_axis_rows()},

@@ -4,7 +4,7 @@
 #include "server/inspect/session_text.h"
 #include "server/replay/summary_json.h"
 #include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -15,20 +15,16 @@ std::string plan_text(const InspectReport& report) {
   for (const PlanEntry& entry : report.plan->entries) {
     // Without a session nobody knows.
     const bool open = !report.session && entry.name == "camera composite" && report.settings.camera;
-    text += "  " + left_aligned(entry.runs ? "runs" : "skipped", 9) + left_aligned(entry.name, 23) +
+    text += "  " + left_aligned(entry.runs ? "runs" : "skipped", 9) + left_aligned(entry.name, 24) +
             (open ? "no session is inspected" : entry.reason) + "\n";
   }
   return text + "\n";
 }
 
-std::string plural(std::int64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string findings_text(const FindingList& findings) {
-  std::string text = plural(findings.count(Severity::error), "error") + ", " +
-                     plural(findings.count(Severity::warning), "warning") + ", " +
-                     plural(findings.count(Severity::note), "note") + "\n";
+  std::string text = counted(findings.kinds(Severity::error), "error", "errors") + ", " +
+                     counted(findings.kinds(Severity::warning), "warning", "warnings") + ", " +
+                     counted(findings.kinds(Severity::note), "note", "notes") + "\n";
   for (const Finding& finding : findings.sorted()) {
     text += left_aligned(name_of(finding.severity), 9) + finding.text() + "\n";
     if (finding.count > 1) text += std::string(9, ' ') + finding.rest() + "\n";
@@ -37,12 +33,15 @@ std::string findings_text(const FindingList& findings) {
 }
 
 std::string verdict(const InspectReport& report) {
-  if (report.sound()) return report.session ? "sound: replay takes it\n" : "sound: it can be rendered\n";
+  if (report.sound() && !report.session) return "sound: it can be rendered\n";
+  if (report.sound())
+    return report.scene ? "sound: replay takes it\n" : "sound: replay takes it, with --scene FILE\n";
   const std::int64_t errors = report.findings.count(Severity::error);
   const std::int64_t skippable = report.findings.skippable_errors();
+  if (!report.session) return "not sound: it cannot be rendered\n";
   if (skippable < errors) return "not sound: replay refuses it\n";
   return "not sound: replay refuses it; with --keep-going it leaves out " +
-         (skippable == 1 ? "1 row" : std::to_string(skippable) + " rows") + "\n";
+         counted(skippable, "row", "rows") + "\n";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "server/inspect/time_plot.h"
 #include "server/statistics/number_text.h"
 #include "sessions/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -135,22 +136,24 @@ std::string motion_text(const SessionInspection& session) {
   if (head.turn_deg_s().count() == 0) return "";
   const LinearHistogram &turn = head.turn_deg_s(), &move = head.move_m_s();
   const glm::dvec3 box = head.upper_m() - head.lower_m();
-  std::string text = "\nhead: " + fixed_text(turn.quantile(0.5), 0) + " deg/s (p50), " +
+  std::string text = "\nhead: turns at " + fixed_text(turn.quantile(0.5), 0) + " deg/s (p50), " +
                      fixed_text(turn.quantile(0.95), 0) + " (p95), " + fixed_text(turn.max(), 0) +
-                     " (max); " + fixed_text(move.quantile(0.5), 2) + " m/s, " +
-                     fixed_text(move.quantile(0.95), 2) + ", " + fixed_text(move.max(), 2) + "\n      " +
-                     fixed_text(head.path_m(), 2) + " m of way within " + fixed_text(box.x, 2) + " x " +
-                     fixed_text(box.y, 2) + " x " + fixed_text(box.z, 2) + " m, " +
-                     fixed_text(head.turned_deg(), 0) + " degrees of turns\n";
+                     " (max)\n      moves at " + fixed_text(move.quantile(0.5), 2) + " m/s (p50), " +
+                     fixed_text(move.quantile(0.95), 2) + " (p95), " + fixed_text(move.max(), 2) +
+                     " (max)\n      " + fixed_text(head.path_m(), 2) + " m of way within " +
+                     fixed_text(box.x, 2) + " x " + fixed_text(box.y, 2) + " x " + fixed_text(box.z, 2) +
+                     " m, " + fixed_text(head.turned_deg(), 0) + " degrees of turns\n";
   const GazeMeter& eyes = session.eyes;
   if (eyes.rows() == 0) return text;
   const LinearHistogram& off = eyes.eccentricity_deg();
   return text + "gaze: " + fixed_text(off.quantile(0.5), 1) + " deg off the head's axis (p50), " +
          fixed_text(off.quantile(0.95), 1) + " (p95), " + fixed_text(off.max(), 1) +
-         " (max)\n      lost in " + fixed_text(100 * eyes.lost_share(), 1) +
-         " % of the rows: " + std::to_string(eyes.blinks()) + " blinks, " + std::to_string(eyes.losses()) +
-         " losses of more than 600 ms, the longest " + ms(static_cast<double>(eyes.longest_loss_ns()), 0) +
-         " ms\n";
+         " (max)\n      lost in " + percentage(eyes.lost_rows(), eyes.rows()) + " of the rows (left eye " +
+         percentage(eyes.lost_rows_of(0), eyes.rows()) + ", right " +
+         percentage(eyes.lost_rows_of(1), eyes.rows()) + ", one or both " +
+         percentage(eyes.either_lost_rows(), eyes.rows()) + "):\n      " +
+         counted(eyes.blinks(), "blink", "blinks") + ", " + counted(eyes.losses(), "loss", "losses") +
+         " of more than 600 ms,\n      the longest span " + milliseconds(eyes.longest_loss_ns()) + "\n";
 }
 
 std::string plots_text(const SessionInspection& session) {
@@ -163,11 +166,11 @@ std::string plots_text(const SessionInspection& session) {
   };
   std::string text;
   if (session.head.turn_deg_s().count() > 0)
-    text += plot(session.head.turn_profile(), "head turns, deg/s (# mean, : peak) over s", 5, false) +
-            plot(session.head.move_profile(), "head moves, m/s", 3, false);
+    text += plot(session.head.turn_profile(), "head turns, deg/s (# mean, : peak) over s", 6, false) +
+            plot(session.head.move_profile(), "head moves, m/s", 4, false);
   if (session.eyes.rows() > 0)
     text += plot(session.eyes.eccentricity_profile(),
-                 "gaze eccentricity, deg off the head's axis (lost: - in part, x wholly)", 5, true);
+                 "gaze eccentricity, deg off the head's axis (lost: - in part, x wholly)", 6, true);
   return text;
 }
 

@@ -10,10 +10,11 @@ namespace {
 
 constexpr int kLabelWidth = 8;
 
-// How many rows of `rows` a value fills; anything above 0 shows.
-int height_of(double value, double scale, int rows) {
-  if (value <= 0) return 0;
-  return std::clamp(static_cast<int>(std::ceil(value / scale * rows - 0.5)), 1, rows);
+// A cell of the plot: row 1 is the lowest.
+char cell(const ProfileSpan& span, double scale, int rows, int row) {
+  if (span.values == 0) return ' ';
+  const auto reaches = [=](double value) { return std::lround(value / scale * rows) >= row; };
+  return reaches(span.mean()) ? '#' : reaches(span.peak) ? ':' : row == 1 ? '.' : ' ';
 }
 
 std::string without_trailing_spaces(std::string line) {
@@ -36,7 +37,7 @@ std::string time_axis(double seconds) {
 double round_scale(double value) {
   if (!(value > 0)) return 1;
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 2.5, 5.0}) {
+  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0}) {
     if (value <= step * power) return step * power;
   }
   return 10 * power;
@@ -50,11 +51,7 @@ std::string time_plot(const std::vector<ProfileSpan>& spans, const PlotRequest& 
   for (int row = request.rows; row > 0; --row) {
     const double top = scale * row / request.rows;
     std::string line = right_aligned(fixed_text(top, scale < 10 ? 2 : 0), kLabelWidth) + " |";
-    for (const ProfileSpan& span : spans) {
-      const bool in_mean = height_of(span.mean(), scale, request.rows) >= row;
-      const bool in_peak = height_of(span.peak, scale, request.rows) >= row;
-      line += in_mean ? '#' : in_peak ? ':' : ' ';
-    }
+    for (const ProfileSpan& span : spans) line += cell(span, scale, request.rows, row);
     text += without_trailing_spaces(line);
   }
   text += time_axis(request.seconds);

@@ -1,4 +1,5 @@
-// A value over time as text: columns of '#' up to the mean and ':' up to the peak. ASCII, 80 columns wide.
+// A value over time as text: columns of '#' up to the mean and ':' up to the peak, rounded to rows; '.' where
+// both round to nothing. ASCII, 80 columns wide.
 // Before: TimeProfile. After: inspect_text.
 #pragma once
 
@@ -21,7 +22,7 @@ struct PlotRequest {
 // Lines with line ends. `spans`: kPlotColumns of them, from second 0 on.
 std::string time_plot(const std::vector<ProfileSpan>& spans, const PlotRequest& request);
 
-// The least number of 1, 2, 2.5 or 5 times a power of ten that is at least `value`; 1 for 0.
+// The least of 1, 1.2, 1.5, 2, 2.4, 3, 4, 5, 6 and 8 times a power of ten that is at least `value`; 1 for 0.
 double round_scale(double value);
 
 }  // namespace herr

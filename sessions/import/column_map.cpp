@@ -122,9 +122,9 @@ std::vector<RowCondition> parse_conditions(const JsonObject& filter, const char*
   return conditions;
 }
 
-RowFilter parse_filter(const JsonObject& parent) {
-  if (!parent.has("valid")) return {};
-  const JsonObject entry = parent.object("valid");
+RowFilter parse_filter(const JsonObject& parent, const char* key = "valid") {
+  if (!parent.has(key)) return {};
+  const JsonObject entry = parent.object(key);
   entry.allow_only({"all", "any"});
   return {parse_conditions(entry, "all"), parse_conditions(entry, "any")};
 }
@@ -187,8 +187,8 @@ HeadColumns parse_head(const JsonObject& entry) {
   return head;
 }
 
+// Its keys: vector, or yaw, pitch and unit; placeholder; valid.
 DirectionColumns parse_ray(const JsonObject& entry) {
-  entry.allow_only({"vector", "yaw", "pitch", "unit", "placeholder", "valid"});
   DirectionColumns ray;
   if (entry.has("vector") == entry.has("yaw"))
     entry.fail(nullptr, "needs a direction", "give either vector, or yaw and pitch");
@@ -203,6 +203,16 @@ DirectionColumns parse_ray(const JsonObject& entry) {
   return ray;
 }
 
+// One ray for both eyes, and where the file tells it, which pupils it was made from.
+void parse_combined(const JsonObject& entry, GazeColumns& gaze) {
+  entry.allow_only({"vector", "yaw", "pitch", "unit", "placeholder", "valid", "valid_left", "valid_right"});
+  gaze.rays = {parse_ray(entry)};
+  if (entry.has("valid_left") != entry.has("valid_right"))
+    entry.fail(nullptr, "has one of valid_left and valid_right", "give both or neither");
+  if (entry.has("valid_left"))
+    gaze.pupils = {parse_filter(entry, "valid_left"), parse_filter(entry, "valid_right")};
+}
+
 GazeColumns parse_gaze(const JsonObject& entry) {
   entry.allow_only(
       {"in_head_file", "separator", "comment", "header", "time", "combined", "left", "right", "axes"});
@@ -214,9 +224,13 @@ GazeColumns parse_gaze(const JsonObject& entry) {
   if (entry.has("combined") == (entry.has("left") && entry.has("right")))
     entry.fail(nullptr, "needs its rays", "give either combined, or left and right");
   if (entry.has("combined"))
-    gaze.rays = {parse_ray(entry.object("combined"))};
+    parse_combined(entry.object("combined"), gaze);
   else
-    gaze.rays = {parse_ray(entry.object("left")), parse_ray(entry.object("right"))};
+    for (const char* eye : {"left", "right"}) {
+      const JsonObject ray = entry.object(eye);
+      ray.allow_only({"vector", "yaw", "pitch", "unit", "placeholder", "valid"});
+      gaze.rays.push_back(parse_ray(ray));
+    }
   return gaze;
 }
 

@@ -85,7 +85,9 @@ struct GazeColumns {
   TableFormat table;
   TimeColumn time;
   std::vector<DirectionColumns> rays;  // one (combined), or left and right
-  AxisDirections axes;                 // of the head, as the gaze is written in
+  // Combined, where the file tells which pupils were seen: left and right. One of them suffices for the ray.
+  std::vector<RowFilter> pupils;
+  AxisDirections axes;  // of the head, as the gaze is written in
 };
 
 struct ColumnMap {

@@ -1,5 +1,6 @@
 #include "sessions/import/import_rows.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -135,31 +136,41 @@ void import_poses(const ImportRequest& request, const ImportSink& sink, ImportRe
   });
 }
 
+// What the eyes of one row see. No ray is read where no pupil was seen: what stands there is none.
+void read_rays(const ForeignTable& table, const std::vector<RayReader>& readers,
+               const std::vector<FilterReader>& pupils, const AxisDirections& axes, GazeRow& row,
+               ImportedStream& stream) {
+  std::array<bool, 2> seen{true, true};
+  for (std::size_t eye = 0; eye < pupils.size(); ++eye) seen[eye] = pupils[eye].passes(table);
+  if (!seen[0] && !seen[1]) return;
+  for (std::size_t eye = 0; eye < readers.size(); ++eye) {
+    const auto direction = readers[eye].read(table, stream);
+    row.valid[eye] = direction.has_value();
+    if (direction) row.head_direction[eye] = axes.to_ours(*direction);
+  }
+  if (readers.size() > 1) return;
+  row.head_direction[1] = row.head_direction[0];
+  row.valid = {row.valid[0] && seen[0], row.valid[0] && seen[1]};
+}
+
 void import_gaze(const ImportRequest& request, const std::filesystem::path& file, const GazeColumns& columns,
                  const ImportSink& sink, ImportReport& report) {
   ForeignTable table(file, columns.table);
   std::vector<RayReader> readers;
   for (const DirectionColumns& ray : columns.rays) readers.emplace_back(table, ray);
+  std::vector<FilterReader> pupils;
+  for (const RowFilter& pupil : columns.pupils) pupils.emplace_back(table, pupil);
   report.has_gaze = true;
   report.gaze_combined = readers.size() == 1;
   std::optional<GazeRow> before;
   StreamImport(table, columns.time, request, report.gaze, report.warnings).run([&](TimeNs stamp_ns) {
     GazeRow row;
     row.stamp_ns = stamp_ns;
-    for (std::size_t eye = 0; eye < 2; ++eye) {
-      if (eye == 1 && readers.size() == 1) {
-        row.head_direction[1] = row.head_direction[0];
-        row.valid[1] = row.valid[0];
-        break;
-      }
-      const auto direction = readers[eye].read(table, report.gaze);
-      row.valid[eye] = direction.has_value();
-      if (direction) row.head_direction[eye] = columns.axes.to_ours(*direction);
-    }
+    read_rays(table, readers, pupils, columns.axes, row, report.gaze);
     report.gaze.lost_rows += !row.valid[0] && !row.valid[1] ? 1 : 0;
     report.gaze.one_eye_rows += row.valid[0] != row.valid[1] ? 1 : 0;
-    const bool same =
-        before && row.valid == before->valid && row.valid[0] && row.head_direction == before->head_direction;
+    const bool same = before && row.valid == before->valid && (row.valid[0] || row.valid[1]) &&
+                      row.head_direction == before->head_direction;
     report.gaze.repeated_values += same ? 1 : 0;
     before = row;
     sink.gaze(row);

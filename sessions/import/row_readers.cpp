@@ -144,6 +144,7 @@ std::vector<ColumnRef> columns_of(const GazeColumns& gaze) {
     if (ray.yaw_pitch) columns.insert(columns.end(), ray.yaw_pitch->begin(), ray.yaw_pitch->end());
     add_columns(ray.valid, columns);
   }
+  for (const RowFilter& pupil : gaze.pupils) add_columns(pupil, columns);
   return columns;
 }
 

@@ -77,6 +77,11 @@ std::vector<Finding> FindingList::sorted() const {
   return sorted;
 }
 
+std::int64_t FindingList::kinds(Severity severity) const {
+  return std::count_if(findings_.begin(), findings_.end(),
+                       [=](const Finding& finding) { return finding.severity == severity; });
+}
+
 std::int64_t FindingList::count(Severity severity) const {
   std::int64_t count = 0;
   for (const Finding& finding : findings_)

@@ -42,6 +42,7 @@ class FindingList {
 
   // Errors first, each severity in the order in which it was met.
   std::vector<Finding> sorted() const;
+  std::int64_t kinds(Severity severity) const;  // entries
   std::int64_t count(Severity severity) const;  // all occurrences
   std::int64_t skippable_errors() const;        // all occurrences
   // The one that replay would stop at, or none.

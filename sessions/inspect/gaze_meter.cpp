@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "sessions/inspect/number_words.h"
 #include "sessions/streams/gaze_sampler.h"
 
 namespace herr {
@@ -13,11 +14,6 @@ namespace {
 
 constexpr double kMuchLost = 0.2;  // people blink for 2 to 5 % of the time
 constexpr double kOftenOneEye = 0.2;
-
-std::string percent(std::int64_t part, std::int64_t all) {
-  const std::int64_t tenths = std::llround(1e3 * static_cast<double>(part) / static_cast<double>(all));
-  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %";
-}
 
 double off_axis_deg(const glm::dvec3& d) {
   return glm::degrees(std::atan2(std::hypot(d.x, d.y), -d.z));
@@ -84,13 +80,12 @@ double GazeMeter::lost_share() const {
 void GazeMeter::judge(const std::filesystem::path& file, FindingList& findings) const {
   if (rows_ == 0) return;
   if (lost_rows_ > 0) {
-    const std::string longest = std::to_string(longest_loss_ns_ / 1'000'000) + " ms";
-    const std::string spans =
-        std::to_string(blinks_) + " blinks, " + std::to_string(losses_) + " losses of more than 600 ms";
+    const std::string spans = counted(blinks_, "blink", "blinks") + ", " +
+                              counted(losses_, "loss", "losses") + " of more than 600 ms";
     findings.add({losses_ > 0 || lost_share() > kMuchLost ? Severity::warning : Severity::note,
                   InputError(file, longest_loss_line_,
-                             percent(lost_rows_, rows_) + " of the rows have no gaze (" + spans +
-                                 "); the longest span, " + longest + ", begins here",
+                             percentage(lost_rows_, rows_) + " of the rows have no gaze (" + spans +
+                                 "); the longest span, " + milliseconds(longest_loss_ns_) + ", begins here",
                              lost_rows_ == rows_ ? "the eyes look straight ahead; the tracker saw no pupil"
                                                  : "it is held for 600 ms, then glides to the centre"),
                   false, 1});
@@ -101,8 +96,9 @@ void GazeMeter::judge(const std::filesystem::path& file, FindingList& findings) 
     findings.add(Severity::warning,
                  InputError(file, 0,
                             std::string("the ") + (eye == 0 ? "left" : "right") + " eye alone is lost in " +
-                                percent(alone, rows_) + " of the rows",
-                            "it takes the direction of the other eye"));
+                                percentage(alone, rows_) + " of the rows, one or both in " +
+                                percentage(either_lost_rows(), rows_),
+                            "the gaze is that of the other eye"));
   }
   if (off_axis_rows_ > 0)
     findings.add(

@@ -23,6 +23,7 @@ class GazeMeter {
 
   std::int64_t rows() const { return rows_; }
   std::int64_t lost_rows() const { return lost_rows_; }  // neither eye
+  std::int64_t either_lost_rows() const { return lost_rows_of_[0] + lost_rows_of_[1] - lost_rows_; }
   std::int64_t lost_rows_of(std::size_t eye) const { return lost_rows_of_[eye]; }
   std::int64_t off_axis_rows() const { return off_axis_rows_; }  // said to be valid, more than 60 degrees off
   double lost_share() const;                                     // of the rows, 0 to 1

@@ -149,11 +149,11 @@ void for_each_other_stream(SessionInspection& inspection, const Action& action) 
 void judge_all(const SessionFiles& files, SessionInspection& inspection) {
   FindingList& findings = inspection.findings;
   const StreamSummary& poses = inspection.poses;
-  judge_stream(poses, poses.first_ns, findings);
+  judge_stream(poses, poses, findings);
   inspection.head.judge(poses.file, findings);
   inspection.eyes.judge(files.gaze(), findings);
   for_each_other_stream(inspection, [&](const StreamSummary& stream) {
-    judge_stream(stream, poses.rows > 0 ? poses.first_ns : stream.first_ns, findings);
+    judge_stream(poses, stream, findings);
     if (poses.rows > 0) judge_offset(poses, stream, findings);
   });
   if (inspection.header && inspection.header->cameras.empty())

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sessions/inspect/number_words.h"
+
 namespace herr {
 namespace {
 
@@ -17,38 +19,31 @@ constexpr TimeNs kClockSlackNs = 1'000'000'000;
 // Two streams drift by tens of ppm; a change of more intervals is a late start or an early end.
 constexpr double kMostDriftPpm = 1000;
 
-std::string decimals(double value, int digits) {
-  const auto scale = static_cast<std::int64_t>(std::pow(10, digits));
-  const std::int64_t scaled = std::llround(std::abs(value) * static_cast<double>(scale));
-  std::string text = (value < 0 && scaled > 0 ? "-" : "") + std::to_string(scaled / scale);
-  if (digits == 0) return text;
-  const std::string fraction = std::to_string(scaled % scale);
-  return text + "." + std::string(static_cast<std::size_t>(digits) - fraction.size(), '0') + fraction;
-}
-
-std::string ms(TimeNs ns) {
-  return decimals(static_cast<double>(ns) * 1e-6, 1) + " ms";
-}
-
-void judge_gaps(const StreamSummary& stream, TimeNs start_ns, FindingList& findings) {
+// `poses`: of the same recording. A log that writes gaze with each pose has its gaps twice; they are told
+// once.
+void judge_gaps(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings) {
   const std::vector<StreamGap> gaps = stream.longest_gaps();
-  if (gaps.empty()) return;
+  const bool the_same = &poses != &stream && gaps == poses.longest_gaps() &&
+                        stream.intervals.hitches() == poses.intervals.hitches();
+  if (gaps.empty() || the_same) return;
+  const TimeNs start_ns = poses.rows > 0 ? poses.first_ns : stream.first_ns;
   const double median_ns = stream.intervals.median_ns();
   const auto widest_ns = static_cast<double>(gaps.front().length_ns);
   const bool visible = widest_ns > kVisibleGapIntervals * median_ns && gaps.front().length_ns > kVisibleGapNs;
   const auto at_s = [&](const StreamGap& gap) {
-    return decimals(static_cast<double>(gap.end_ns - start_ns) * kSecondsPerNs, 2) + " s";
+    return with_decimals(static_cast<double>(gap.end_ns - start_ns) * kSecondsPerNs, 2) + " s";
   };
   Finding finding{
       visible ? Severity::warning : Severity::note,
       InputError(stream.file, gaps.front().end_line,
-                 "a gap of " + ms(gaps.front().length_ns) + " (" + decimals(widest_ns / median_ns, 1) +
-                     " intervals of " + ms(std::llround(median_ns)) + ") ends here, at " + at_s(gaps.front()),
+                 "a gap of " + milliseconds(gaps.front().length_ns) + " (" +
+                     with_decimals(widest_ns / median_ns, 1) + " intervals of " +
+                     milliseconds(std::llround(median_ns)) + ") ends here, at " + at_s(gaps.front()),
                  "the last sample is held across a gap"),
       false, stream.intervals.hitches()};
   for (std::size_t i = 1; i < std::min(gaps.size(), kGapsShown + 1); ++i)
-    finding.others.push_back(ms(gaps[i].length_ns) + " at line " + std::to_string(gaps[i].end_line) + " (" +
-                             at_s(gaps[i]) + ")");
+    finding.others.push_back(milliseconds(gaps[i].length_ns) + " at line " +
+                             std::to_string(gaps[i].end_line) + " (" + at_s(gaps[i]) + ")");
   findings.add(std::move(finding));
 }
 
@@ -85,23 +80,24 @@ std::vector<StreamGap> StreamSummary::longest_gaps() const {
   return gaps;
 }
 
-void judge_stream(const StreamSummary& stream, TimeNs start_ns, FindingList& findings) {
-  judge_gaps(stream, start_ns, findings);
+void judge_stream(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings) {
+  judge_gaps(poses, stream, findings);
   const double share =
       stream.rows > 1 ? static_cast<double>(stream.repeated_values) / static_cast<double>(stream.rows - 1)
                       : 0;
   if (share > kManyRepeats)
-    findings.add(
-        Severity::note,
-        InputError(stream.file, 0, decimals(100 * share, 1) + " % of the rows say the same as the row before",
-                   "its sensor is slower than its rows: ages are larger than they seem"));
+    findings.add(Severity::note,
+                 InputError(stream.file, 0,
+                            percentage(stream.repeated_values, stream.rows - 1) +
+                                " of the rows say the same as the row before",
+                            "its sensor is slower than its rows: ages are larger than they seem"));
   const double off =
       stream.nominal_hz > 0 && stream.median_hz() > 0 ? stream.median_hz() / stream.nominal_hz - 1 : 0;
   if (std::abs(off) > kRateTolerance)
     findings.add(Severity::warning,
                  InputError(stream.file, 0,
-                            "runs at " + decimals(stream.median_hz(), 2) + " Hz where session.json says " +
-                                decimals(stream.nominal_hz, 2) + " Hz",
+                            "runs at " + with_decimals(stream.median_hz(), 2) +
+                                " Hz where session.json says " + with_decimals(stream.nominal_hz, 2) + " Hz",
                             "correct the rate there, or look for lost rows"));
 }
 
@@ -121,17 +117,17 @@ void judge_offset(const StreamSummary& poses, const StreamSummary& stream, Findi
   const StreamOffset offset = offset_to(poses, stream);
   if (offset.start_ns > kClockSlackNs)
     findings.add(Severity::warning,
-                 InputError(stream.file, 0, "starts " + ms(offset.start_ns) + " after the poses",
+                 InputError(stream.file, 0, "starts " + milliseconds(offset.start_ns) + " after the poses",
                             "until then there is nothing of this stream; cut the poses, or leave it so"));
   if (offset.end_ns < -kClockSlackNs)
     findings.add(Severity::warning,
-                 InputError(stream.file, 0, "ends " + ms(-offset.end_ns) + " before the poses",
+                 InputError(stream.file, 0, "ends " + milliseconds(-offset.end_ns) + " before the poses",
                             "its last sample is held until then; cut the poses, or leave it so"));
   if (offset.drift_ppm)
     findings.add(Severity::note,
                  InputError(stream.file, 0,
-                            "moved by " + ms(offset.change_ns) + " against the poses, " +
-                                decimals(*offset.drift_ppm, 0) + " ppm of their time",
+                            "moved by " + milliseconds(offset.change_ns) + " against the poses, " +
+                                with_decimals(*offset.drift_ppm, 0) + " ppm of their time",
                             "if both were started and stopped together, their clocks drift apart"));
 }
 

@@ -18,6 +18,8 @@ namespace herr {
 struct StreamGap {
   TimeNs length_ns = 0, end_ns = 0;
   std::int64_t end_line = 0;
+
+  bool operator==(const StreamGap&) const = default;
 };
 
 struct StreamSummary {
@@ -46,8 +48,8 @@ struct StreamSummary {
   std::vector<StreamGap> longest_;  // intervals of any length, longest first
 };
 
-// Findings about gaps, repeated values and the stated rate. `start_ns`: of the recording.
-void judge_stream(const StreamSummary& stream, TimeNs start_ns, FindingList& findings);
+// Findings about gaps, repeated values and the stated rate. `poses`: of the same recording; may be `stream`.
+void judge_stream(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings);
 
 // How the stamps of a stream lie to those of the poses.
 struct StreamOffset {

@@ -15,7 +15,17 @@ constexpr glm::dvec3 kAhead{0, 0, -1};
 GazeSampler::GazeSampler(std::optional<RowStream<GazeRow>> rows, SamplingMode mode,
                          const GazeGeometry& geometry)
     : rows_(std::move(rows)), mode_(mode), geometry_(geometry) {
-  if (rows_) after_ = rows_->next();
+  if (rows_) after_ = next_row();
+}
+
+// The flags of a combined ray say which pupil was seen; the ray is that of both eyes.
+std::optional<GazeRow> GazeSampler::next_row() {
+  std::optional<GazeRow> row = rows_->next();
+  if (!row || !geometry_.combined || row->valid[0] == row->valid[1]) return row;
+  const std::size_t seen = row->valid[0] ? 0 : 1;
+  row->head_direction[1 - seen] = row->head_direction[seen];
+  row->valid[1 - seen] = true;
+  return row;
 }
 
 void GazeSampler::take(const GazeRow& row) {
@@ -66,7 +76,7 @@ glm::dvec3 GazeSampler::aimed(std::size_t eye, const glm::dvec3& ray) const {
 SampledGaze GazeSampler::at(TimeNs t_ns) {
   while (after_ && after_->stamp_ns <= t_ns) {
     take(*after_);
-    after_ = rows_->next();
+    after_ = next_row();
   }
   SampledGaze gaze;
   gaze.age_ns = -1;

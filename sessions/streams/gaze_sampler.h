@@ -41,6 +41,7 @@ class GazeSampler {
     SampleSource source = SampleSource::centred;
     std::optional<TimeNs> stamp_ns;  // of the row used
   };
+  std::optional<GazeRow> next_row();
   void take(const GazeRow& row);
   EyeSample eye_at(std::size_t eye, TimeNs t_ns) const;
   std::optional<EyeSample> interpolated(std::size_t eye, TimeNs t_ns) const;

@@ -147,6 +147,23 @@ TEST(CombinedGaze, WithoutAVergenceDistanceIsParallel) {
   EXPECT_EQ(gaze.head_direction[0], gaze.head_direction[1]);
 }
 
+TEST(CombinedGaze, IsOneRayWhicheverPupilWasSeen) {
+  const RecordedFolder folder;
+  for (const SamplingMode mode : {SamplingMode::latest, SamplingMode::interpolate}) {
+    Session session =
+        open_with(folder, gaze_row(0, 20, true, 0, false) + gaze_row(10 * kMs, 0, false, 30, true),
+                  "combined", "", mode);
+    for (const TimeNs t_ns : {0 * kMs, 4 * kMs, 10 * kMs}) {
+      const SampledGaze gaze = session.sample(t_ns).gaze;
+      EXPECT_EQ(gaze.head_direction[0], gaze.head_direction[1]);
+      EXPECT_EQ(gaze.source[0], gaze.source[1]);
+      // Interpolated, 4 of 10 ms are 4 degrees.
+      const double expected = t_ns == 10 * kMs ? 30 : mode == SamplingMode::latest || t_ns == 0 ? 20 : 24;
+      EXPECT_NEAR(right_deg(gaze.head_direction[0]), expected, kRoundingDeg);
+    }
+  }
+}
+
 TEST(InterpolatedGaze, TurnsEvenlyBetweenNeighboursAndBridgesNoLoss) {
   const RecordedFolder folder;
   Session session =

@@ -136,6 +136,8 @@ TEST_F(ImportedRecordings, OfTheViveCountHitchesAndLostPupils) {
   // Rows with both pupils at -1 (455), and those where the tracker wrote straight ahead instead of a ray
   // though one pupil (3 + 17) or both (2) were there: counted in the file by hand.
   EXPECT_EQ(lost.report.gaze.lost_rows, 477);
+  // Of 1139 rows 180 have both pupils; in two of them the tracker wrote straight ahead.
+  EXPECT_EQ(lost.report.gaze.one_eye_rows, 1139 - 477 - 178);
 }
 
 TEST_F(ImportedRecordings, InTumFormatKeepTheirNumbers) {

@@ -104,10 +104,10 @@ TEST(SessionHeader, IsRefusedFieldByField) {
 TEST(SessionHeader, WarnsOfSwappedEyesAndOfEyesMetresApart) {
   nlohmann::json document = example();
   document["eye_offsets"] = {{"left", {0.5, 0, 0}}, {"right", {-0.5, 0, 0}}};
-  const std::vector<std::string> warnings = read(document).warnings;
+  const std::vector<InputError> warnings = read(document).warnings;
   ASSERT_EQ(warnings.size(), 2u);
-  EXPECT_PRED2(test::holds, warnings[0], "are the eyes swapped?");
-  EXPECT_PRED2(test::holds, warnings[1], "1000 mm apart");
+  EXPECT_PRED2(test::holds, warnings[0].what(), "are the eyes swapped?");
+  EXPECT_PRED2(test::holds, warnings[1].what(), "1000 mm apart");
 }
 
 }  // namespace
