@@ -35,11 +35,11 @@ TEST(TimePlot, DrawsMeanAndPeakAndWhatIsLost) {
   ASSERT_EQ(lines.size(), 9u);
   EXPECT_EQ(lines[0], "speed");
   // Rows of 2: 10 fills five, 4 two with a peak of four, 1 rounds to one (half a row rounds up).
-  EXPECT_EQ(lines[1], "   10.00 |#");
-  EXPECT_EQ(lines[2], "    8.00 |#:");
-  EXPECT_EQ(lines[3], "    6.00 |#:");
-  EXPECT_EQ(lines[4], "    4.00 |##");
-  EXPECT_EQ(lines[5], "    2.00 |## " + std::string(kPlotColumns - 3, '#'));
+  EXPECT_EQ(lines[1], "      10 |#");
+  EXPECT_EQ(lines[2], "       8 |#:");
+  EXPECT_EQ(lines[3], "       6 |#:");
+  EXPECT_EQ(lines[4], "       4 |##");
+  EXPECT_EQ(lines[5], "       2 |## " + std::string(kPlotColumns - 3, '#'));
   EXPECT_EQ(lines[6], "         +" + std::string(kPlotColumns, '-'));
   EXPECT_EQ(lines[7].substr(lines[7].size() - 7), "12.50 s");
   EXPECT_EQ(lines[8], "    lost | -x");
