@@ -153,7 +153,7 @@ std::string motion_text(const SessionInspection& session) {
          percentage(eyes.lost_rows_of(1), eyes.rows()) + ", one or both " +
          percentage(eyes.either_lost_rows(), eyes.rows()) + "):\n      " +
          counted(eyes.blinks(), "blink", "blinks") + ", " + counted(eyes.losses(), "loss", "losses") +
-         " of more than 600 ms,\n      the longest span " + milliseconds(eyes.longest_loss_ns()) + "\n";
+         " of more than 600 ms, the longest span " + milliseconds(eyes.longest_loss_ns()) + "\n";
 }
 
 std::string plots_text(const SessionInspection& session) {
