@@ -44,6 +44,12 @@ std::vector<Fault> faults() {
       {"unknown field", file("session.json", test::header_json("\"colour\": 1"))},
       {"newer version", file("session.json", R"({"format_version": 2})")},
       {"span past the poses", file("session.json", test::header_json("\"start_ns\": 100000000"))},
+      {"span past the poses, and an event that replay reads before it sees that",
+       [](const RecordedFolder& f) {
+         f.write("session.json",
+                 test::header_json(test::cameras_json(1, 6, 4) + ", \"start_ns\": 100000000"));
+         f.write("events.jsonl", "{}\n");
+       }},
       {"eyes far apart",
        file("session.json", test::header_json(R"("eye_offsets": {"left": [-1, 0, 0], "right": [1, 0, 0]})")),
        false},
