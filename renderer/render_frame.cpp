@@ -47,7 +47,8 @@ void require_usable(const Pose& pose) {
 
 }  // namespace
 
-void Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out) {
+bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
+                            const std::atomic<bool>* abandon) {
   Impl& frame = *impl_;
   require_usable(sample.head.world_from_head);
   out.times = {};
@@ -58,9 +59,9 @@ void Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
       timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample); });
   timed(out.times, Stage::scene_update, [&] { frame.update_scene(state); });
   timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample); });
-  frame.trace_tiles(out.times);
+  if (!frame.trace_tiles(out.times, abandon)) return false;
   timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
-  frame.composite_viewports(out.times);
+  if (!frame.composite_viewports(out.times, abandon)) return false;
   if (frame.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { frame.draw_overlays(out); });
 
   out.times.frame_ms = milliseconds_since(start);
@@ -68,6 +69,12 @@ void Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   for (const double ms : out.times.ms) booked += ms;
   out.times[Stage::other] = std::max(0.0, out.times.frame_ms - booked);
   frame.collect_counters(out);
+  return true;
+}
+
+void Renderer::pass_over(const FrameSample& sample) {
+  require_usable(sample.head.world_from_head);
+  impl_->update_acceleration(sample);
 }
 
 int Renderer::Impl::update_acceleration(const FrameSample& sample) {
@@ -135,11 +142,13 @@ void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
               &counters[w], &cycles[w], recorder});
 }
 
-void Renderer::Impl::trace_tiles(StageTimes& times) {
+bool Renderer::Impl::trace_tiles(StageTimes& times, const std::atomic<bool>* abandon) {
   std::fill(counters.begin(), counters.end(), TileCounters{});
   const PhaseClock clock(cycles);
-  threads.run(tile_count(), [this](int job, int worker) { run_tile(job, worker, nullptr); });
+  const auto trace = [this](int job, int worker) { run_tile(job, worker, nullptr); };
+  const bool whole = threads.run(tile_count(), trace, abandon);
   clock.finish(times);
+  return whole;
 }
 
 void Renderer::Impl::aim_viewports(const FrameSample& sample, RenderedFrame& out) {
@@ -175,17 +184,19 @@ void Renderer::Impl::aim_viewports(const FrameSample& sample, RenderedFrame& out
   }
 }
 
-void Renderer::Impl::composite_viewports(StageTimes& times) {
+bool Renderer::Impl::composite_viewports(StageTimes& times, const std::atomic<bool>* abandon) {
   const PhaseClock clock(cycles);
-  threads.run(first_strip.back(), [this](int job, int worker) {
+  const auto composite = [this](int job, int worker) {
     const auto w = static_cast<std::size_t>(worker);
     const auto viewport = static_cast<std::size_t>(
         std::upper_bound(first_strip.begin(), first_strip.end(), job) - first_strip.begin() - 1);
     cycles[w].start();
     composite_strip(viewport_jobs[viewport], job - first_strip[viewport], *strip_scratch[w]);
     cycles[w].lap(Stage::viewports);
-  });
+  };
+  const bool whole = threads.run(first_strip.back(), composite, abandon);
   clock.finish(times);
+  return whole;
 }
 
 void Renderer::Impl::draw_overlays(RenderedFrame& out) {

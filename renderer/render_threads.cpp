@@ -71,20 +71,28 @@ int RenderThreads::count() const {
   return arena_->arena.max_concurrency();
 }
 
-void RenderThreads::run(int jobs, const std::function<void(int, int)>& job) {
+bool RenderThreads::run(int jobs, const std::function<void(int, int)>& job,
+                        const std::atomic<bool>* abandon) {
   const int workers = count();
   std::atomic<int> next{0};
+  const auto go_on = [abandon] { return abandon == nullptr || !abandon->load(std::memory_order_relaxed); };
+  std::atomic<bool> all{true};
   arena_->arena.execute([&] {
     tbb::parallel_for(
         0, workers, 1,
         [&](int worker) {
           for (int i = next.fetch_add(1, std::memory_order_relaxed); i < jobs;
                i = next.fetch_add(1, std::memory_order_relaxed)) {
+            if (!go_on()) {
+              all.store(false, std::memory_order_relaxed);
+              return;
+            }
             job(i, worker);
           }
         },
         tbb::simple_partitioner{});
   });
+  return all;
 }
 
 void RenderThreads::inside(const std::function<void()>& work) {

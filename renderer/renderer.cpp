@@ -96,6 +96,18 @@ const FramePlan& Renderer::plan() const {
 const RenderSettings& Renderer::settings() const {
   return impl_->settings;
 }
+RendererState Renderer::state() const {
+  RendererState state;
+  if (impl_->geometry->placed()) state.anchor = impl_->geometry->anchor();
+  return state;
+}
+
+void Renderer::restore(const RendererState& state) {
+  if (!state.anchor) return;
+  const auto place = [&] { impl_->geometry->place_at(*state.anchor); };
+  impl_->threads.inside(place);
+}
+
 int Renderer::threads() const {
   return impl_->threads.count();
 }

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "renderer/frame_plan.h"
@@ -25,6 +28,12 @@ struct RenderedFrame {
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
 };
 
+// What a frame leaves behind for the next one, beyond buffers that are filled anew: with it a replay goes on
+// in the middle as if it had come from the start. Stages that carry state keep it here.
+struct RendererState {
+  std::optional<glm::dvec3> anchor;  // metres, multiples of 16; none before the first frame
+};
+
 // Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree
 // fails.
 class Renderer {
@@ -40,7 +49,16 @@ class Renderer {
   const RenderSettings& settings() const;  // threads and isa resolved to what runs
   int threads() const;
 
-  void render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
+  // `abandon` (may be null) is asked before each tile and strip: once it is set the frame is given up, the
+  // answer is false and `out` is no picture. True: the frame is whole.
+  bool render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
+                    const std::atomic<bool>* abandon = nullptr);
+
+  // Takes up what a frame changes in the renderer's state without rendering it.
+  void pass_over(const FrameSample& sample);
+  // After the last frame, whole or passed over. An abandoned frame has changed it too.
+  RendererState state() const;
+  void restore(const RendererState& state);
 
   // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).
   void parallel_for(int count, const std::function<void(int)>& work);

@@ -51,9 +51,9 @@ struct Renderer::Impl {
   void update_scene(const SceneState& state);
   int update_acceleration(const FrameSample& sample);
   void aim_rays(const FrameSample& sample);
-  void trace_tiles(StageTimes& times);
+  bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
   void aim_viewports(const FrameSample& sample, RenderedFrame& out);
-  void composite_viewports(StageTimes& times);
+  bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
 

@@ -168,10 +168,14 @@ void EmbreeScene::place_instances() {
 
 int EmbreeScene::follow(const glm::dvec3& head_position) {
   if (placed_ && glm::distance(head_position, anchor_) <= kAnchorReach_m) return 0;
-  anchor_ = glm::round(head_position / kAnchorGrid_m) * kAnchorGrid_m;
+  place_at(glm::round(head_position / kAnchorGrid_m) * kAnchorGrid_m);
+  return 1;
+}
+
+void EmbreeScene::place_at(const glm::dvec3& anchor) {
+  anchor_ = anchor;
   place_instances();
   placed_ = true;
-  return 1;
 }
 
 }  // namespace herr

@@ -27,8 +27,11 @@ class EmbreeScene {
 
   // Moves the anchor when the head is more than 24 m from it; returns the number of Embree commits (0 or 1).
   int follow(const glm::dvec3& head_position);
+  // Puts the anchor where an earlier run had it.
+  void place_at(const glm::dvec3& anchor);
   // A multiple of 16 m per axis; float coordinates are relative to it.
   const glm::dvec3& anchor() const { return anchor_; }
+  bool placed() const { return placed_; }  // false until the first follow() or place_at()
 
   RTCScene top() const { return top_; }
   const std::vector<InstanceRecord>& instances() const { return instances_; }
