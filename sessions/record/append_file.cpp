@@ -6,12 +6,21 @@
 #include <cerrno>
 #include <utility>
 
+#include "sessions/durability.h"
+
 namespace herr {
 namespace {
 
-// fsync fails so on things that cannot be synced (some network folders): nothing is lost.
-bool cannot_be_synced(int error_number) {
-  return error_number == EINVAL || error_number == ENOTSUP;
+// `written` is what reached the end of the file before the disk refused. Best effort: readers drop a last
+// line that was cut off.
+void take_back_torn_row(int descriptor, std::string_view written) {
+  const std::size_t line_end = written.rfind('\n');
+  const std::size_t torn =
+      line_end == std::string_view::npos ? written.size() : written.size() - line_end - 1;
+  const off_t end = ::lseek(descriptor, 0, SEEK_END);
+  if (end >= static_cast<off_t>(torn) && torn > 0) {
+    [[maybe_unused]] const int best_effort = ::ftruncate(descriptor, end - static_cast<off_t>(torn));
+  }
 }
 
 }  // namespace
@@ -19,6 +28,15 @@ bool cannot_be_synced(int error_number) {
 AppendFile::AppendFile(std::filesystem::path file) : path_(std::move(file)) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw WriteError(path_, "create", errno);
+}
+
+AppendFile::AppendFile(std::filesystem::path file, std::int64_t kept_bytes) : path_(std::move(file)) {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw WriteError(path_, "open", errno);
+  if (::ftruncate(descriptor_, kept_bytes) == 0) return;
+  const int error = errno;
+  ::close(std::exchange(descriptor_, -1));
+  throw WriteError(path_, "cut", error);
 }
 
 AppendFile::AppendFile(AppendFile&& other) noexcept
@@ -39,25 +57,24 @@ void AppendFile::flush() {
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw WriteError(path_, "write", errno);
+    if (written < 0) {
+      const int error = errno;
+      take_back_torn_row(descriptor_, std::string_view(rows_).substr(0, rows_.size() - rest.size()));
+      throw WriteError(path_, "write", error);
+    }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
   rows_.clear();
 }
 
-void AppendFile::finish() {
+void AppendFile::sync() {
   flush();
-  if (::fsync(descriptor_) != 0 && !cannot_be_synced(errno)) throw WriteError(path_, "sync", errno);
-  if (::close(std::exchange(descriptor_, -1)) != 0) throw WriteError(path_, "close", errno);
+  sync_file(descriptor_, path_);
 }
 
-void sync_recorded_folder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) throw WriteError(folder, "open", errno);
-  const bool synced = ::fsync(descriptor) == 0 || cannot_be_synced(errno);
-  const int error_number = errno;
-  ::close(descriptor);
-  if (!synced) throw WriteError(folder, "sync", error_number);
+void AppendFile::finish() {
+  sync();
+  if (::close(std::exchange(descriptor_, -1)) != 0) throw WriteError(path_, "close", errno);
 }
 
 }  // namespace herr

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ class AppendFile {
  public:
   // Creates the file; one of that name must not exist.
   explicit AppendFile(std::filesystem::path file);
+  // Goes on after the first `kept_bytes` of a file (a line end); what follows them is cut off. A file that is
+  // not there is made, for kept_bytes 0.
+  AppendFile(std::filesystem::path file, std::int64_t kept_bytes);
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&&) = delete;
   // Closes the file. Rows that were not flushed are lost: a destructor could not report a full disk.
@@ -23,7 +27,10 @@ class AppendFile {
 
   // Takes whole rows, each with its line end; they reach the file at the next flush.
   void append(std::string_view rows);
+  // A row that the disk took only a part of is taken back, if the disk lets us.
   void flush();
+  // Flushes and waits for the disk.
+  void sync();
   // Flushes, waits for the disk, and closes the file.
   void finish();
 
@@ -35,8 +42,5 @@ class AppendFile {
   std::string rows_;
   int descriptor_ = -1;
 };
-
-// Makes the names in a folder durable.
-void sync_recorded_folder(const std::filesystem::path& folder);
 
 }  // namespace herr

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sessions/durability.h"
 #include "sessions/record/header_text.h"
 
 namespace herr {
@@ -132,7 +133,7 @@ void SessionRecorder::finish() {
     folders.insert(folder);
     if (fs::exists(folder / "data")) folders.insert(folder / "data");
   }
-  for (const fs::path& folder : folders) sync_recorded_folder(folder);
+  for (const fs::path& folder : folders) sync_folder(folder);
 }
 
 }  // namespace herr

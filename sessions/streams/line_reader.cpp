@@ -31,6 +31,7 @@ bool LineReader::refill() {
   begin_ = 0;
   const std::size_t got = file_.read(buffer_.data() + end_, buffer_.size() - end_);
   end_ += got;
+  read_bytes_ += static_cast<std::int64_t>(got);
   return got > 0;
 }
 

@@ -25,6 +25,9 @@ class LineReader {
   // The next line, or false at the end of the file.
   bool next(TextLine& line);
 
+  // Bytes of the file before the next line, a byte-order mark included.
+  std::int64_t offset() const { return read_bytes_ - static_cast<std::int64_t>(end_ - begin_); }
+
   const std::filesystem::path& path() const { return file_.path(); }
   bool empty() const { return file_.size_bytes() == 0; }
 
@@ -36,7 +39,7 @@ class LineReader {
   std::size_t max_line_bytes_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // unread bytes of the buffer
-  std::int64_t line_ = 0;
+  std::int64_t line_ = 0, read_bytes_ = 0;
 };
 
 }  // namespace herr
