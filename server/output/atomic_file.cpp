@@ -9,16 +9,6 @@
 #include <utility>
 
 namespace herr {
-namespace {
-
-// fsync fails with EINVAL or ENOTSUP on things that cannot be synced (pipes, some network folders): nothing
-// is lost.
-bool cannot_be_synced(int error_number) {
-  return error_number == EINVAL || error_number == ENOTSUP;
-}
-
-}  // namespace
-
 AtomicFile::AtomicFile(std::filesystem::path final_name) : final_name_(std::move(final_name)) {
   temporary_name_ = final_name_;
   temporary_name_ += ".tmp." + std::to_string(::getpid());
@@ -53,8 +43,7 @@ void AtomicFile::write(std::string_view text) {
 }
 
 void AtomicFile::commit() {
-  // A failed fsync is not tried again: the kernel may have dropped the pages that it could not write.
-  if (::fsync(fd_) != 0 && !cannot_be_synced(errno)) throw WriteError(final_name_, "sync", errno);
+  sync_file(fd_, final_name_);
   if (::close(std::exchange(fd_, -1)) != 0) throw WriteError(final_name_, "close", errno);
   if (::rename(temporary_name_.c_str(), final_name_.c_str()) != 0) {
     throw WriteError(final_name_, "rename", errno);
@@ -72,14 +61,6 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
   AtomicFile output(file);
   output.write(text);
   output.commit();
-}
-
-void sync_folder(const std::filesystem::path& folder) {
-  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) throw WriteError(folder, "open", errno);
-  const int error = ::fsync(fd) == 0 ? 0 : errno;
-  ::close(fd);
-  if (error != 0 && !cannot_be_synced(error)) throw WriteError(folder, "sync", error);
 }
 
 long temporary_file_pid(const std::string& file_name) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "sessions/durability.h"
 #include "sessions/write_error.h"
 
 namespace herr {
@@ -38,9 +39,6 @@ class AtomicFile {
 
 void write_whole_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
-
-// Makes the names in a folder durable. One call serves any number of renames.
-void sync_folder(const std::filesystem::path& folder);
 
 // For a name NAME.tmp.<pid>: the pid; 0 for any other name.
 long temporary_file_pid(const std::string& file_name);

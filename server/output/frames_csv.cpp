@@ -1,5 +1,8 @@
 #include "server/output/frames_csv.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 
 #include "server/statistics/number_text.h"
@@ -9,65 +12,118 @@ namespace {
 
 constexpr int kDecimals = 6;  // nanoseconds in a column of milliseconds
 
-void cell(std::string& row, const std::string& text) {
-  if (!row.empty()) row += ',';
-  row += text;
+// Calls visit(name, value) for each column in its order; header, rows and reader all follow this list.
+template <typename Record, typename Visit>
+void for_each_column(Record& record, Visit&& visit) {
+  visit("frame", record.frame);
+  visit("t_ns", record.t_ns);
+  visit("frame_ms", record.times.frame_ms);
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    visit(std::string(name_of(static_cast<Stage>(i))) + "_ms", record.times.ms[i]);
+  }
+  visit("sample_ms", record.sample_ms);
+  visit("write_ms", record.write_ms);
+  visit("wait_ms", record.wait_ms);
+  visit("motion_to_photon_ms", record.motion_to_photon_ms);
+  visit("pose_age_ms", record.pose_age_ms);
+  visit("gaze_age_ms", record.gaze_age_ms);
+  visit("camera_age_ms", record.camera_age_ms);
+  visit("pose_source", record.pose_source);
+  visit("gaze_source_left", record.gaze_source[0]);
+  visit("gaze_source_right", record.gaze_source[1]);
+  visit("theta_max_left_deg", record.theta_max_deg[0]);
+  visit("theta_max_right_deg", record.theta_max_deg[1]);
+  visit("missed", record.missed);
+  auto& counters = record.counters;
+  visit("primary_rays", counters.primary_rays);
+  visit("shadow_rays", counters.shadow_rays);
+  visit("catcher_shadow_rays", counters.catcher_shadow_rays);
+  visit("mirror_rays", counters.mirror_rays);
+  visit("mirror_shadow_rays", counters.mirror_shadow_rays);
+  visit("polar_samples", counters.polar_samples);
+  visit("viewport_pixels", counters.viewport_pixels);
+  visit("invalid_rays", counters.invalid_rays);
+  visit("nonfinite_values", counters.nonfinite_values);
+  visit("nonfinite_picture_values", record.nonfinite_pictures);
+  visit("commits", counters.commits);
+  visit("dropped_frames", record.dropped_frames);
+  visit("repeated_ticks", record.repeated_ticks);
 }
 
-void cell(std::string& row, double value) {
-  cell(row, fixed_text(value, kDecimals));
+std::string text_of(std::int64_t value) {
+  return std::to_string(value);
+}
+std::string text_of(bool value) {
+  return value ? "1" : "0";
+}
+std::string text_of(double value) {
+  return fixed_text(value, kDecimals);
+}
+std::string text_of(const std::optional<double>& value) {
+  return value ? fixed_text(*value, kDecimals) : std::string();
+}
+std::string text_of(SampleSource source) {
+  return name_of(source);
 }
 
-void cell(std::string& row, std::int64_t value) {
-  cell(row, std::to_string(value));
+// Whole cells only: what stays unread makes the cell bad.
+template <typename Number>
+bool read_number(std::string_view text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
 }
 
-void cell(std::string& row, const std::optional<double>& value) {
-  cell(row, value ? fixed_text(*value, kDecimals) : std::string());
+bool read(std::string_view text, std::int64_t& value) {
+  return read_number(text, value);
+}
+bool read(std::string_view text, bool& value) {
+  value = text == "1";
+  return value || text == "0";
+}
+bool read(std::string_view text, double& value) {
+  return read_number(text, value) && std::isfinite(value);
+}
+bool read(std::string_view text, std::optional<double>& value) {
+  if (text.empty()) return true;
+  return read(text, value.emplace());
+}
+bool read(std::string_view text, SampleSource& source) {
+  for (const SampleSource known : {SampleSource::exact, SampleSource::held, SampleSource::interpolated,
+                                   SampleSource::predicted, SampleSource::gliding, SampleSource::centred}) {
+    source = known;
+    if (text == name_of(known)) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 std::string frames_csv_header() {
-  std::string row = "frame,t_ns,frame_ms";
-  for (std::size_t i = 0; i < kStageCount; ++i) {
-    cell(row, std::string(name_of(static_cast<Stage>(i))) + "_ms");
-  }
-  row +=
-      ",sample_ms,write_ms,wait_ms,motion_to_photon_ms,pose_age_ms,gaze_age_ms,camera_age_ms,pose_source,"
-      "gaze_source_left,"
-      "gaze_source_right,theta_max_left_deg,theta_max_right_deg,missed,primary_rays,shadow_rays,"
-      "catcher_shadow_rays,mirror_rays,mirror_shadow_rays,polar_samples,viewport_pixels,invalid_rays,"
-      "nonfinite_values,commits,dropped_frames,repeated_ticks";
-  return row + "\n";
+  std::string row;
+  const FrameRecord record;
+  for_each_column(record, [&row](const std::string& name, const auto&) { row += name + ','; });
+  row.back() = '\n';
+  return row;
 }
 
 std::string frames_csv_row(const FrameRecord& record) {
   std::string row;
-  cell(row, record.frame);
-  cell(row, record.t_ns);
-  cell(row, record.times.frame_ms);
-  for (const double ms : record.times.ms) cell(row, ms);
-  cell(row, record.sample_ms);
-  cell(row, record.write_ms);
-  cell(row, record.wait_ms);
-  for (const auto& value :
-       {record.motion_to_photon_ms, record.pose_age_ms, record.gaze_age_ms, record.camera_age_ms}) {
-    cell(row, value);
-  }
-  cell(row, std::string(name_of(record.pose_source)));
-  for (const SampleSource source : record.gaze_source) cell(row, std::string(name_of(source)));
-  for (const double angle : record.theta_max_deg) cell(row, angle);
-  cell(row, std::int64_t{record.missed ? 1 : 0});
-  const FrameCounters& counters = record.counters;
-  for (const std::int64_t value :
-       {counters.primary_rays, counters.shadow_rays, counters.catcher_shadow_rays, counters.mirror_rays,
-        counters.mirror_shadow_rays, counters.polar_samples, counters.viewport_pixels, counters.invalid_rays,
-        counters.nonfinite_values + record.nonfinite_pictures, counters.commits, record.dropped_frames,
-        record.repeated_ticks}) {
-    cell(row, value);
-  }
-  return row + "\n";
+  for_each_column(record, [&row](const std::string&, const auto& value) { row += text_of(value) + ','; });
+  row.back() = '\n';
+  return row;
+}
+
+std::optional<FrameRecord> frame_record_of(std::string_view row) {
+  FrameRecord record;
+  bool good = true, more = true;
+  for_each_column(record, [&](const std::string&, auto& value) {
+    const std::size_t comma = row.find(',');
+    good = good && more && read(row.substr(0, comma), value);
+    more = comma != std::string_view::npos;
+    row.remove_prefix(more ? comma + 1 : row.size());
+  });
+  if (!good || more) return std::nullopt;
+  return record;
 }
 
 }  // namespace herr

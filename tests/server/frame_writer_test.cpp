@@ -86,6 +86,32 @@ TEST(FrameWriter, EverySixtyFourFilesTheNamesOfEveryFolderBecomeDurable) {
   EXPECT_EQ(writer.files_written(), 63) << "the 64th file fails with the folders, before finish()";
 }
 
+TEST(FrameWriter, ARowIsWrittenAfterTheFilesBeforeItAndACheckpointAfterTheRow) {
+  const TemporaryFolder folder;
+  FrameWriter writer(1, AppendFile(folder.path() / "rows"));
+  std::vector<std::uint8_t> bytes = bytes_of(1);
+  writer.submit(folder.path() / "f0", bytes);
+  writer.add_row("first\n");
+  writer.checkpoint(folder.path() / "checkpoint", "one");
+  writer.checkpoint(folder.path() / "checkpoint", "two");
+  writer.finish();
+  EXPECT_EQ(content_of(folder.path() / "rows"), "first\n");
+  EXPECT_EQ(content_of(folder.path() / "checkpoint"), "two");
+  EXPECT_EQ(writer.files_written(), 1);
+  // A file that fails: neither the row that names it nor the checkpoint that counts on it appears.
+  bytes = bytes_of(2);
+  writer.submit(folder.path() / "missing" / "f1", bytes);
+  EXPECT_THROW(
+      {
+        writer.add_row("second\n");
+        writer.checkpoint(folder.path() / "checkpoint", "three");
+        writer.finish();
+      },
+      WriteError);
+  EXPECT_EQ(content_of(folder.path() / "rows"), "first\n");
+  EXPECT_EQ(content_of(folder.path() / "checkpoint"), "two");
+}
+
 TEST(FrameWriter, EndsWithoutFinishWhenTheRunIsGivenUp) {
   const TemporaryFolder folder;
   {

@@ -87,6 +87,46 @@ TEST(FramesCsv, ValuesStandInTheirColumns) {
   EXPECT_EQ(cell(record, "missed"), "0");
 }
 
+TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
+  FrameRecord record = record_of(12, 1.234567, 0.000001);
+  record.t_ns = 1'000'000'000;
+  record.camera_age_ms = 0.0;
+  record.gaze_source = {SampleSource::gliding, SampleSource::exact};
+  record.nonfinite_pictures = 3;
+  record.repeated_ticks = 2;
+  const std::string row = frames_csv_row(record);
+  const auto read = frame_record_of(row.substr(0, row.size() - 1));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(frames_csv_row(*read), row);
+  EXPECT_EQ(read->nonfinite_pictures, 3);
+  EXPECT_FALSE(read->gaze_age_ms);
+  ASSERT_TRUE(read->camera_age_ms);
+  // Statistics of rows are those of the run: histograms count whole nanoseconds, and rows state them.
+  RunStatistics of_run, of_rows;
+  of_run.add(record);
+  of_rows.add(*read);
+  EXPECT_EQ(of_run.frame, of_rows.frame);
+  EXPECT_EQ(of_run.stages, of_rows.stages);
+}
+
+TEST(FramesCsv, WhatIsNoRowIsNotRead) {
+  std::string row = frames_csv_row(record_of(12, 1, 2));
+  row.pop_back();
+  ASSERT_TRUE(frame_record_of(row));
+  // Every shorter text lacks a cell: the last one has a single digit.
+  for (std::size_t length = 0; length < row.size(); ++length) {
+    EXPECT_FALSE(frame_record_of(row.substr(0, length))) << row.substr(0, length);
+  }
+  EXPECT_FALSE(frame_record_of(row + ","));
+  EXPECT_FALSE(frame_record_of(row + " "));
+  std::string nan = row;
+  nan.replace(nan.find("3.000000"), 8, "nan");
+  EXPECT_FALSE(frame_record_of(nan));
+  std::string source = row;
+  source.replace(source.find("held"), 4, "helt");
+  EXPECT_FALSE(frame_record_of(source));
+}
+
 TEST(LatencyTable, HasOneRowPerStageThatRanAndTheWholeFrame) {
   RunStatistics statistics;
   for (int i = 0; i < 4; ++i) statistics.add(record_of(i, 3.0, 1.0));
@@ -147,6 +187,9 @@ TEST(ProgressBar, TellsShareRateAndRemainingTime) {
   // 60 frames in 5 s are 12 frames/s; 60 more take 5 s.
   EXPECT_EQ(progress_text("walk", 60, 120, 5.0),
             "walk [###############---------------]  60/120  12.0 frames/s  ETA 0:05");
+  // 30 of the 60 were there before: the rate is that of the others.
+  EXPECT_EQ(progress_text("walk", 60, 120, 5.0, 30),
+            "walk [###############---------------]  60/120  6.0 frames/s  ETA 0:10");
   EXPECT_EQ(progress_text("walk", 0, 120, 5.0), "walk [------------------------------]  0/120");
   EXPECT_EQ(progress_text("walk", 0, 0, 0.0), "walk [##############################]  0/0");
 }
