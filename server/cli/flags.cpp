@@ -183,6 +183,8 @@ void add_replay_flags(CLI::App& app, ReplayOptions& options) {
   app.add_flag_callback(
       "--overwrite", [&] { options.overwrite = true; }, "replace results that are there");
   app.add_flag_callback(
+      "--resume", [&] { options.resume = true; }, "go on with a replay that was interrupted");
+  app.add_flag_callback(
       "--keep-going", [&] { options.session.keep_going = true; },
       "skip bad rows and images, end with exit code 5");
   app.add_flag_callback(
@@ -215,6 +217,12 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
 }
 
 void check_replay_options(const ReplayOptions& options) {
+  if (options.resume && options.overwrite) {
+    throw UsageError("--resume: goes on with the results that --overwrite would remove; give one of the two");
+  }
+  if (options.resume && options.clock == ReplayClock::realtime) {
+    throw UsageError("--resume: frames of the clock realtime cannot be taken up again; use another --clock");
+  }
   if (options.target_ms && options.clock != ReplayClock::realtime) {
     throw UsageError("--target-ms: only the clock realtime has one; give --clock realtime");
   }

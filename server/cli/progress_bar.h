@@ -8,11 +8,13 @@
 namespace herr {
 
 // The text of the bar, pure: "desk-walk [#####-----]  60/120  12.3 frames/s  ETA 0:05".
-std::string progress_text(const std::string& label, std::int64_t done, std::int64_t total, double elapsed_s);
+std::string progress_text(const std::string& label, std::int64_t done, std::int64_t total, double elapsed_s,
+                          std::int64_t done_before = 0);
 
 class ProgressBar {
  public:
-  ProgressBar(std::string label, std::int64_t total);
+  // `done_before`: of the total, what was done before the bar began.
+  ProgressBar(std::string label, std::int64_t total, std::int64_t done_before = 0);
   ~ProgressBar();  // clears the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -24,7 +26,7 @@ class ProgressBar {
   using Clock = std::chrono::steady_clock;
   const bool shown_;
   const std::string label_;
-  const std::int64_t total_;
+  const std::int64_t total_, done_before_;
   const Clock::time_point start_;
   Clock::time_point last_drawn_;
 };

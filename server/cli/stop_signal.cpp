@@ -11,6 +11,7 @@ namespace herr {
 namespace {
 
 std::atomic<int> g_stop_signal{0};
+std::atomic<bool> g_stop_flag{false};
 std::atomic<bool> g_end_at_once{false};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "the handler may only touch lock-free atomics");
@@ -18,6 +19,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
 extern "C" void on_stop_signal(int number) {
   int none = 0;
   const bool is_first = g_stop_signal.compare_exchange_strong(none, number);
+  g_stop_flag = true;
   if (!is_first || g_end_at_once) ::_exit(kExitSignalBase + number);
 }
 
@@ -43,6 +45,10 @@ void install_signal_handling() {
 
 void end_at_once_on_signal() {
   g_end_at_once = true;
+}
+
+const std::atomic<bool>& stop_flag() {
+  return g_stop_flag;
 }
 
 int stop_signal() {

@@ -1,6 +1,9 @@
-// SIGINT, SIGTERM and SIGHUP: the first one asks the run to end after the current frame, a second one ends
-// the process at once. SIGPIPE and SIGXFSZ are ignored, so that the write that failed reports it.
+// SIGINT, SIGTERM and SIGHUP: the first one asks the run to end, without the frame that is being rendered; a
+// second one ends the process at once. SIGPIPE and SIGXFSZ are ignored, so that the write that failed reports
+// it.
 #pragma once
+
+#include <atomic>
 
 namespace herr {
 
@@ -13,5 +16,7 @@ void end_at_once_on_signal();
 
 // Number of the signal that asked for the end, 0 while none did. Any thread.
 int stop_signal();
+// True from that signal on: for loops that must not know of signals.
+const std::atomic<bool>& stop_flag();
 
 }  // namespace herr

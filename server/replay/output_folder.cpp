@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
-#include <vector>
 
 #include "server/cli/exit_code.h"
 #include "server/output/atomic_file.h"
@@ -73,7 +72,7 @@ fs::path OutputFolder::contact_sheet(std::int64_t frame) const {
   return path_ / ("contact_sheet_" + frame_text(frame) + ".png");
 }
 
-void OutputFolder::check(bool overwrite) const {
+void OutputFolder::check(EarlierResults earlier) const {
   if (is_inside(resolved(path_), session_)) {
     throw UsageError("--out: " + shown(path_) +
                      " lies inside the session itself; choose a folder outside it");
@@ -86,38 +85,52 @@ void OutputFolder::check(bool overwrite) const {
   }
   const bool empty = fs::is_empty(path_, error);
   if (error) refuse_folder(path_, error);
-  if (!empty && !overwrite) {
+  if (!empty && earlier == EarlierResults::refuse) {
     throw UsageError("--out: " + shown(path_) +
-                     " is not empty; give --overwrite to replace the results in it");
+                     " is not empty; give --resume to go on with an interrupted replay, or --overwrite to "
+                     "replace the results in it");
+  }
+  if (earlier != EarlierResults::resume || fs::exists(checkpoint_json(), error)) return;
+  for (const fs::path& file : earlier_results()) {
+    if (is_replay_leftover(file.filename().string())) continue;
+    throw UsageError("--resume: " + shown(path_) +
+                     " has results but no checkpoint.json to go on from; give --overwrite to replace them");
   }
 }
 
-void OutputFolder::prepare(PictureFormat format) const {
+FolderLock OutputFolder::prepare(PictureFormat format, EarlierResults earlier) const {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) refuse_folder(path_, error);
-  remove_earlier_results();
-  if (format == PictureFormat::none) return;
+  FolderLock lock(path_);
+  for (const fs::path& file : earlier_results()) {
+    if (earlier == EarlierResults::resume && !is_replay_leftover(file.filename().string())) continue;
+    if (!fs::remove(file, error) && error) refuse_folder(file, error);
+  }
+  // Only when it is empty: whatever else lies there belongs to somebody.
+  std::error_code ignored_because_not_empty;
+  fs::remove(frames_folder(), ignored_because_not_empty);
+  if (format == PictureFormat::none) return lock;
   fs::create_directories(frames_folder(), error);
   if (error) refuse_folder(frames_folder(), error);
+  return lock;
 }
 
-void OutputFolder::remove_earlier_results() const {
+std::vector<fs::path> OutputFolder::earlier_results() const {
+  std::vector<fs::path> results;
   for (const fs::path& folder : {path_, frames_folder()}) {
     std::error_code error;
-    std::vector<fs::path> results;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
       const bool is_file = !entry->is_directory(error);
       if (is_file && is_replay_result(entry->path().filename().string())) results.push_back(entry->path());
     }
     if (error && error != std::errc::no_such_file_or_directory) refuse_folder(folder, error);
-    for (const fs::path& file : results) {
-      if (!fs::remove(file, error) && error) refuse_folder(file, error);
-    }
   }
-  // Only when it is empty: whatever else lies there belongs to somebody.
-  std::error_code ignored_because_not_empty;
-  fs::remove(frames_folder(), ignored_because_not_empty);
+  return results;
+}
+
+bool is_replay_leftover(const std::string& name) {
+  return temporary_file_pid(name) != 0 && is_replay_result(name);
 }
 
 bool is_replay_result(const std::string& name) {
@@ -126,7 +139,7 @@ bool is_replay_result(const std::string& name) {
     const bool runs = pid != ::getpid() && (::kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
     return !runs && is_replay_result(name.substr(0, name.rfind(".tmp.")));
   }
-  if (name == "frames.csv" || name == "summary.json") return true;
+  if (name == "frames.csv" || name == "summary.json" || name == "checkpoint.json") return true;
   const bool png = name.ends_with(".png");
   return (starts_with_digits_after(name, "frame_") && (png || name.ends_with(".exr"))) ||
          (starts_with_digits_after(name, "contact_sheet_") && png);

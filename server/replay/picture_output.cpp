@@ -9,13 +9,10 @@
 
 namespace herr {
 
-PictureOutput::PictureOutput(Config config, const OutputFolder& folder, Renderer& renderer,
-                             FrameWriter& writer)
-    : config_(std::move(config)), folder_(folder), renderer_(renderer), writer_(writer) {
-  const std::size_t viewports = config_.profile.viewports.size();
-  if (config_.format == PictureFormat::png) pictures_.resize(viewports);
-  if (config_.format != PictureFormat::none)
-    files_.resize(config_.format == PictureFormat::png ? viewports : 1);
+PictureOutput::PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer)
+    : config_(std::move(config)), names_(files), renderer_(renderer), writer_(writer) {
+  files_.resize(files.pictures_per_frame());
+  if (config_.format == PictureFormat::png) pictures_.resize(files_.size());
 }
 
 ParallelFor PictureOutput::parallel_for() {
@@ -32,8 +29,9 @@ void PictureOutput::encode_pngs(const RenderedFrame& rendered, Cost& cost) {
 }
 
 PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSample& sample,
-                                               const RenderedFrame& rendered, bool contact_sheet) {
+                                               const RenderedFrame& rendered) {
   Cost cost;
+  const std::optional<std::filesystem::path> contact_sheet = names_.contact_sheet(frame);
   // Encode everything first: that is what write_ms measures.
   const auto start = std::chrono::steady_clock::now();
   config_.metadata.frame = frame;
@@ -51,11 +49,9 @@ PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSa
 
   // Then hand the bytes over.
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    const std::string suffix =
-        config_.format == PictureFormat::exr ? ".exr" : "." + config_.profile.viewports[i].name + ".png";
-    cost.wait_ms += writer_.submit(folder_.picture(frame, suffix), files_[i]);
+    cost.wait_ms += writer_.submit(names_.picture(frame, i), files_[i]);
   }
-  if (contact_sheet) cost.wait_ms += writer_.submit(folder_.contact_sheet(frame), sheet_file_);
+  if (contact_sheet) cost.wait_ms += writer_.submit(*contact_sheet, sheet_file_);
   return cost;
 }
 

@@ -9,7 +9,7 @@
 #include "server/output/exr_encoder.h"
 #include "server/output/frame_writer.h"
 #include "server/output/srgb_table.h"
-#include "server/replay/output_folder.h"
+#include "server/replay/frame_files.h"
 #include "server/replay/replay_options.h"
 
 namespace herr {
@@ -23,22 +23,21 @@ class PictureOutput {
     PictureMetadata metadata;  // `frame` is filled in for each frame
   };
   // All three must outlive this object.
-  PictureOutput(Config config, const OutputFolder& folder, Renderer& renderer, FrameWriter& writer);
+  PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer);
 
   struct Cost {
     double encode_ms = 0;               // on the render threads
     double wait_ms = 0;                 // for room in the writer's queue
     std::int64_t nonfinite_values = 0;  // NaN or Inf found in the pictures
   };
-  Cost write_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered,
-                   bool contact_sheet);
+  Cost write_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered);
 
  private:
   void encode_pngs(const RenderedFrame& rendered, Cost& cost);
   ParallelFor parallel_for();
 
   Config config_;
-  const OutputFolder& folder_;
+  const FrameFiles& names_;
   Renderer& renderer_;
   FrameWriter& writer_;
   std::vector<Srgb8Image> pictures_;              // per viewport; storage is kept

@@ -28,6 +28,9 @@ void check_isa(const RenderSettings& settings) {
 }
 
 void check_folders(const ReplayOptions& options) {
+  const EarlierResults earlier = options.overwrite ? EarlierResults::replace
+                                 : options.resume  ? EarlierResults::resume
+                                                   : EarlierResults::refuse;
   std::vector<std::string> names;
   for (const std::filesystem::path& session : options.sessions) {
     const std::string name = session_folder_name(session);
@@ -38,11 +41,19 @@ void check_folders(const ReplayOptions& options) {
       }
     }
     names.push_back(name);
-    OutputFolder(options.out, session).check(options.overwrite);
+    OutputFolder(options.out, session).check(earlier);
   }
 }
 
-void show_warnings(const SessionReport& report) {
+void show_messages(const SessionReport& report) {
+  if (!report.remark.empty()) print_message("warning: " + report.remark);
+  if (report.nothing_to_do) {
+    print_message(printable(report.name) + ": nothing to do, all " + std::to_string(report.kept_frames) +
+                  " frames are there");
+  } else if (report.kept_frames > 0) {
+    print_message(printable(report.name) + ": " + std::to_string(report.kept_frames) + " of " +
+                  std::to_string(report.range.count) + " frames were there");
+  }
   for (std::size_t i = 0; i < report.warnings.size(); ++i) {
     if (i == kMostWarningsShown) {
       print_message("warning: " + std::to_string(report.warnings.size() - i) + " more are in " +
@@ -54,7 +65,7 @@ void show_warnings(const SessionReport& report) {
 }
 
 // The heading and table of one session, and where its files are.
-std::string report_text(const SessionReport& report) {
+std::string report_text(const SessionReport& report, ReplayClock clock) {
   const RunStatistics& statistics = report.statistics;
   std::string text = printable(report.name) + ": " + std::to_string(statistics.frames) + " frames";
   if (report.state != ReplayState::done) {
@@ -65,6 +76,9 @@ std::string report_text(const SessionReport& report) {
           " threads, " + name_of(report.settings.isa) + ", " + settings_text(report.settings) + "\n\n";
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
   text += "results: " + printable(report.out_folder.string()) + "\n";
+  if (report.state != ReplayState::done && clock != ReplayClock::realtime) {
+    text += "to go on with it: the same command and --resume\n";
+  }
   for (const std::string& sheet : report.contact_sheets) {
     if (report.contact_sheets.size() > 1) break;
     text += "contact sheet: " + printable((report.out_folder / sheet).string()) + "\n";
@@ -91,11 +105,11 @@ int run_replay(const ReplayOptions& options) {
   for (const std::filesystem::path& session : options.sessions) {
     reports.push_back(replay_session(session, options));
     const SessionReport& report = reports.back();
-    show_warnings(report);
+    show_messages(report);
     if (!report.error.empty()) print_message(report.error);
     exit_code = worse_exit_code(exit_code, report.exit_code);
     if (!options.json && report.statistics.frames > 0) {
-      print_result((reports.size() > 1 ? "\n" : "") + report_text(report));
+      print_result((reports.size() > 1 ? "\n" : "") + report_text(report, options.clock));
     }
     // A full disk or the user's wish to stop holds for the sessions that follow as well.
     if (const int signal = stop_signal(); signal != 0) {

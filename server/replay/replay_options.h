@@ -33,6 +33,7 @@ struct ReplayOptions {
   SheetChoice sheet = SheetChoice::middle;
   std::int64_t sheet_frame = 0;  // for SheetChoice::one
   bool overwrite = false;        // replace the results in a folder that is not empty
+  bool resume = false;           // go on with an interrupted replay in that folder
   bool json = false;             // results on stdout as JSON instead of a table
 };
 

@@ -1,7 +1,8 @@
 #include "server/replay/replay_session.h"
 
-#include <array>
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,16 +12,47 @@
 #include "server/output/atomic_file.h"
 #include "server/output/frame_writer.h"
 #include "server/output/frames_csv.h"
+#include "server/replay/checkpoint.h"
+#include "server/replay/earlier_frames.h"
+#include "server/replay/fingerprint.h"
 #include "server/replay/frame_description.h"
+#include "server/replay/frame_files.h"
 #include "server/replay/opened_session.h"
 #include "server/replay/output_folder.h"
 #include "server/replay/picture_output.h"
+#include "server/replay/run_state.h"
 #include "server/replay/steady_time.h"
 #include "server/replay/summary_json.h"
 #include "sessions/input_error.h"
+#include "sessions/strict_json.h"
 
 namespace herr {
 namespace {
+
+// Of an earlier run, in the folder that it wrote to; a damaged one says nothing.
+bool summary_says_done(const std::filesystem::path& summary_json) {
+  try {
+    const nlohmann::json summary = parse_json_file(summary_json);
+    return JsonObject(summary, summary_json, "").text("state") == name_of(ReplayState::done);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// A checkpoint of this fingerprint that nobody edited does.
+void check_fits(const RunState& state, const FrameRange& range, const std::filesystem::path& file) {
+  bool fits = state.next_frame >= range.first && state.next_frame <= range.first + range.count;
+  for (const auto& stamp : state.camera_stamps_ns) {
+    fits = fits && (!stamp || *stamp <= range.time_ns(state.next_frame));
+  }
+  if (!fits) {
+    throw InputError(file, 0, "is damaged: it does not fit the session", "give --overwrite to start again");
+  }
+}
+
+// Where a run could be taken up again: every so many frames, and often enough where a frame takes minutes.
+constexpr std::int64_t kCheckpointFrames = 500;
+constexpr TimeNs kCheckpointIntervalNs = 30'000'000'000;
 
 class SessionReplay {
  public:
@@ -35,43 +67,55 @@ class SessionReplay {
 
  private:
   void start_output();
+  void go_on_from(const EarlierFrames& earlier);
+  void open_writer(const EarlierFrames& earlier);
+  void take_over(EarlierFrames earlier);
+  EarlierFrames earlier_frames() const;
+  void pass_over_frames_before(std::int64_t frame);
   void render_frames();
   void render_paced_frames();
   bool stopped();
-  void render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
-  void count_new_images(const FrameSample& sample);
-  void finish_pictures();
+  bool render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
+  void checkpoint_if_due();
+  void save_checkpoint();
   void close_output();
+  void describe_run();
   void note_failure();
   void add_run_warnings();
-  bool wants_sheet(std::int64_t frame) const;
+  bool can_resume() const { return options_.clock != ReplayClock::realtime; }
 
   const ReplayOptions& options_;
   const OutputFolder folder_;
   SessionReport report_;
   OpenedSession opened_;
+  std::optional<FolderLock> lock_;
+  std::optional<FrameFiles> files_;
+  std::optional<RunTracker> tracker_;
+  Fingerprint fingerprint_;
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
-  std::unique_ptr<AtomicFile> csv_;
   RenderedFrame rendered_;
   SceneState state_;
-  std::array<std::shared_ptr<const CameraImage>, 2> shown_images_;
+  std::int64_t frames_since_checkpoint_ = 0;
+  TimeNs checkpoint_ns_ = 0;  // when the last one was written
 };
 
 SessionReport SessionReplay::run() {
   try {
     open_session(options_, report_, opened_);  // nothing is written yet
     // After a signal no frame is rendered: what an earlier run left stays.
-    if (stop_signal() == 0) start_output();
-    render_frames();
-    finish_pictures();
+    if (!stopped()) start_output();
+    if (writer_) {
+      render_frames();
+      writer_->finish();
+    }
   } catch (...) {
     note_failure();
   }
   // What was finished is described even after a failure. When that fails as well (a full disk), the first
   // failure is the one to tell: the second follows from it.
   try {
-    if (csv_) close_output();
+    if (writer_) close_output();
   } catch (...) {
     if (report_.state != ReplayState::failed) note_failure();
   }
@@ -84,11 +128,68 @@ void SessionReplay::note_failure() {
 }
 
 void SessionReplay::start_output() {
-  folder_.prepare(options_.format);
-  // Two frames may wait: enough to even out the disk, little enough to hold in memory.
-  const bool png = options_.format == PictureFormat::png;
-  const std::size_t files_per_frame = png ? report_.profile.viewports.size() : 1;
-  writer_ = std::make_unique<FrameWriter>(2 * files_per_frame);
+  const bool resume = options_.resume && std::filesystem::exists(folder_.checkpoint_json());
+  lock_.emplace(folder_.prepare(options_.format, resume ? EarlierResults::resume : EarlierResults::replace));
+  files_.emplace(folder_, options_, report_.profile, report_.range);
+  tracker_.emplace(*opened_.session, *opened_.renderer, report_.range.first);
+  if (can_resume()) fingerprint_ = fingerprint_of(report_, options_, opened_.scene);
+  EarlierFrames earlier;
+  earlier.next_frame = report_.range.first;
+  if (resume) {
+    earlier = earlier_frames();
+    go_on_from(earlier);
+    if (report_.nothing_to_do) return;
+  } else if (can_resume()) {
+    // Before frames.csv: a folder with results has a checkpoint.
+    write_whole_file(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->state()));
+  }
+  open_writer(earlier);
+  pass_over_frames_before(earlier.next_frame);
+}
+
+EarlierFrames SessionReplay::earlier_frames() const {
+  return read_earlier_frames(folder_.frames_csv(), *files_, report_.range);
+}
+
+// Session, renderer and report as they were when the interrupted run ended; nothing is written.
+void SessionReplay::go_on_from(const EarlierFrames& earlier) {
+  const Checkpoint checkpoint = read_checkpoint(folder_.checkpoint_json());
+  if (const std::string what = difference(checkpoint.fingerprint, fingerprint_); !what.empty()) {
+    throw UsageError("--resume: " + printable(folder_.path().string()) + ": " + what +
+                     "; give what the interrupted replay was given, or --overwrite to start again");
+  }
+  const RunState& state = checkpoint.state;
+  check_fits(state, report_.range, folder_.checkpoint_json());
+  // A checkpoint past the first missing frame is of no use: files have gone since.
+  if (state.next_frame <= earlier.next_frame) tracker_->restore(state);
+  report_.remark = earlier.remark;
+  report_.kept_frames = earlier.statistics.frames;
+  take_over(earlier);
+  report_.nothing_to_do = earlier.next_frame == report_.range.first + report_.range.count &&
+                          tracker_->state().next_frame == earlier.next_frame &&
+                          summary_says_done(folder_.summary_json());
+  if (report_.nothing_to_do) describe_run();
+}
+
+void SessionReplay::take_over(EarlierFrames earlier) {
+  report_.statistics = std::move(earlier.statistics);
+  report_.files_written = earlier.picture_files;
+  report_.bytes_written = earlier.picture_bytes;
+  report_.writer_waits = earlier.writer_waits;
+  report_.contact_sheets = std::move(earlier.contact_sheets);
+}
+
+void SessionReplay::open_writer(const EarlierFrames& earlier) {
+  // It tells of the end of a run, and this one has not ended.
+  std::filesystem::remove(folder_.summary_json());
+  AppendFile csv(folder_.frames_csv(), earlier.csv_bytes);
+  if (earlier.csv_bytes == 0) csv.append(frames_csv_header());
+  csv.flush();
+  // Two frames may wait: enough to even out the disk, little enough to hold in memory. One more place for a
+  // frame's row and one for a checkpoint.
+  const std::size_t jobs_per_frame = std::max<std::size_t>(files_->pictures_per_frame(), 1) + 2;
+  writer_ = std::make_unique<FrameWriter>(2 * jobs_per_frame, std::move(csv));
+  checkpoint_ns_ = steady_now_ns();
   PictureOutput::Config config;
   config.format = options_.format;
   config.with_alpha = !report_.plan.camera;
@@ -98,9 +199,18 @@ void SessionReplay::start_output() {
   config.metadata.program = program_with_version();
   config.metadata.isa = name_of(report_.settings.isa);
   config.metadata.settings = settings_text(report_.settings);
-  pictures_ = std::make_unique<PictureOutput>(std::move(config), folder_, *opened_.renderer, *writer_);
-  csv_ = std::make_unique<AtomicFile>(folder_.frames_csv());
-  csv_->write(frames_csv_header());
+  pictures_ = std::make_unique<PictureOutput>(std::move(config), *files_, *opened_.renderer, *writer_);
+}
+
+// What the frames between the checkpoint and the first missing one change in session and renderer.
+void SessionReplay::pass_over_frames_before(std::int64_t frame) {
+  while (tracker_->state().next_frame < frame) {
+    if (stopped()) return;
+    const FrameSample sample = opened_.session->sample(report_.range.time_ns(tracker_->state().next_frame));
+    tracker_->sampled(sample);
+    opened_.renderer->pass_over(sample);
+    tracker_->frame_done();
+  }
 }
 
 void SessionReplay::render_frames() {
@@ -108,11 +218,27 @@ void SessionReplay::render_frames() {
     render_paced_frames();
     return;
   }
-  ProgressBar progress(report_.name, report_.range.count);
-  for (std::int64_t i = 0; i < report_.range.count; ++i) {
-    if (stopped()) return;
-    render_one(report_.range.first + i, nullptr, 0);
+  const FrameRange& range = report_.range;
+  ProgressBar progress(report_.name, range.count, report_.kept_frames);
+  for (std::int64_t i = report_.kept_frames; i < range.count; ++i) {
+    if (stopped() || !render_one(range.first + i, nullptr, 0)) return;
     progress.update(i + 1);
+    checkpoint_if_due();
+  }
+}
+
+void SessionReplay::checkpoint_if_due() {
+  const TimeNs now_ns = steady_now_ns();
+  if (++frames_since_checkpoint_ < kCheckpointFrames && now_ns - checkpoint_ns_ < kCheckpointIntervalNs)
+    return;
+  frames_since_checkpoint_ = 0;
+  checkpoint_ns_ = now_ns;
+  save_checkpoint();
+}
+
+void SessionReplay::save_checkpoint() {
+  if (can_resume()) {
+    writer_->checkpoint(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->state()));
   }
 }
 
@@ -122,8 +248,7 @@ void SessionReplay::render_paced_frames() {
   FramePacer pacer(steady_now_ns(), range.period_ms() * 1e6, range.first, range.count);
   while (const auto begin = pacer.begin(steady_now_ns())) {
     sleep_until(begin->due_ns, [] { return stop_signal() != 0; });
-    if (stopped()) return;
-    render_one(begin->frame, &pacer, begin->dropped);
+    if (stopped() || !render_one(begin->frame, &pacer, begin->dropped)) return;
     progress.update(begin->frame - range.first + 1);
   }
   report_.statistics.dropped_frames += pacer.frames_dropped_at_end();
@@ -137,8 +262,9 @@ bool SessionReplay::stopped() {
   return true;
 }
 
-// `pacer`: of the clock realtime, which left `dropped` frames out before this one.
-void SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
+// `pacer`: of the clock realtime, which left `dropped` frames out before this one. False after a signal: then
+// the frame was given up.
+bool SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
   const TimeNs t_ns = report_.range.time_ns(frame);
   const TimeNs started_ns = steady_now_ns();
   const FrameSample sample = opened_.session->sample(t_ns);
@@ -146,69 +272,53 @@ void SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64
 
   scene_state_at(opened_.scene, static_cast<double>(t_ns - opened_.session->start_ns()) * kSecondsPerNs,
                  state_);
-  opened_.renderer->render_frame(sample, state_, rendered_);
+  tracker_->sampled(sample);
+  if (!opened_.renderer->render_frame(sample, state_, rendered_, &stop_flag())) return !stopped();
 
-  count_new_images(sample);
   FrameRecord record = describe_frame(frame, sample, rendered_, report_.range.period_ms(), options_.clock,
                                       report_.findings.gaze_rows > 0);
   if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, steady_now_ns()), dropped, record);
-  const bool sheet = wants_sheet(frame);
-  const PictureOutput::Cost cost = pictures_->write_frame(frame, sample, rendered_, sheet);
-  if (sheet) report_.contact_sheets.push_back(folder_.contact_sheet(frame).filename().string());
+  const PictureOutput::Cost cost = pictures_->write_frame(frame, sample, rendered_);
+  if (const auto sheet = files_->contact_sheet(frame)) {
+    report_.contact_sheets.push_back(sheet->filename().string());
+  }
   record.sample_ms = static_cast<double>(sampled_ns - started_ns) * 1e-6;
   record.write_ms = cost.encode_ms;
   record.wait_ms = cost.wait_ms;
   record.nonfinite_pictures = cost.nonfinite_values;
   report_.statistics.add(record);
-  csv_->write(frames_csv_row(record));
+  report_.writer_waits += record.wait_ms > 0 ? 1 : 0;
+  writer_->add_row(frames_csv_row(record));
+  tracker_->frame_done();
+  return true;
 }
 
-// An image is shown for several frames, and by a single camera to both eyes: it counts once.
-void SessionReplay::count_new_images(const FrameSample& sample) {
-  for (std::size_t eye = 0; eye < sample.cameras.size(); ++eye) {
-    if (!sample.cameras[eye]) continue;
-    const std::shared_ptr<const CameraImage>& image = sample.cameras[eye]->image;
-    const bool counted = image == shown_images_[eye] || (eye == 1 && image == shown_images_[0]);
-    if (!counted) report_.sanitised_camera_values += image->sanitised_values;
-    shown_images_[eye] = image;
-  }
-}
-
-bool SessionReplay::wants_sheet(std::int64_t frame) const {
-  switch (options_.sheet) {
-    case SheetChoice::none:
-      return false;
-    case SheetChoice::all:
-      return true;
-    case SheetChoice::middle:
-      return frame == report_.range.middle();
-    case SheetChoice::one:
-      return frame == options_.sheet_frame;
-  }
-  return false;
-}
-
-void SessionReplay::finish_pictures() {
-  if (writer_) writer_->finish();
-}
-
-// frames.csv and summary.json, after the pictures that they name.
+// The last checkpoint and summary.json, after the frames that they tell of.
 void SessionReplay::close_output() {
   // After bad input, frames that are still in the queue are good: they are written. After a failed write this
   // throws. (Usage: the write was not allowed. Any other usage error comes before there is something to
   // close.)
   const bool write_failed = report_.exit_code == kExitTemporary || report_.exit_code == kExitUsage;
-  if (report_.state == ReplayState::failed && !write_failed) writer_->finish();
-  report_.findings = opened_.session->findings();
-  report_.files_written = writer_->files_written();
-  report_.bytes_written = writer_->bytes_written();
-  report_.writer_waits = writer_->waits();
+  if (report_.state != ReplayState::failed || !write_failed) {
+    save_checkpoint();
+    writer_->finish();
+    report_.files_written += writer_->files_written();
+    report_.bytes_written += writer_->bytes_written();
+  } else if (can_resume()) {
+    // Frames that were in the queue are lost.
+    take_over(earlier_frames());
+  }
+  describe_run();
+  write_whole_file(folder_.summary_json(), json_text(summary_json(report_, options_)));
+  sync_folder(folder_.path());
+}
+
+void SessionReplay::describe_run() {
+  report_.findings = tracker_->findings();
+  report_.sanitised_camera_values = tracker_->state().sanitised_camera_values;
   const bool skipped = report_.findings.skipped_rows > 0 || report_.findings.skipped_images > 0;
   if (report_.exit_code == kExitDone && skipped) report_.exit_code = kExitPartial;
   add_run_warnings();
-  csv_->commit();
-  write_whole_file(folder_.summary_json(), json_text(summary_json(report_, options_)));
-  sync_folder(folder_.path());
 }
 
 void SessionReplay::add_run_warnings() {

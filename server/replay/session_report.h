@@ -35,10 +35,14 @@ struct SessionReport {
   FramePlan plan;
   std::vector<std::string> warnings;  // of session, scene and run
 
-  RunStatistics statistics;
+  RunStatistics statistics;                  // of all frames, those of earlier runs included
+  std::int64_t kept_frames = 0;              // of earlier runs: --resume found them finished
+  std::string remark;                        // why --resume did not keep more, one line; mostly empty
+  bool nothing_to_do = false;                // --resume found everything finished
   std::int64_t sanitised_camera_values = 0;  // of all camera images shown: NaN, Inf, negative or too large
-  std::int64_t files_written = 0, bytes_written = 0, writer_waits = 0;
-  std::vector<std::string> contact_sheets;  // file names in out_folder
+  std::int64_t files_written = 0, bytes_written = 0;  // pictures
+  std::int64_t writer_waits = 0;                      // frames that waited for the writer
+  std::vector<std::string> contact_sheets;            // file names in out_folder
 };
 
 }  // namespace herr

@@ -111,6 +111,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   json["frames"] = {{"first", report.range.first},
                     {"planned", report.range.count},
                     {"rendered", report.statistics.frames},
+                    {"kept", report.kept_frames},
                     {"missed", report.statistics.missed_frames},
                     {"dropped", report.statistics.dropped_frames},
                     {"repeated", report.statistics.repeated_ticks},

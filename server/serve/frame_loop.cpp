@@ -26,18 +26,18 @@ const char* name_of(ServePhase phase) {
   return "unknown";
 }
 
-FrameLoop::FrameLoop(const ReplayOptions& options, ServeBoard& board, std::function<bool()> stop)
-    : options_(options), board_(board), stop_(std::move(stop)) {
+FrameLoop::FrameLoop(const ReplayOptions& options, ServeBoard& board, const std::atomic<bool>& stop)
+    : options_(options), board_(board), stop_(stop) {
   state_.started_ns = steady_now_ns();
   publish(true);
 }
 
 void FrameLoop::run() {
-  while (!stop_()) {
+  while (!stop_) {
     for (const std::filesystem::path& folder : options_.sessions) {
       open(folder);
       replay_lap();
-      if (stop_()) return;
+      if (stop_) return;
     }
     ++state_.lap;
   }
@@ -70,19 +70,20 @@ void FrameLoop::replay_lap() {
     return;
   }
   const FrameRange& range = subject_->range;
-  for (std::int64_t i = 0; i < range.count && !stop_(); ++i) render(range.first + i, nullptr, 0);
+  for (std::int64_t i = 0; i < range.count && !stop_; ++i) render(range.first + i, nullptr, 0);
 }
 
 void FrameLoop::replay_paced() {
+  const auto stop = [this] { return stop_.load(); };
   const FrameRange& range = subject_->range;
   FramePacer pacer(steady_now_ns(), range.period_ms() * 1e6, range.first, range.count);
   while (const auto begin = pacer.begin(steady_now_ns())) {
-    if (!sleep_until(begin->due_ns, stop_)) return;
+    if (!sleep_until(begin->due_ns, stop)) return;
     render(begin->frame, &pacer, begin->dropped);
   }
   dropped_at_end_ += pacer.frames_dropped_at_end();
   // The last frame stays for its period: the next lap begins at the next tick.
-  sleep_until(pacer.tick_ns(range.first + range.count), stop_);
+  sleep_until(pacer.tick_ns(range.first + range.count), stop);
 }
 
 void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
@@ -95,7 +96,7 @@ void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropp
   scene_state_at(opened_->scene, static_cast<double>(since_start_ns) * kSecondsPerNs, scene_state_);
   // Into pictures that nobody looks at; the published ones stay as they are.
   const std::shared_ptr<ServedPictures> pictures = picture_storage_.take();
-  opened_->renderer->render_frame(sample, scene_state_, pictures->frame);
+  if (!opened_->renderer->render_frame(sample, scene_state_, pictures->frame, &stop_)) return;
   const TimeNs finished_ns = steady_now_ns();
 
   RecentFrame recent;

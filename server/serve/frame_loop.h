@@ -2,7 +2,7 @@
 // it knows after each frame. Before: serve_command. After: ServeBoard.
 #pragma once
 
-#include <functional>
+#include <atomic>
 #include <memory>
 
 #include "server/replay/frame_pacer.h"
@@ -17,8 +17,9 @@ namespace herr {
 // others.
 class FrameLoop {
  public:
-  // `stop` is asked before each frame and while waiting for one. Both must outlive the loop.
-  FrameLoop(const ReplayOptions& options, ServeBoard& board, std::function<bool()> stop);
+  // `stop` is asked before each frame, while waiting for one and between the tiles of one. All must outlive
+  // the loop.
+  FrameLoop(const ReplayOptions& options, ServeBoard& board, const std::atomic<bool>& stop);
 
   // Until `stop` says so. Throws what opening and sampling a session throws; what was published stays.
   void run();
@@ -36,7 +37,7 @@ class FrameLoop {
 
   const ReplayOptions& options_;
   ServeBoard& board_;
-  const std::function<bool()> stop_;
+  const std::atomic<bool>& stop_;
   std::filesystem::path opened_folder_;
   std::unique_ptr<OpenedSession> opened_;
   std::shared_ptr<const SessionReport> subject_;

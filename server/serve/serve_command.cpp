@@ -60,7 +60,7 @@ std::string end_text(const RunStatistics& run) {
 int run_serve(const ServeOptions& options) {
   check_isa(options.replay.render);
   ServeBoard board;
-  FrameLoop loop(options.replay, board, [] { return stop_signal() != 0; });
+  FrameLoop loop(options.replay, board, stop_flag());
   // A request may come before it is known who counts: then nothing is counted yet.
   std::atomic<const HttpServer*> counted{nullptr};
   Endpoints endpoints(

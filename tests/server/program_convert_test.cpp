@@ -1,6 +1,5 @@
 // `herr convert` as its users run it: one command, exit codes, nothing half-written.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "program_runner.h"
 #include "server/output/atomic_file.h"
 #include "server/output/png_encoder.h"
 #include "sessions/session.h"
@@ -19,11 +19,6 @@ namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 class ConvertProgram : public ::testing::Test {
  protected:
@@ -44,13 +39,8 @@ class ConvertProgram : public ::testing::Test {
   }
   const fs::path& root() const { return folder_.path(); }
 
-  // `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
   Outcome convert(const std::string& arguments, const std::string& before = "") const {
-    const std::string line = "cd '" + root().string() + "' && " + before + " " + HERR_PROGRAM + " convert " +
-                             arguments + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
-            content_of(root() / "stderr.txt")};
+    return run_program(root(), "convert " + arguments, before);
   }
   // What lies in the folder beside what the test itself put there.
   std::vector<std::string> made() const {

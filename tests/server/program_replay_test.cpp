@@ -1,13 +1,12 @@
 // The program as its users run it: files, exit codes, one line for each mistake.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "program_runner.h"
 #include "small_session.h"
 #include "temporary_folder.h"
 
@@ -15,11 +14,6 @@ namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 class Program : public ::testing::Test {
  protected:
@@ -30,30 +24,13 @@ class Program : public ::testing::Test {
   }
   const fs::path& root() const { return folder_.path(); }
 
-  // `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
   Outcome herr(const std::string& arguments, const std::string& before = "") const {
-    const std::string line = "cd '" + root().string() + "' && " + before + " " + HERR_PROGRAM + " " +
-                             arguments + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(line.c_str());
-    Outcome outcome;
-    outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    outcome.out = content_of(root() / "stdout.txt");
-    outcome.err = content_of(root() / "stderr.txt");
-    return outcome;
+    return run_program(root(), arguments, before);
   }
   Outcome replay(const std::string& flags, const std::string& before = "") const {
     return herr("replay walk --profile small.profile.json --polar 128x64 --threads 2 " + flags, before);
   }
 
-  std::vector<std::string> files_below(const fs::path& folder) const {
-    std::vector<std::string> names;
-    if (!fs::exists(folder)) return names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
   nlohmann::json summary(const std::string& out) const {
     return nlohmann::json::parse(content_of(root() / out / "walk" / "summary.json"));
   }
@@ -62,16 +39,12 @@ class Program : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-long lines_in(const std::string& text) {
-  return std::count(text.begin(), text.end(), '\n');
-}
-
-TEST_F(Program, ReplayWritesPicturesTimesSheetAndSummary) {
+TEST_F(Program, ReplayWritesPicturesTimesSheetCheckpointAndSummary) {
   const Outcome outcome = replay("--out o");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   // 0.25 s at 60 Hz: the last pose lies at 22/90 s = 0.2444 s, so frames 0 ... 14 (14/60 = 0.2333 s).
   const auto files = files_below(root() / "o" / "walk");
-  EXPECT_EQ(files.size(), 15u * 4 + 3);
+  EXPECT_EQ(files.size(), 15u * 4 + 4);
   EXPECT_TRUE(fs::exists(root() / "o/walk/frames/frame_000014.right_focus.png"));
   EXPECT_TRUE(fs::exists(root() / "o/walk/contact_sheet_000007.png"));
   EXPECT_EQ(lines_in(content_of(root() / "o/walk/frames.csv")), 16);

@@ -1,0 +1,22 @@
+// checkpoint.json: where a replay stands and what it was made from, so that --resume can go on with it.
+// Before: the replay loop, every so often and at its end. After: replay_session with --resume.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "server/replay/fingerprint.h"
+#include "server/replay/run_state.h"
+
+namespace herr {
+
+struct Checkpoint {
+  Fingerprint fingerprint;
+  RunState state;
+};
+
+std::string checkpoint_text(const Fingerprint& fingerprint, const RunState& state);
+// Throws InputError that names the field.
+Checkpoint read_checkpoint(const std::filesystem::path& file);
+
+}  // namespace herr

@@ -1,0 +1,27 @@
+// What the pictures of a replay depend on: its settings, and the content of every file that it reads. Two
+// runs of one fingerprint make the same bytes. Before: open_session. After: checkpoint.json.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/scene.h"
+#include "server/replay/replay_options.h"
+#include "server/replay/session_report.h"
+
+namespace herr {
+
+struct Fingerprint {
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+  Entries settings;  // flag, value
+  Entries inputs;    // file, its size and CRC-32; camera images by name, size and time of change
+};
+
+// Reads every input once, save the camera images. Throws InputError.
+Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene);
+
+// The first difference, "--light-samples was 64, is 1"; empty when there is none.
+std::string difference(const Fingerprint& earlier, const Fingerprint& now);
+
+}  // namespace herr
