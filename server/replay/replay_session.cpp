@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "server/cli/progress_bar.h"
@@ -43,7 +44,8 @@ bool summary_says_done(const std::filesystem::path& summary_json) {
 void check_fits(const RunState& state, const FrameRange& range, const std::filesystem::path& file) {
   bool fits = state.next_frame >= range.first && state.next_frame <= range.first + range.count;
   for (const auto& stamp : state.camera_stamps_ns) {
-    fits = fits && (!stamp || *stamp <= range.time_ns(state.next_frame));
+    fits =
+        fits && (!stamp || (state.next_frame > range.first && *stamp <= range.time_ns(state.next_frame - 1)));
   }
   if (!fits) {
     throw InputError(file, 0, "is damaged: it does not fit the session", "give --overwrite to start again");
@@ -161,7 +163,11 @@ void SessionReplay::go_on_from(const EarlierFrames& earlier) {
   const RunState& state = checkpoint.state;
   check_fits(state, report_.range, folder_.checkpoint_json());
   // A checkpoint past the first missing frame is of no use: files have gone since.
-  if (state.next_frame <= earlier.next_frame) tracker_->restore(state);
+  if (state.next_frame <= earlier.next_frame) {
+    std::optional<TimeNs> last_frame_ns;
+    if (state.next_frame > report_.range.first) last_frame_ns = report_.range.time_ns(state.next_frame - 1);
+    tracker_->restore(state, last_frame_ns);
+  }
   report_.remark = earlier.remark;
   report_.kept_frames = earlier.statistics.frames;
   take_over(earlier);
@@ -180,9 +186,11 @@ void SessionReplay::take_over(EarlierFrames earlier) {
 }
 
 void SessionReplay::open_writer(const EarlierFrames& earlier) {
-  // It tells of the end of a run, and this one has not ended.
-  std::filesystem::remove(folder_.summary_json());
   AppendFile csv(folder_.frames_csv(), earlier.csv_bytes);
+  // An earlier summary tells of the end of a run, and this one has not ended.
+  std::error_code error;
+  std::filesystem::remove(folder_.summary_json(), error);
+  if (error) throw WriteError(folder_.summary_json(), "remove", error.value());
   if (earlier.csv_bytes == 0) csv.append(frames_csv_header());
   csv.flush();
   // Two frames may wait: enough to even out the disk, little enough to hold in memory. One more place for a

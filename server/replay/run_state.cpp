@@ -13,7 +13,7 @@ RunTracker::RunTracker(Session& session, Renderer& renderer, std::int64_t first_
   state_.next_frame = first_frame;
 }
 
-void RunTracker::restore(const RunState& state) {
+void RunTracker::restore(const RunState& state, std::optional<TimeNs> last_frame_ns) {
   state_ = state;
   sanitised_values_ = state.sanitised_camera_values;
   renderer_.restore(state.renderer);
@@ -24,6 +24,8 @@ void RunTracker::restore(const RunState& state) {
     if (stamp) stamps.push_back(std::max(*stamp, session_.start_ns()));
   }
   std::sort(stamps.begin(), stamps.end());
+  // What did not decode up to the last frame is known: it is met here, not once more with the next frame.
+  if (last_frame_ns) stamps.push_back(*last_frame_ns);
   for (const TimeNs stamp : stamps) show(session_.sample(stamp));
   skipped_before_ = session_.findings().skipped_images;
   warnings_before_ = session_.findings().warnings.size();

@@ -31,9 +31,9 @@ class RunTracker {
  public:
   // At the start of a run; the session was opened and not yet sampled.
   RunTracker(Session& session, Renderer& renderer, std::int64_t first_frame);
-  // Brings session and renderer to where they were. Call before the first frame. Throws what
-  // Session::sample throws.
-  void restore(const RunState& state);
+  // Brings session and renderer to where they were after the frame at `last_frame_ns` (none: before the first
+  // one). Call before sampling. Throws what Session::sample throws.
+  void restore(const RunState& state, std::optional<TimeNs> last_frame_ns);
 
   // For each frame in turn: its sample, then that it is whole. A frame that is given up in between leaves no
   // trace in state().

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,21 +19,27 @@ namespace herr {
 class ChildProgram {
  public:
   // Starts `arguments` ([0] is the program) in `folder`; stderr goes to folder/stderr.txt.
-  ChildProgram(const std::filesystem::path& folder, std::vector<std::string> arguments) {
+  ChildProgram(const std::filesystem::path& folder, std::vector<std::string> arguments)
+      : ChildProgram(folder, [&arguments] {
+          std::vector<char*> words;
+          for (std::string& word : arguments) words.push_back(word.data());
+          words.push_back(nullptr);
+          ::execv(words[0], words.data());
+          return 99;
+        }) {}
+  // A process of its own for `body`, whose answer is the exit code. The program takes a third of a second to
+  // be loaded; a copy of the test has it in memory. The test must have no threads in work.
+  ChildProgram(const std::filesystem::path& folder, const std::function<int()>& body) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     fill(ends[1]);
-    std::vector<char*> words;
-    for (std::string& word : arguments) words.push_back(word.data());
-    words.push_back(nullptr);
     const std::string messages = (folder / "stderr.txt").string();
     pid_ = ::fork();
     if (pid_ == 0) {
       const int messages_fd = ::open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
       ::dup2(ends[1], STDOUT_FILENO);
       ::dup2(messages_fd, STDERR_FILENO);
-      if (::chdir(folder.c_str()) == 0) ::execv(words[0], words.data());
-      ::_exit(99);
+      ::_exit(::chdir(folder.c_str()) == 0 ? body() : 99);
     }
     ::close(ends[1]);
     output_ = ends[0];

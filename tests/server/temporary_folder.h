@@ -15,8 +15,9 @@ namespace herr {
 
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "herr-test-XXXXXX").string();
+  TemporaryFolder() : TemporaryFolder(std::filesystem::temp_directory_path()) {}
+  explicit TemporaryFolder(const std::filesystem::path& parent) {
+    std::string pattern = (parent / "herr-test-XXXXXX").string();
     const char* made = ::mkdtemp(pattern.data());
     if (made == nullptr) throw std::runtime_error("cannot make a temporary folder");
     path_ = made;
