@@ -194,4 +194,15 @@ std::optional<glm::dvec3> CameraModel::unproject(const glm::dvec2& pixel) const 
   return direction_at(std::atan(glm::length(*point)), *point);
 }
 
+CameraModel pinhole_camera(int width_px, int height_px, double hfov_deg) {
+  CameraModel camera;
+  camera.width_px = width_px;
+  camera.height_px = height_px;
+  camera.fx = camera.fy = width_px / (2.0 * std::tan(glm::radians(hfov_deg) / 2.0));
+  camera.cx = (width_px - 1) / 2.0;
+  camera.cy = (height_px - 1) / 2.0;
+  camera.prepare();
+  return camera;
+}
+
 }  // namespace herr

@@ -35,4 +35,7 @@ struct CameraModel {
   }
 };
 
+// A pinhole camera without distortion whose width spans `hfov_deg`, in (0, 180), with its axis in the middle.
+CameraModel pinhole_camera(int width_px, int height_px, double hfov_deg);
+
 }  // namespace herr

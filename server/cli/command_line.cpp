@@ -6,7 +6,9 @@
 
 #include "server/cli/flag_values.h"
 #include "server/cli/flags.h"
+#include "server/cli/synth_flags.h"
 #include "server/cli/version.h"
+#include "server/synth/synth_command.h"
 #include "sessions/import/built_in_maps.h"
 
 namespace herr {
@@ -54,37 +56,6 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
       "--strict", [&] { options.strict = true; }, "a stream that was cut off is an error");
   app.add_flag_callback(
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
-}
-
-void add_synth(CLI::App& app, SynthOptions& options) {
-  app.add_option("OUT", options.out, "folder of the new session; must be empty or new")
-      ->required()
-      ->type_name("");
-  file_flag(app, "--scene", "the room that the camera sees",
-            [&](const std::string& text) { options.room = text; });
-  file_flag(app, "--replay-scene", "scene that session.json names, relative to OUT",
-            [&](const std::string& text) { options.scene = text; });
-  value_flag(app, "--seed", "N", "same seed, same session (default 1)", [&](const std::string& text) {
-    options.seed = static_cast<std::uint64_t>(parse_whole_number("--seed", text, 0, kMostFrames));
-  });
-  const auto number = [&app](const std::string& flag, const std::string& help, double lowest, double highest,
-                             double& value) {
-    value_flag(app, flag, "X", help, [flag, lowest, highest, &value](const std::string& text) {
-      value = parse_real_number(flag, text, lowest, highest);
-    });
-  };
-  number("--duration", "seconds (default 2)", 0.1, 36000, options.duration_s);
-  number("--hz", "rate of the poses (default 90)", 1, 1000, options.pose_hz);
-  number("--gaze-hz", "rate of the gaze (default 120)", 1, 1000, options.gaze_hz);
-  number("--camera-hz", "rate of the camera (default 10)", 0.1, 240, options.camera_hz);
-  number("--camera-hfov", "width of the camera's view in degrees (default 90)", 10, 150,
-         options.camera_hfov_deg);
-  value_flag(app, "--camera-size", "WxH", "size of its pictures (default 480x360)",
-             [&](const std::string& text) {
-               const SizeValue size = parse_size("--camera-size", text, 4096);
-               options.camera_width_px = size.width;
-               options.camera_height_px = size.height;
-             });
 }
 
 void add_convert(CLI::App& app, ConvertOptions& options) {
@@ -194,7 +165,7 @@ struct Parser {
     add_serve_flags(*serve_command, serve);
     add_bench(*bench_command, bench);
     add_inspect(*inspect_command, inspect);
-    add_synth(*synth_command, synth);
+    add_synth_flags(*synth_command, synth);
     add_convert(*convert_command, convert);
     app.require_subcommand(0, 1);
     app.footer("'herr COMMAND --help' lists the flags of a command.");
@@ -232,7 +203,7 @@ void check_required(const InspectOptions& options) {
 
 void check_required(const SynthOptions& options) {
   if (options.out.empty()) throw UsageError("OUT: the path is empty; give a folder");
-  if (options.room.empty()) throw UsageError("--scene: missing; give the scene file of the room");
+  check_synth_options(options);
 }
 
 void check_required(const ConvertOptions& options) {

@@ -68,6 +68,21 @@ SizeValue parse_size(const std::string& flag, const std::string& text, int highe
   return {side(text.substr(0, cross)), side(text.substr(cross + 1))};
 }
 
+glm::dvec3 parse_point(const std::string& flag, const std::string& text, double highest) {
+  if (std::count(text.begin(), text.end(), ',') != 2)
+    refuse(flag, text, "a point; write X,Y,Z in metres, for example 0,1.5,-3.7");
+  glm::dvec3 point(0.0);
+  std::size_t begin = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const bool negative = begin < end && text[begin] == '-';
+    const std::string digits = text.substr(begin + (negative ? 1 : 0), end - begin - (negative ? 1 : 0));
+    point[axis] = (negative ? -1.0 : 1.0) * parse_real_number(flag, digits, 0, highest);
+    begin = end + 1;
+  }
+  return point;
+}
+
 std::size_t parse_word(const std::string& flag, const std::string& text,
                        const std::vector<std::string>& words) {
   const auto found = std::find(words.begin(), words.end(), text);

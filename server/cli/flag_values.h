@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,9 @@ struct SizeValue {
 };
 // "WIDTHxHEIGHT", each within [1, highest].
 SizeValue parse_size(const std::string& flag, const std::string& text, int highest);
+
+// "X,Y,Z": three numbers, each within [-highest, highest]; a minus sign may stand before each.
+glm::dvec3 parse_point(const std::string& flag, const std::string& text, double highest);
 
 // The index of `text` among the words; an unknown word names the nearest one.
 std::size_t parse_word(const std::string& flag, const std::string& text,

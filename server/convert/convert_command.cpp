@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/cli/exit_code.h"
@@ -11,8 +12,7 @@
 #include "server/cli/terminal.h"
 #include "server/cli/version.h"
 #include "server/convert/convert_report.h"
-#include "server/convert/new_session_folder.h"
-#include "server/synth/camera_renderer.h"
+#include "server/new_session/new_session_folder.h"
 #include "sessions/import/aria_calibration.h"
 #include "sessions/import/built_in_maps.h"
 #include "sessions/import/camera_pictures.h"
@@ -27,7 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kMaxPictureBytes = std::int64_t{1} << 30;
-constexpr double kHalfIpdM = 0.0315;
 
 const BuiltInMap& built_in(const std::string& name) {
   return built_in_maps().at(parse_word("--preset", name, built_in_map_names()));
@@ -38,15 +37,13 @@ ColumnMap chosen_map(const ConvertOptions& options) {
   return parse_column_map(built_in(options.preset).json, options.preset + ".json");
 }
 
-SessionHeader header_for(const ConvertOptions& options, const fs::path& out, const ColumnMap& map) {
-  SessionHeader header;
-  header.name = printable((out.has_filename() ? out : out.parent_path()).filename().string());
+SessionHeader header_for(const ConvertOptions& options, const NewSessionFolder& folder, const ColumnMap& map,
+                         DisplayProfile profile) {
+  SessionHeader header = new_session_header(folder);
   header.provenance = std::string("converted by ") + program_with_version() + " from " +
                       printable(options.head.filename().string()) + " with the map " + printable(map.name);
   header.licence = options.licence;
-  header.profile = load_display_profile(options.profile);
-  header.head_from_eye[0].position = {-kHalfIpdM, 0, 0};
-  header.head_from_eye[1].position = {kHalfIpdM, 0, 0};
+  header.profile = std::move(profile);
   header.scene = options.scene;
   return header;
 }
@@ -69,11 +66,6 @@ Feed open_feed(const ConvertOptions& options, const ImportRequest& request) {
   return feed;
 }
 
-std::string copied_name(std::size_t index, const fs::path& picture) {
-  const std::string digits = std::to_string(index);
-  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + picture.extension().string();
-}
-
 // Every picture is copied once; a loop names them again.
 std::int64_t write_feed(const ConvertOptions& options, const Feed& feed, const ImportedStream& poses,
                         SessionRecorder& recorder) {
@@ -88,7 +80,7 @@ std::int64_t write_feed(const ConvertOptions& options, const Feed& feed, const I
     if (index < feed.pictures.files.size()) {
       const fs::path& picture = feed.pictures.files[index];
       const std::string bytes = read_whole_file(picture, kMaxPictureBytes);
-      names.push_back(copied_name(index, picture));
+      names.push_back(numbered_picture(index, picture.extension().string()));
       recorder.add_image(0, names.back(),
                          {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
     }
@@ -97,23 +89,12 @@ std::int64_t write_feed(const ConvertOptions& options, const Feed& feed, const I
   return rows;
 }
 
-// Messages about the unfinished folder name the one that the user asked for.
-std::string with_final_name(std::string text, const fs::path& temporary, const fs::path& out) {
-  for (std::size_t at = text.find(temporary.string()); at != std::string::npos;
-       at = text.find(temporary.string(), at + 1))
-    text.replace(at, temporary.string().size(), out.string());
-  return text;
-}
-
 // What replay would say of it; the result is a session or there is none.
-SessionFindings check_result(const ConvertOptions& options, const fs::path& temporary) {
+SessionFindings check_result(const ConvertOptions& options, const NewSessionFolder& folder) {
   try {
-    SessionFindings findings = Session::open(temporary).findings();
-    for (std::string& warning : findings.warnings) warning = with_final_name(warning, temporary, options.out);
-    return findings;
+    return folder.findings();
   } catch (const InputError& error) {
-    throw InputError(options.head, 0,
-                     "gives no usable session: " + with_final_name(error.what(), temporary, options.out),
+    throw InputError(options.head, 0, "gives no usable session: " + folder.with_final_name(error.what()),
                      "check the units and columns of the map");
   }
 }
@@ -134,13 +115,14 @@ int run_convert(const ConvertOptions& options) {
   }
   check_options(options);
   const ColumnMap map = chosen_map(options);
-  SessionHeader header = header_for(options, options.out, map);
+  DisplayProfile profile = load_display_profile(options.profile);
   const ImportRequest request{options.head, options.gaze, &map, options.keep_going};
   ConvertReport report{options.out, map.name, {}, 0, 0, {}};
   Feed feed;
   if (!options.camera.empty()) feed = open_feed(options, request);
 
   NewSessionFolder folder(options.out, options.overwrite);
+  SessionHeader header = header_for(options, folder, map, std::move(profile));
   SessionRecorder recorder(folder.path());
   report.rows = import_rows(request, {[&](const PoseRow& row) { recorder.add_pose(row); },
                                       [&](const GazeRow& row) { recorder.add_gaze(row); }});
@@ -155,7 +137,7 @@ int run_convert(const ConvertOptions& options) {
   header.gaze_hz = report.rows.gaze.rate_hz();
   recorder.write_header(header);
   recorder.finish();
-  report.findings = check_result(options, folder.path());
+  report.findings = check_result(options, folder);
   folder.keep();
   print_result(options.json ? convert_json(report) : convert_text(report));
   return report.rows.poses.bad_rows + report.rows.gaze.bad_rows > 0 ? kExitPartial : kExitDone;

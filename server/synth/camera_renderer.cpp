@@ -1,8 +1,6 @@
 #include "server/synth/camera_renderer.h"
 
-#include <cmath>
 #include <cstddef>
-#include <glm/trigonometric.hpp>
 
 namespace herr {
 namespace {
@@ -27,8 +25,9 @@ DisplayProfile profile_of(const CameraModel& camera) {
   return profile;
 }
 
-RenderSettings settings_of_camera() {
+RenderSettings settings_of_camera(int threads) {
   RenderSettings settings;
+  settings.threads = threads;
   settings.foveation = Foveation::off;
   settings.light_samples = kLightSamples;
   settings.camera = false;
@@ -38,22 +37,11 @@ RenderSettings settings_of_camera() {
 
 }  // namespace
 
-CameraModel pinhole_camera(int width_px, int height_px, double hfov_deg) {
-  CameraModel camera;
-  camera.width_px = width_px;
-  camera.height_px = height_px;
-  camera.fx = camera.fy = width_px / (2.0 * std::tan(glm::radians(hfov_deg) / 2.0));
-  camera.cx = (width_px - 1) / 2.0;
-  camera.cy = (height_px - 1) / 2.0;
-  camera.prepare();
-  return camera;
-}
-
-CameraRenderer::CameraRenderer(const Scene& room, const CameraModel& camera)
+CameraRenderer::CameraRenderer(const Scene& room, const CameraModel& camera, int threads)
     : room_(room),
       camera_(camera),
       profile_(profile_of(camera)),
-      renderer_(std::make_unique<Renderer>(room_, profile_, settings_of_camera(), false)) {}
+      renderer_(std::make_unique<Renderer>(room_, profile_, settings_of_camera(threads), false)) {}
 
 void CameraRenderer::render(const Pose& world_from_camera, double time_s, Srgb8Image& out) {
   FrameSample sample;

@@ -11,13 +11,10 @@
 
 namespace herr {
 
-// A pinhole camera without distortion whose width spans `hfov_deg`.
-CameraModel pinhole_camera(int width_px, int height_px, double hfov_deg);
-
 class CameraRenderer {
  public:
-  // `room` must outlive this object.
-  CameraRenderer(const Scene& room, const CameraModel& camera);
+  // `room` must outlive this object. `threads`: 0 for all that this process may use; the picture is the same.
+  CameraRenderer(const Scene& room, const CameraModel& camera, int threads);
   // RGB, 16 rays per pixel. `time_s`: since the session's start.
   void render(const Pose& world_from_camera, double time_s, Srgb8Image& out);
 

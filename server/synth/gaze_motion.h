@@ -1,42 +1,48 @@
-// Where a person looks: fixations on points of the room, saccades between them, blinks.
-// Saccade durations follow the main sequence, 21 ms + 2.2 ms per degree (Carpenter 1988); fixations last
-// 200-500 ms. Before: HeadMotion. After: gaze/data.csv.
+// Where a person looks at each moment: the eyes rest on targets while the head moves (vestibulo-ocular reflex
+// of gain 1), and jump between them. Before: GazeTargets. After: gaze/data.csv.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <vector>
+#include <optional>
 
+#include "server/synth/gaze_targets.h"
 #include "server/synth/head_motion.h"
+#include "server/synth/seeded_random.h"
 
 namespace herr {
 
-double saccade_duration_s(double amplitude_deg);
+struct GazeMotionOptions {
+  std::uint64_t seed = 1;
+  GazeKind kind = GazeKind::fixations;
+  double noise_deg = 0;  // deviation of each eye's direction on each axis, drawn anew for each sample
+};
 
+// Not thread-safe: times never decrease. Memory does not grow with time.
 class GazeMotion {
  public:
-  // Plans the whole recording; directions stay within 25 degrees of straight ahead when a target is chosen.
-  GazeMotion(std::uint64_t seed, double duration_s, const HeadMotion& head);
+  // `head` must outlive it.
+  GazeMotion(const GazeMotionOptions& options, const HeadMotion& head);
 
-  struct Sample {
-    std::array<glm::dvec3, 2> head_direction{};  // per eye, unit, head space
-    bool valid = true;                           // false during a blink
-  };
-  // `head_from_eye`: positions of the eyes in head space.
-  Sample at(double time_s, const std::array<Pose, 2>& head_from_eye) const;
+  // Unit directions in head space, one for each eye at `head_from_eye`.
+  std::array<glm::dvec3, 2> at(double time_s, const std::array<Pose, 2>& head_from_eye);
+  // Begun so far, catch-up saccades included.
+  std::int64_t saccades() const { return saccades_; }
+  // What the eyes rest on or came from.
+  const GazeTarget& target() const { return present_; }
 
  private:
-  struct Fixation {
-    double start_s = 0;    // the eye arrives
-    double leave_s = 0;    // the saccade to the next one starts
-    glm::dvec3 target{0};  // world
-  };
-  glm::dvec3 target_at(double time_s) const;
+  glm::dvec3 aim_in_head(double time_s);
+  glm::dvec3 aim_in_world(double time_s);
 
+  GazeMotionOptions options_;
   const HeadMotion* head_;
-  std::vector<Fixation> fixations_;
-  std::vector<double> blink_starts_s_;
+  GazeTargets targets_;
+  GazeTarget present_;
+  std::optional<GazeTarget> next_;  // known from when the eyes leave
+  SeededRandom noise_;
+  std::int64_t saccades_ = 0;
 };
 
 }  // namespace herr

@@ -1,101 +1,175 @@
 #include "server/synth/synth_command.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <string>
-#include <vector>
+#include <system_error>
+#include <utility>
 
 #include "scenes/scene.h"
 #include "server/cli/exit_code.h"
-#include "server/cli/progress_bar.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/cli/version.h"
-#include "server/output/png_encoder.h"
-#include "server/synth/camera_renderer.h"
-#include "server/synth/gaze_motion.h"
-#include "server/synth/head_motion.h"
-#include "server/synth/session_writer.h"
+#include "server/new_session/new_session_folder.h"
+#include "server/synth/synth_report.h"
+#include "server/synth/synth_streams.h"
 #include "sessions/input_error.h"
+#include "sessions/session_header.h"
 
 namespace herr {
 namespace {
 
-constexpr TimeNs kFirstStampNs =
-    1'000'000'000;  // not 0: a program that takes stamps for times since the start shows
-constexpr double kHalfIpdM = 0.0315;
-constexpr int kSmallPngLevel = 9;  // written once, read often
+namespace fs = std::filesystem;
+
 // Between the eyes, a little above and in front of them: where a headset has its cameras.
 constexpr glm::dvec3 kCameraInHeadM{0.0, 0.025, -0.06};
+constexpr double kLeastFocalPx = 1.0;       // as session_header demands
+constexpr int kMostCameraPixels = 1 << 22;  // 16 rays a pixel and half floats: half a gigabyte
+constexpr double kWallMarginM = 0.4;        // a body's half width, and the sway
+constexpr double kLeastHalfWalkM = 0.25;
+// Spacing of two rows that jitter moves together; the reader refuses streams with less than 0.1 ms.
+constexpr double kLeastSpacingMs = 0.2;
 
-// Calls take(stamp, seconds since the start) at `hz`, from 0 to `duration_s`.
-template <class Take>
-void at_rate(double hz, double duration_s, const Take& take) {
-  const auto count = static_cast<std::int64_t>(std::floor(duration_s * hz + 1e-9)) + 1;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const TimeNs offset_ns = std::llround(static_cast<double>(i) * (1e9 / hz));
-    take(kFirstStampNs + offset_ns, static_cast<double>(offset_ns) * kSecondsPerNs);
-  }
+CameraModel camera_model(const SynthOptions& options) {
+  return pinhole_camera(options.camera_px().x, options.camera_px().y, options.camera_hfov_deg);
 }
 
-SessionWriter::Header header_for(const SynthOptions& options) {
-  SessionWriter::Header header;
-  const std::filesystem::path name =
-      options.out.has_filename() ? options.out.filename() : options.out.parent_path().filename();
-  header.name = name.string();
+void check_camera(const SynthOptions& options) {
+  if (options.room.empty() && options.camera_size)
+    throw UsageError("--camera: there is nothing to see; give --scene FILE, the room");
+  if (!options.has_camera()) return;
+  const glm::ivec2 size = options.camera_px();
+  const std::string shown = std::to_string(size.x) + "x" + std::to_string(size.y);
+  if (size.x * size.y > kMostCameraPixels)
+    throw UsageError("--camera: " + shown + " has too many pixels; 4194304 at most, for example 2048x2048");
+  if (camera_model(options).fx < kLeastFocalPx)
+    throw UsageError("--camera: " + shown + " over --camera-hfov is less than a pixel of focal length; " +
+                     "give more pixels or a narrower view");
+}
+
+void check_times(const SynthOptions& options) {
+  double fastest_hz = std::max(options.pose_hz, options.gaze_hz);
+  if (options.has_camera()) fastest_hz = std::max(fastest_hz, options.camera_hz);
+  if (options.stamp_jitter_ms > 0 && options.stamp_jitter_ms > 1e3 / fastest_hz - kLeastSpacingMs)
+    throw UsageError("--stamp-jitter-ms: rows would change places; less than the shortest interval of a " +
+                     std::string("stream by 0.2 ms or more"));
+  const double length_ns = (options.duration_s + options.stamp_jitter_ms * 1e-3) * 1e9;
+  if (static_cast<double>(kLastStampNs - options.start_ns) < length_ns)
+    throw UsageError("--start-ns: the session would end after the last stamp, " +
+                     std::to_string(kLastStampNs) + "; start earlier");
+}
+
+void check_scene_name(const SynthOptions& options) {
+  if (options.scene.empty()) return;
+  if (options.scene.front() == '/')
+    throw UsageError("--replay-scene: is an absolute path; write it relative to OUT");
+  if (options.origin != glm::dvec3(0.0))
+    throw UsageError(
+        "--replay-scene: --origin moves the session away from it; replay with a --scene whose "
+        "world_from_session undoes that");
+}
+
+// Somebody walks around `place`, inside the room's outer walls.
+WalkArea walk_area(const SynthOptions& options, const std::optional<Scene>& room) {
+  WalkArea area{options.place, {options.radius_m, options.radius_m}};
+  if (!room || options.motion != MotionKind::walking) return area;
+  const Bounds bounds = scene_bounds(*room);
+  const Pose session_from_world = inverse(room->world_from_session);
+  const glm::dvec3 a = session_from_world(bounds.lower), b = session_from_world(bounds.upper);
+  for (const int axis : {0, 2}) {
+    const double low =
+        std::max(std::min(a[axis], b[axis]) + kWallMarginM, options.place[axis] - options.radius_m);
+    const double high =
+        std::min(std::max(a[axis], b[axis]) - kWallMarginM, options.place[axis] + options.radius_m);
+    area.centre[axis] = 0.5 * (low + high);
+    area.half_extent[axis == 0 ? 0 : 1] = 0.5 * (high - low);
+  }
+  if (std::min(area.half_extent.x, area.half_extent.y) < kLeastHalfWalkM)
+    throw UsageError("--at: leaves no half metre to walk inside the room; choose a place in " +
+                     printable(options.room.string()) + " or a larger --radius");
+  return area;
+}
+
+SessionHeader header_for(const SynthOptions& options, const NewSessionFolder& folder,
+                         DisplayProfile profile) {
+  SessionHeader header = new_session_header(folder);
   header.provenance = std::string("made by ") + program_with_version() + " synth, seed " +
-                      std::to_string(options.seed) + ", room " + printable(options.room.filename().string());
+                      std::to_string(options.seed) + ", " + synth_motion_text(options);
   header.licence = "CC0-1.0";
-  header.profile = "xr1";
+  header.profile = std::move(profile);
   header.scene = options.scene;
   header.pose_hz = options.pose_hz;
   header.gaze_hz = options.gaze_hz;
-  header.camera_hz = options.camera_hz;
-  header.head_from_eye[0].position = {-kHalfIpdM, 0, 0};
-  header.head_from_eye[1].position = {kHalfIpdM, 0, 0};
-  header.camera = pinhole_camera(options.camera_width_px, options.camera_height_px, options.camera_hfov_deg);
-  header.head_from_camera.position = kCameraInHeadM;
+  if (options.has_camera()) {
+    SessionHeader::Camera camera;
+    camera.model = camera_model(options);
+    camera.head_from_camera.position = kCameraInHeadM;
+    camera.nominal_hz = options.camera_hz;
+    header.cameras.push_back(camera);
+  }
   return header;
 }
 
-// Poses in the session's own frame, camera frames seen from where that stands in the room.
-bool write_camera(const SynthOptions& options, const SessionWriter::Header& header, const HeadMotion& head,
-                  SessionWriter& writer) {
-  const Scene room = load_scene(options.room);
-  CameraRenderer renderer(room, header.camera);
-  ProgressBar progress("camera", static_cast<std::int64_t>(options.duration_s * options.camera_hz) + 1);
-  std::int64_t done = 0;
-  Srgb8Image picture;
-  std::vector<std::uint8_t> png;
-  at_rate(options.camera_hz, options.duration_s, [&](TimeNs stamp_ns, double time_s) {
-    if (stop_signal() != 0) return;
-    renderer.render(head.at(time_s) * header.head_from_camera, time_s, picture);
-    encode_png(picture, png, kSmallPngLevel);
-    writer.add_camera_frame(stamp_ns, png);
-    progress.update(++done);
-  });
-  return stop_signal() == 0;
+// Seen from the session's folder, as replay will look for it.
+void check_replay_scene(const SynthOptions& options, const NewSessionFolder& folder) {
+  if (options.scene.empty()) return;
+  const fs::path file = folder.path() / options.scene;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    throw UsageError("--replay-scene: there is no file " + printable(folder.with_final_name(file.string())) +
+                     "; write the path relative to OUT");
+  try {
+    (void)load_scene(file);
+  } catch (const InputError& problem) {
+    throw InputError(options.scene, 0, folder.with_final_name(problem.what()),
+                     "choose another --replay-scene");
+  }
+}
+
+SessionFindings check_result(const NewSessionFolder& folder) {
+  try {
+    return folder.findings();
+  } catch (const InputError& error) {
+    // Whatever can be wrong was refused before.
+    throw std::logic_error("synth made a session that replay refuses: " +
+                           folder.with_final_name(error.what()));
+  }
 }
 
 }  // namespace
 
+void check_synth_options(const SynthOptions& options) {
+  check_camera(options);
+  check_times(options);
+  check_scene_name(options);
+}
+
 int run_synth(const SynthOptions& options) {
-  const SessionWriter::Header header = header_for(options);
-  const HeadMotion head(options.seed);
-  const GazeMotion gaze(options.seed, options.duration_s, head);
-  SessionWriter writer(options.out);
-  if (!write_camera(options, header, head, writer)) {
-    print_message("stopped: " + printable(options.out.string()) +
-                  " has no session.json yet and is no session");
+  DisplayProfile profile = load_display_profile(options.profile);
+  std::optional<Scene> room;
+  if (!options.room.empty()) room = load_scene(options.room);
+  const HeadMotion head({options.seed, options.motion, walk_area(options, room)});
+
+  NewSessionFolder folder(options.out, options.overwrite);
+  check_replay_scene(options, folder);
+  const SessionHeader header = header_for(options, folder, std::move(profile));
+  SessionRecorder recorder(folder.path());
+  recorder.write_header(header);
+  SynthReport report{options.out, {}, {}, {}, {}};
+  report.poses = write_poses(options, head, recorder);
+  report.gaze = write_gaze(options, head, header, recorder);
+  if (options.has_camera()) report.camera = write_camera(options, head, header, *room, recorder);
+  if (stop_signal() != 0) {
+    print_message("stopped: nothing was written");
     return kExitSignalBase + stop_signal();
   }
-  at_rate(options.pose_hz, options.duration_s,
-          [&](TimeNs stamp_ns, double time_s) { writer.add_pose(stamp_ns, head.at(time_s)); });
-  at_rate(options.gaze_hz, options.duration_s, [&](TimeNs stamp_ns, double time_s) {
-    writer.add_gaze(stamp_ns, gaze.at(time_s, header.head_from_eye));
-  });
-  writer.finish(header);
-  print_result("session: " + printable(options.out.string()) + "\n");
+  recorder.finish();
+  report.findings = check_result(folder);
+  folder.keep();
+  print_result(options.json ? synth_json(options, report) : synth_text(options, report));
   return kExitDone;
 }
 

@@ -91,13 +91,19 @@ void SessionRecorder::add_pose(const PoseRow& row) {
   add(stream("pose/data.csv", "timestamp_ns,px,py,pz,qx,qy,qz,qw\n"), row.stamp_ns, text + "\n");
 }
 
-void SessionRecorder::add_gaze(const GazeRow& row) {
+void SessionRecorder::add_gaze(const GazeRow& row, std::optional<double> openness) {
+  if (gaze_has_openness_.value_or(openness.has_value()) != openness.has_value())
+    throw std::logic_error("some gaze rows have an openness and some have not");
+  gaze_has_openness_ = openness.has_value();
   std::string text = std::to_string(row.stamp_ns);
   for (std::size_t eye = 0; eye < 2; ++eye) {
     append_vector(text, row.valid[eye] ? row.head_direction[eye] : glm::dvec3(0));
     text += row.valid[eye] ? ",1" : ",0";
   }
-  add(stream("gaze/data.csv", "timestamp_ns,lx,ly,lz,l_valid,rx,ry,rz,r_valid\n"), row.stamp_ns, text + "\n");
+  if (openness) append_number(text, *openness);
+  const std::string columns =
+      std::string("timestamp_ns,lx,ly,lz,l_valid,rx,ry,rz,r_valid") + (openness ? ",openness\n" : "\n");
+  add(stream("gaze/data.csv", columns), row.stamp_ns, text + "\n");
 }
 
 void SessionRecorder::add_camera_frame(std::size_t camera, const CameraRow& row) {

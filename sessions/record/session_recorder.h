@@ -31,7 +31,9 @@ class SessionRecorder {
   // session.json, replaced as a whole: written first, and again where the end knows more (measured rates).
   void write_header(const SessionHeader& header);
   void add_pose(const PoseRow& row);
-  void add_gaze(const GazeRow& row);  // an eye that is not valid is written as 0,0,0
+  // An eye that is not valid is written as 0,0,0. `openness` of the lids, 0 ... 1: a further column; either
+  // every row has it or none (std::logic_error).
+  void add_gaze(const GazeRow& row, std::optional<double> openness = {});
   // `filename` was added before with add_image, or is in cam<i>/data already; rows may share one.
   void add_camera_frame(std::size_t camera, const CameraRow& row);
   // A whole image file under cam<i>/data.
@@ -51,6 +53,7 @@ class SessionRecorder {
   void add(Stream& stream, TimeNs stamp_ns, const std::string& row, bool may_repeat = false);
 
   std::filesystem::path folder_;
+  std::optional<bool> gaze_has_openness_;  // known from the first row
   std::map<std::string, Stream> streams_;  // by file name relative to the folder
 };
 

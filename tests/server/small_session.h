@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "server/output/png_encoder.h"
-#include "server/synth/camera_renderer.h"
-#include "server/synth/session_writer.h"
+#include "sessions/record/session_recorder.h"
 
 namespace herr {
 
@@ -50,17 +49,19 @@ inline void write_small_profile(const std::filesystem::path& file) {
 
 // `duration_s` of a person looking at the triangle, with a camera feed of grey pictures.
 inline void write_small_session(const std::filesystem::path& folder, double duration_s) {
-  SessionWriter writer(folder);
-  SessionWriter::Header header;
+  SessionHeader header;
   header.name = "small";
-  header.profile = "xr1-half";
+  header.profile = xr1_half_profile();
   header.scene = "../scene/small.scene.json";
   header.pose_hz = 90;
   header.gaze_hz = 120;
-  header.camera_hz = 10;
   header.head_from_eye[0].position = {-0.03, 0, 0};
   header.head_from_eye[1].position = {0.03, 0, 0};
-  header.camera = pinhole_camera(64, 48, 90);
+  header.cameras.resize(1);
+  header.cameras[0].model = pinhole_camera(64, 48, 90);
+  header.cameras[0].nominal_hz = 10;
+  SessionRecorder recorder(folder);
+  recorder.write_header(header);
   const auto stamp = [](double time_s) { return TimeNs{1'000'000'000} + static_cast<TimeNs>(time_s * 1e9); };
   Srgb8Image grey;
   grey.width_px = 64;
@@ -68,18 +69,20 @@ inline void write_small_session(const std::filesystem::path& folder, double dura
   grey.values.assign(3 * 64 * 48, 90);
   std::vector<std::uint8_t> png;
   encode_png(grey, png);
-  for (double t = 0; t <= duration_s; t += 0.1) writer.add_camera_frame(stamp(t), png);
+  for (int i = 0; 0.1 * i <= duration_s; ++i) {
+    const std::string name = "00000" + std::to_string(i) + ".png";
+    recorder.add_image(0, name, png);
+    recorder.add_camera_frame(0, {stamp(0.1 * i), name});
+  }
   for (double t = 0; t <= duration_s + 1e-9; t += 1.0 / 90) {
     Pose pose;
     pose.position = {0.1 * t, 1.0, 0.0};
-    writer.add_pose(stamp(t), pose);
+    recorder.add_pose({stamp(t), pose});
   }
-  GazeMotion::Sample gaze;
-  for (double t = 0; t <= duration_s; t += 1.0 / 120) {
-    gaze.head_direction = {glm::dvec3{0, 0, -1}, glm::dvec3{0, 0, -1}};
-    writer.add_gaze(stamp(t), gaze);
-  }
-  writer.finish(header);
+  const glm::dvec3 ahead{0, 0, -1};
+  for (double t = 0; t <= duration_s; t += 1.0 / 120)
+    recorder.add_gaze({stamp(t), {ahead, ahead}, {true, true}});
+  recorder.finish();
 }
 
 }  // namespace herr

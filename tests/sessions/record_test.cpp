@@ -5,6 +5,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include "recorded_folder.h"
@@ -62,6 +63,22 @@ TEST(RecordedSession, ReadsBackBitForBit) {
     // The reader normalises once more: one rounding.
     EXPECT_NEAR(glm::dot(read.orientation, written.world_from_head.orientation), 1, 3e-16);
   }
+}
+
+TEST(RecordedSession, HasAColumnForTheLidsInEveryRowOrInNone) {
+  const RecordedFolder folder;
+  const glm::dvec3 ahead{0, 0, -1};
+  SessionRecorder recorder(folder / "s");
+  recorder.write_header(plain_header());
+  recorder.add_pose(pose_at(0));
+  recorder.add_gaze({0, {ahead, ahead}, {true, true}}, 0.75);
+  recorder.add_gaze({10'000'000, {ahead, ahead}, {false, false}}, 0.25);
+  EXPECT_THROW(recorder.add_gaze({20'000'000, {ahead, ahead}, {true, true}}), std::logic_error);
+  recorder.finish();
+  EXPECT_EQ(content(folder / "s" / "gaze" / "data.csv"),
+            "timestamp_ns,lx,ly,lz,l_valid,rx,ry,rz,r_valid,openness\n"
+            "0,0,0,-1,1,0,0,-1,1,0.75\n10000000,0,0,0,0,0,0,0,0,0.25\n");
+  EXPECT_EQ(Session::open(folder / "s").findings().gaze_rows, 2);
 }
 
 TEST(RecordedSession, OpensWhileItIsBeingRecorded) {

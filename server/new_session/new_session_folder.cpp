@@ -1,4 +1,4 @@
-#include "server/convert/new_session_folder.h"
+#include "server/new_session/new_session_folder.h"
 
 #include <unistd.h>
 
@@ -30,7 +30,10 @@ void rename_folder(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 NewSessionFolder::NewSessionFolder(fs::path out, bool overwrite) : out_(std::move(out)) {
+  out_ = out_.lexically_normal();
   if (!out_.has_filename()) out_ = out_.parent_path();  // "OUT/"
+  if (out_.empty() || out_.filename() == "." || out_.filename() == "..")
+    throw UsageError("OUT: is no name of a folder; write one, for example sessions/walk");
   const std::string shown = printable(out_.string());
   std::error_code error;
   const fs::file_status status = fs::status(out_, error);
@@ -69,6 +72,33 @@ void NewSessionFolder::keep() {
   if (!replaces) return;
   fs::remove_all(old, error);
   if (error) throw WriteError(old, "remove", error.value());
+}
+
+std::string NewSessionFolder::with_final_name(std::string text) const {
+  const std::string from = temporary_.string(), to = out_.string();
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+SessionFindings NewSessionFolder::findings() const {
+  SessionFindings found = Session::open(temporary_).findings();
+  for (std::string& warning : found.warnings) warning = with_final_name(warning);
+  return found;
+}
+
+SessionHeader new_session_header(const NewSessionFolder& folder) {
+  constexpr double kHalfIpdM = 0.0315;  // half the distance of an average adult's pupils
+  SessionHeader header;
+  header.name = printable(folder.name());
+  header.head_from_eye[0].position = {-kHalfIpdM, 0, 0};
+  header.head_from_eye[1].position = {kHalfIpdM, 0, 0};
+  return header;
+}
+
+std::string numbered_picture(std::size_t index, const std::string& extension) {
+  const std::string digits = std::to_string(index);
+  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + extension;
 }
 
 }  // namespace herr
