@@ -75,9 +75,14 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& text, double 
   std::size_t begin = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const bool negative = begin < end && text[begin] == '-';
-    const std::string digits = text.substr(begin + (negative ? 1 : 0), end - begin - (negative ? 1 : 0));
-    point[axis] = (negative ? -1.0 : 1.0) * parse_real_number(flag, digits, 0, highest);
+    const std::string part = text.substr(begin, end - begin);
+    const bool negative = part.starts_with('-');
+    const std::string wanted = "a number from -" + shortest_text(highest) + " to " + shortest_text(highest) +
+                               "; write X,Y,Z as 0,1.5,-3.7";
+    if (!is_plain_real(part.substr(negative ? 1 : 0))) refuse(flag, part, wanted);
+    const auto [stop, error] = std::from_chars(part.data(), part.data() + part.size(), point[axis]);
+    const bool whole_text = error == std::errc() && stop == part.data() + part.size();
+    if (!whole_text || !(std::abs(point[axis]) <= highest)) refuse(flag, part, wanted);
     begin = end + 1;
   }
   return point;

@@ -23,6 +23,7 @@ constexpr std::int64_t kRowsBetweenLooks = 1024;  // at signals and the progress
 // Trackers know no more; files with fewer digits are a third smaller.
 constexpr double kPositionSteps = 1e6;   // a micrometre
 constexpr double kDirectionSteps = 1e7;  // a fiftieth of an arc second
+constexpr double kOpennessSteps = 1e3;
 
 glm::dvec3 rounded(const glm::dvec3& v, double steps) {
   return {std::round(v.x * steps) / steps, std::round(v.y * steps) / steps, std::round(v.z * steps) / steps};
@@ -83,10 +84,10 @@ SynthCounts write_gaze(const SynthOptions& options, const HeadMotion& head, cons
   const auto take = [&](TimeNs stamp_ns, double time_s) {
     GazeRow row{stamp_ns, gaze.at(time_s, header.head_from_eye), {}};
     for (glm::dvec3& direction : row.head_direction) direction = rounded(direction, kDirectionSteps);
-    const double openness = lid_openness(lids.share_at(time_s));
+    const double openness = std::round(lid_openness(lids.share_at(time_s)) * kOpennessSteps) / kOpennessSteps;
     row.valid.fill(openness >= kLeastSeenOpenness);
     lost_rows += row.valid[0] ? 0 : 1;
-    recorder.add_gaze(row, std::round(openness * 1e3) / 1e3);
+    recorder.add_gaze(row, openness);
   };
   SynthCounts counts = at_rate(options, {"gaze", options.gaze_hz, kGazeJitterStream}, take);
   counts.saccades = gaze.saccades();

@@ -156,6 +156,42 @@ TEST(CommandLine, ChoicesOfALaterVersionSaySo) {
             "--target-ms: only the clock realtime has one; give --clock realtime");
 }
 
+TEST(CommandLine, SynthTakesPointsAndKindsAndStatesItsDefaults) {
+  const auto options =
+      std::get<SynthOptions>(parse_command_line({"synth", "out", "--origin", "-1,2.5,-1000000", "--gaze",
+                                                 "jumping", "--motion=walking", "--hz", "30"}));
+  EXPECT_EQ(options.origin, glm::dvec3(-1, 2.5, -1000000));
+  EXPECT_EQ(options.gaze, GazeKind::jumping);
+  EXPECT_EQ(options.motion, MotionKind::walking);
+  EXPECT_EQ(options.pose_hz, 30);
+  EXPECT_FALSE(options.has_camera()) << "no room to see";
+  const std::string help = std::get<ShowText>(parse_command_line({"synth", "--help"})).text;
+  for (const std::string part : {"(default 15)", "(default 90)", "(default desk)", "--start-ns", "metres"})
+    EXPECT_NE(help.find(part), std::string::npos) << part;
+}
+
+TEST(CommandLine, SynthRefusesWhatReplayWouldRefuse) {
+  const std::vector<std::pair<Arguments, std::string>> lines{
+      {{"--camera", "4x4"}, "--camera: there is nothing to see"},
+      {{"--scene", "r.json", "--camera", "1x1", "--camera-hfov", "150"}, "--camera: 1x1"},
+      {{"--scene", "r.json", "--camera", "4096x4096"}, "--camera: 4096x4096 has too many pixels"},
+      {{"--replay-scene", "/tmp/x.json"}, "--replay-scene: is an absolute path"},
+      {{"--replay-scene", "x.json", "--origin", "1,0,0"}, "--replay-scene: --origin moves"},
+      {{"--motion", "walk"}, "--motion: 'walk'"},
+      {{"--gaze", "stil"}, "did you mean still?"},
+      {{"--origin", "1,2"}, "--origin: '1,2' is not a point"},
+      {{"--origin", "0,-1000000.5,0"}, "--origin: '-1000000.5'"},
+      {{"--origin", "0,--1,0"}, "--origin: '--1'"},
+      {{"--at", "0,1,"}, "--at: ''"},
+      {{"--stamp-jitter-ms", "9"}, "--stamp-jitter-ms: rows would change places"},
+      {{"--start-ns", "4000000000000000000"}, "--start-ns: the session would end after"}};
+  for (const auto& [flags, message] : lines) {
+    Arguments arguments{"synth", "s"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    EXPECT_NE(complaint(arguments).find(message), std::string::npos) << complaint(arguments);
+  }
+}
+
 TEST(CommandLine, AnUnknownFlagNamesTheNearestOne) {
   EXPECT_NE(complaint({"replay", "walk", "--sceen", "x"}).find("did you mean --scene?"), std::string::npos);
   EXPECT_NE(complaint({"replay", "walk", "--light-sample=4"}).find("did you mean --light-samples?"),
@@ -173,7 +209,8 @@ TEST(CommandLine, OtherMistakesAreOneLineOfUsageToo) {
                                      {"replay", "walk", "--json=maybe"},
                                      {"replay", "walk", "--overwrite", "--out"},
                                      {"bench", "a", "b"},
-                                     {"synth", "out"},
+                                     {"synth"},
+                                     {"synth", "a", "b"},
                                      {"replay", "walk", "bench"}}) {
     const std::string message = complaint(arguments);
     if (arguments == Arguments{"replay", "walk", "bench"}) continue;  // two sessions: fine
