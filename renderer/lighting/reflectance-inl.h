@@ -1,0 +1,57 @@
+// The surface's response to light from one direction: Lambert plus GGX (Walter et al. 2007; visibility term
+// by Hammon 2017, Fresnel by Schlick).
+#if defined(HERR_REFLECTANCE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_REFLECTANCE_INL
+#undef HERR_REFLECTANCE_INL
+#else
+#define HERR_REFLECTANCE_INL
+#endif
+
+#include "renderer/lighting/tile_job.h"
+#include "renderer/simd_types-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+constexpr float kInvPi = 0.318309886f;
+
+// Outgoing radiance per unit of irradiance along the light's direction: Lambert plus GGX.
+template <bool kSpecular>
+HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3& light, VF n_l) {
+  const VF inv_pi = set(kInvPi);
+  V3 f{hn::Mul(load(&hits.dr[slot]), inv_pi), hn::Mul(load(&hits.dg[slot]), inv_pi),
+       hn::Mul(load(&hits.db[slot]), inv_pi)};
+  if constexpr (kSpecular) {
+    const VF one = set(1.0f), tiny = set(1e-8f);
+    const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
+    const V3 h = normalise(V3{hn::Add(light.x, v.x), hn::Add(light.y, v.y), hn::Add(light.z, v.z)});
+    const VF n_v = hn::Max(hn::Abs(dot(n, v)), set(1e-4f));
+    const VF n_h = dot(n, h);
+    const VF l_h = hn::Max(dot(light, h), hn::Zero(kF));
+    const VF alpha2 = load(&hits.alpha2[slot]);
+    // |n x h|^2 instead of 1 - (n.h)^2: no cancellation at the peak of a smooth surface.
+    const V3 c = cross(n, h);
+    const VF spread = hn::Max(hn::MulAdd(hn::Mul(alpha2, n_h), n_h, dot(c, c)), tiny);
+    const VF lobe = hn::Div(hn::Mul(alpha2, inv_pi), hn::Mul(spread, spread));
+    const VF alpha = hn::Sqrt(alpha2);
+    const VF smooth_view = hn::Mul(set(2.0f), hn::Mul(n_l, n_v));
+    const VF shadowing = hn::Div(
+        set(0.5f), hn::Max(hn::MulAdd(alpha, hn::Sub(hn::Add(n_l, n_v), smooth_view), smooth_view), tiny));
+    const VF k = hn::Sub(one, l_h), k2 = hn::Mul(k, k);
+    const VF grazing = hn::Mul(hn::Mul(k2, k2), k);  // Schlick
+    const VF common = hn::Mul(lobe, shadowing);
+    const auto add = [&](VF diffuse, const Lane<float>& f0_lane) HWY_ATTR {
+      const VF f0 = load(&f0_lane[slot]);
+      return hn::MulAdd(common, hn::MulAdd(grazing, hn::Sub(one, f0), f0), diffuse);
+    };
+    f = {add(f.x, hits.fr), add(f.y, hits.fg), add(f.z, hits.fb)};
+  }
+  return f;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif
