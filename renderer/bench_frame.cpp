@@ -13,9 +13,6 @@
 namespace herr {
 namespace {
 
-constexpr std::array<const char*, kRayKinds> kKindNames{"primary", "shadow", "catcher_shadow", "mirror",
-                                                        "mirror_shadow"};
-
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -30,15 +27,10 @@ double wall_ms(Work&& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::array<std::int64_t, kRayKinds> rays_by_kind(const FrameCounters& c) {
-  return {c.primary_rays, c.shadow_rays, c.catcher_shadow_rays, c.mirror_rays, c.mirror_shadow_rays};
-}
-
 // One frame's own rays and pixels, recorded from its last render.
 class RawSide {
  public:
-  RawSide(Renderer::Impl& frame, const FrameCounters& counters)
-      : frame_(frame), totals_(rays_by_kind(counters)) {
+  RawSide(Renderer::Impl& frame, const FrameCounters& counters) : frame_(frame), totals_(counters.rays) {
     const int stride = frame.settings.light_samples >= 64 ? 256 : 16;
     for (int tile = stride / 2; tile < frame.tile_count(); tile += stride)
       frame.run_tile(tile, 0, &recorder_);
@@ -68,7 +60,7 @@ class RawSide {
     if (dense_[k].size() == 0) return 0;
     double ms = packets_ms(k, dense_[k]);
     if (recorder_.rays[k].size() != dense_[k].size()) ms = std::min(ms, packets_ms(k, recorder_.rays[k]));
-    return ms * static_cast<double>(totals_[k]) / static_cast<double>(dense_[k].size());
+    return ms * static_cast<double>(totals_.of_kind[k]) / static_cast<double>(dense_[k].size());
   }
 
   double pixels_ms() {
@@ -103,7 +95,7 @@ class RawSide {
   }
 
   Renderer::Impl& frame_;
-  std::array<std::int64_t, kRayKinds> totals_;
+  RayCounts totals_;
   RayRecorder recorder_;
   std::array<RecordedRays, kRayKinds> dense_;
   std::vector<PrecomputedPixels> pixels_;
@@ -183,8 +175,7 @@ BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inpu
       measured.add(out.times, kinds_ms, raw.pixels_ms());
     }
     measured.end_frame();
-    const auto counts = rays_by_kind(out.counters);
-    for (std::size_t k = 0; k < kRayKinds; ++k) rays[k] += static_cast<double>(counts[k]);
+    for (std::size_t k = 0; k < kRayKinds; ++k) rays[k] += static_cast<double>(out.counters.rays.of_kind[k]);
     samples += static_cast<double>(out.counters.polar_samples);
     pixels += static_cast<double>(out.counters.viewport_pixels);
   }
@@ -204,7 +195,7 @@ BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inpu
   for (std::size_t k = 0; k < kRayKinds; ++k) {
     if (rays[k] == 0) continue;
     const double per_frame = rays[k] / frames;
-    result.kinds.push_back({kKindNames[k], static_cast<std::int64_t>(per_frame),
+    result.kinds.push_back({name_of(static_cast<RayKind>(k)), static_cast<std::int64_t>(per_frame),
                             samples > 0 ? rays[k] / samples : 0,
                             millions_per_second(per_frame, measured.kind_raw[k].value()),
                             millions_per_second(per_frame, result.median_times[stage_of(k)])});

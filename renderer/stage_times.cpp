@@ -35,11 +35,7 @@ const char* name_of(Stage stage) {
 }
 
 FrameCounters& FrameCounters::operator+=(const FrameCounters& other) {
-  primary_rays += other.primary_rays;
-  shadow_rays += other.shadow_rays;
-  catcher_shadow_rays += other.catcher_shadow_rays;
-  mirror_rays += other.mirror_rays;
-  mirror_shadow_rays += other.mirror_shadow_rays;
+  rays += other.rays;
   polar_samples += other.polar_samples;
   viewport_pixels += other.viewport_pixels;
   invalid_rays += other.invalid_rays;

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "renderer/ray_kind.h"
+
 namespace herr {
 
 enum class Stage : std::uint8_t {
@@ -36,8 +38,7 @@ struct StageTimes {
 
 // Rays by kind and pixels of one frame: the same for the same input on any machine.
 struct FrameCounters {
-  std::int64_t primary_rays = 0, shadow_rays = 0, catcher_shadow_rays = 0, mirror_rays = 0,
-               mirror_shadow_rays = 0;
+  RayCounts rays;
   std::int64_t polar_samples = 0;  // samples of both polar buffers that some viewport can see
   std::int64_t viewport_pixels = 0;
   std::int64_t invalid_rays = 0;      // not finite: never handed to Embree

@@ -88,11 +88,10 @@ void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
           const auto hit = static_cast<std::size_t>(scratch.blocked.hit[static_cast<std::size_t>(i)]);
           scratch.visible_without[hit] = 0.0f;
         });
-        job.counters->catcher_shadow_rays += scratch.blocked.count;
+        job.counters->rays[RayKind::catcher_shadow] += scratch.blocked.count;
       }
       for (int slot = 0; slot < count; slot += kLanes) add_sample<kSpecular>(job, light, s, hits, slot);
-      (kind == RayKind::shadow ? job.counters->shadow_rays : job.counters->mirror_shadow_rays) +=
-          scratch.queue.count;
+      job.counters->rays[kind] += scratch.queue.count;
     }
   }
 }

@@ -74,7 +74,7 @@ HWY_INLINE int generate_rays(const TileJob& job) {
       const MF valid = hn::And(wanted, traceable(origin, direction));
       const std::size_t rays = hn::CountTrue(kF, valid);
       job.counters->polar_samples += static_cast<std::int64_t>(samples);
-      job.counters->primary_rays += static_cast<std::int64_t>(rays);
+      job.counters->rays[RayKind::primary] += static_cast<std::int64_t>(rays);
       job.counters->invalid_rays += static_cast<std::int64_t>(samples - rays);
 
       RayHit& packet = packets[count];

@@ -75,7 +75,7 @@ HWY_INLINE void trace_mirror_rays(const TileJob& job) {
     const V3 origin = load3(&queue.ox[start], &queue.oy[start], &queue.oz[start]);
     const V3 direction = load3(&queue.dx[start], &queue.dy[start], &queue.dz[start]);
     const MF lanes = hn::And(used, traceable(origin, direction));
-    job.counters->mirror_rays += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
+    job.counters->rays[RayKind::mirror] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
     set_rays(packet, origin, direction);

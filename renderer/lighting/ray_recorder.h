@@ -8,10 +8,9 @@
 #include <limits>
 #include <vector>
 
-namespace herr {
+#include "renderer/ray_kind.h"
 
-enum class RayKind : std::uint8_t { primary, shadow, catcher_shadow, mirror, mirror_shadow };
-inline constexpr std::size_t kRayKinds = 5;
+namespace herr {
 
 // Rays in structure of arrays. An idle lane of a packet is kept as a gap (ox is NaN), so that the frame's own
 // packets can be traced again.

@@ -35,11 +35,9 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("theta_max_right_deg", record.theta_max_deg[1]);
   visit("missed", record.missed);
   auto& counters = record.counters;
-  visit("primary_rays", counters.primary_rays);
-  visit("shadow_rays", counters.shadow_rays);
-  visit("catcher_shadow_rays", counters.catcher_shadow_rays);
-  visit("mirror_rays", counters.mirror_rays);
-  visit("mirror_shadow_rays", counters.mirror_shadow_rays);
+  for (std::size_t i = 0; i < kRayKinds; ++i) {
+    visit(std::string(name_of(static_cast<RayKind>(i))) + "_rays", counters.rays.of_kind[i]);
+  }
   visit("polar_samples", counters.polar_samples);
   visit("viewport_pixels", counters.viewport_pixels);
   visit("invalid_rays", counters.invalid_rays);

@@ -12,17 +12,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_pictures) {
-  return {{"primary_rays", counters.primary_rays},
-          {"shadow_rays", counters.shadow_rays},
-          {"catcher_shadow_rays", counters.catcher_shadow_rays},
-          {"mirror_rays", counters.mirror_rays},
-          {"mirror_shadow_rays", counters.mirror_shadow_rays},
-          {"polar_samples", counters.polar_samples},
-          {"viewport_pixels", counters.viewport_pixels},
-          {"invalid_rays", counters.invalid_rays},
-          {"nonfinite_values", counters.nonfinite_values},
-          {"nonfinite_picture_values", nonfinite_pictures},
-          {"commits", counters.commits}};
+  Json json;
+  for (std::size_t i = 0; i < kRayKinds; ++i) {
+    json[std::string(name_of(static_cast<RayKind>(i))) + "_rays"] = counters.rays.of_kind[i];
+  }
+  json["polar_samples"] = counters.polar_samples;
+  json["viewport_pixels"] = counters.viewport_pixels;
+  json["invalid_rays"] = counters.invalid_rays;
+  json["nonfinite_values"] = counters.nonfinite_values;
+  json["nonfinite_picture_values"] = nonfinite_pictures;
+  json["commits"] = counters.commits;
+  return json;
 }
 
 Json settings_json(const RenderSettings& settings, const ReplayOptions& options) {

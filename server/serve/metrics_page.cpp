@@ -25,11 +25,9 @@ void add_frames(PrometheusText& page, const ServeSnapshot& snapshot) {
   page.family("herr_nonfinite_values_total", "counter", "NaN or Inf values that a stage produced.");
   page.sample(run.counters.nonfinite_values);
   page.family("herr_rays_total", "counter", "Rays traced, by kind.");
-  page.sample(run.counters.primary_rays, {{"kind", "primary"}});
-  page.sample(run.counters.shadow_rays, {{"kind", "shadow"}});
-  page.sample(run.counters.catcher_shadow_rays, {{"kind", "catcher_shadow"}});
-  page.sample(run.counters.mirror_rays, {{"kind", "mirror"}});
-  page.sample(run.counters.mirror_shadow_rays, {{"kind", "mirror_shadow"}});
+  for (std::size_t i = 0; i < kRayKinds; ++i) {
+    page.sample(run.counters.rays.of_kind[i], {{"kind", name_of(static_cast<RayKind>(i))}});
+  }
 }
 
 void add_durations(PrometheusText& page, const RunStatistics& run) {

@@ -57,7 +57,7 @@ TEST(CatcherTest, WhereNothingChangesTheFeedStaysBitForBit) {
         const Scene floor = catcher_floor({test::light_at({0.3, 1.5, 0.2}, {7, 6, 5}, {0.4f, 0.1f, 0.4f})});
         const RenderedFrame with_floor = test::render(floor, test::small_profile(), settings, sample);
         test::expect_same_bits(test::render(nothing, test::small_profile(), settings, sample), with_floor);
-        EXPECT_GT(with_floor.counters.shadow_rays, 0);
+        EXPECT_GT(with_floor.counters.rays[RayKind::shadow], 0);
       }
     }
   }
@@ -168,7 +168,7 @@ TEST(CatcherTest, AShadowThatARealSurfaceCastsOnAnotherIsAlreadyInTheFeed) {
   const DisplayProfile profile = test::single_view(128, 128, 60, 60);
   const RenderedFrame frame = test::render(scene, profile, test::planar_settings(), sample);
   test::expect_same_bits(test::render(Scene{}, profile, test::planar_settings(), sample), frame);
-  EXPECT_GT(frame.counters.catcher_shadow_rays, 0);
+  EXPECT_GT(frame.counters.rays[RayKind::catcher_shadow], 0);
 }
 
 TEST(CatcherTest, AVirtualShadowInARealOneChangesNothing) {

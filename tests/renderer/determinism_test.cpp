@@ -58,15 +58,15 @@ TEST(DeterminismTest, AnyNumberOfThreadsGivesTheSameBytes) {
   FrameSample sample = test::sample_from({0.1, 0.2, 0.3}, test::gaze_deg(6, -3));
   camera.attach_to(sample);
   const RenderedFrame one = test::render(scene, test::small_profile(), with_threads(1), sample);
-  EXPECT_GT(one.counters.mirror_rays, 0);
-  EXPECT_GT(one.counters.shadow_rays, 0);
+  EXPECT_GT(one.counters.rays[RayKind::mirror], 0);
+  EXPECT_GT(one.counters.rays[RayKind::shadow], 0);
   for (const int threads : {1, 2, 4}) {
     SCOPED_TRACE(threads);
     const RenderedFrame other = test::render(scene, test::small_profile(), with_threads(threads), sample);
     test::expect_same_bits(one, other);
-    EXPECT_EQ(one.counters.shadow_rays, other.counters.shadow_rays);
-    EXPECT_EQ(one.counters.mirror_rays, other.counters.mirror_rays);
-    EXPECT_EQ(one.counters.primary_rays, other.counters.primary_rays);
+    EXPECT_EQ(one.counters.rays[RayKind::shadow], other.counters.rays[RayKind::shadow]);
+    EXPECT_EQ(one.counters.rays[RayKind::mirror], other.counters.rays[RayKind::mirror]);
+    EXPECT_EQ(one.counters.rays[RayKind::primary], other.counters.rays[RayKind::primary]);
   }
 }
 

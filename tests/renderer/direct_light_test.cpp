@@ -103,7 +103,7 @@ TEST(DirectLightTest, AmbientLightAloneGivesAlbedoPlusReflectanceTimesAmbient) {
     ASSERT_NEAR(pixel[0], 0.17, test::half_rounding(0.17) + 1e-6);
     ASSERT_EQ(pixel[3], 1.0);
   });
-  EXPECT_EQ(frame.counters.shadow_rays, 0);
+  EXPECT_EQ(frame.counters.rays[RayKind::shadow], 0);
 }
 
 struct Spread {

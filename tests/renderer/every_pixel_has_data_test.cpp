@@ -42,7 +42,7 @@ void expect_data_everywhere(const DisplayProfile& profile, const RenderSettings&
       poison(renderer);
       test::render_with(renderer, scene, test::sample_from({0, 0, 0}, gaze), frame);
       test::expect_finite(frame);
-      EXPECT_GT(frame.counters.primary_rays, 0);
+      EXPECT_GT(frame.counters.rays[RayKind::primary], 0);
       EXPECT_EQ(frame.counters.invalid_rays, 0);
     }
   }
@@ -140,12 +140,12 @@ TEST(EveryPixelHasDataTest, RaysThatNoViewportSeesAreNotTraced) {
       test::render(scene, profile, test::small_settings(), test::sample_from({0, 0, 0}, {1, 1, -1}));
   // Straight ahead most of the circle that holds the square is in the square: area 4 / (2 pi) = 0.64, and the
   // inner rings, which hold most samples, are all inside.
-  EXPECT_GT(ahead.counters.primary_rays, 64 * 48 * 6 / 10);
-  EXPECT_LT(ahead.counters.primary_rays, 64 * 48);
+  EXPECT_GT(ahead.counters.rays[RayKind::primary], 64 * 48 * 6 / 10);
+  EXPECT_LT(ahead.counters.rays[RayKind::primary], 64 * 48);
   // From the corner direction (54.7 degrees off) the square subtends well under a right angle of the full
   // turn.
-  EXPECT_LT(corner.counters.primary_rays, 64 * 48 / 4);
-  EXPECT_EQ(ahead.counters.primary_rays, ahead.counters.polar_samples);
+  EXPECT_LT(corner.counters.rays[RayKind::primary], 64 * 48 / 4);
+  EXPECT_EQ(ahead.counters.rays[RayKind::primary], ahead.counters.polar_samples);
 }
 
 }  // namespace

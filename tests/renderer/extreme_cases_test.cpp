@@ -32,7 +32,7 @@ void expect_sound(const RenderedFrame& frame) {
   test::expect_finite(frame);
   test::expect_times_add_up(frame);
   EXPECT_EQ(frame.counters.invalid_rays, 0);
-  EXPECT_EQ(frame.counters.primary_rays, frame.counters.polar_samples);
+  EXPECT_EQ(frame.counters.rays[RayKind::primary], frame.counters.polar_samples);
 }
 
 TEST(ExtremeCasesTest, AHeadPoseThatIsNoPoseIsRefused) {

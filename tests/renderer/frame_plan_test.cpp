@@ -53,10 +53,10 @@ void expect_same_picture(const Scene& scene, bool FramePlan::*feature) {
   ASSERT_FALSE(planned) << "the scene needs it: this test would compare a frame with itself";
   const RenderedFrame full = render_planned(scene, [&](Renderer::Impl& impl) { impl.plan.*feature = true; });
   test::expect_same_bits(lean, full);
-  EXPECT_EQ(lean.counters.primary_rays, full.counters.primary_rays);
-  EXPECT_EQ(lean.counters.shadow_rays, full.counters.shadow_rays);
-  EXPECT_EQ(lean.counters.mirror_rays, full.counters.mirror_rays);
-  EXPECT_EQ(lean.counters.catcher_shadow_rays, full.counters.catcher_shadow_rays);
+  EXPECT_EQ(lean.counters.rays[RayKind::primary], full.counters.rays[RayKind::primary]);
+  EXPECT_EQ(lean.counters.rays[RayKind::shadow], full.counters.rays[RayKind::shadow]);
+  EXPECT_EQ(lean.counters.rays[RayKind::mirror], full.counters.rays[RayKind::mirror]);
+  EXPECT_EQ(lean.counters.rays[RayKind::catcher_shadow], full.counters.rays[RayKind::catcher_shadow]);
 }
 
 TEST(FramePlanTest, TextureCodeDoesNotChangeASceneWithoutTextures) {
@@ -86,8 +86,8 @@ TEST(FramePlanTest, ShadowRaysAmongCatchersDoNotChangeAFlatOne) {
   const RenderedFrame full =
       render_planned(scene, [](Renderer::Impl& impl) { impl.plan.catchers_occlude = true; });
   test::expect_same_bits(lean, full);
-  EXPECT_EQ(lean.counters.catcher_shadow_rays, 0);
-  EXPECT_GT(full.counters.catcher_shadow_rays, 0)
+  EXPECT_EQ(lean.counters.rays[RayKind::catcher_shadow], 0);
+  EXPECT_GT(full.counters.rays[RayKind::catcher_shadow], 0)
       << "the sphere's shadow must send them, or nothing was tested";
 }
 

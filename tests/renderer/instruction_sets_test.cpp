@@ -66,11 +66,13 @@ TEST(InstructionSetsTest, RenderTheSamePictureWithinRounding) {
     const auto alike = [](std::int64_t a, std::int64_t b) {
       return std::abs(static_cast<double>(a - b)) <= std::max(2.0, 1e-4 * static_cast<double>(a));
     };
-    EXPECT_TRUE(alike(first.counters.primary_rays, frame.counters.primary_rays));
-    EXPECT_TRUE(alike(first.counters.mirror_rays, frame.counters.mirror_rays));
-    EXPECT_TRUE(alike(first.counters.shadow_rays, frame.counters.shadow_rays));
-    EXPECT_TRUE(alike(first.counters.mirror_shadow_rays, frame.counters.mirror_shadow_rays));
-    EXPECT_TRUE(alike(first.counters.catcher_shadow_rays, frame.counters.catcher_shadow_rays));
+    EXPECT_TRUE(alike(first.counters.rays[RayKind::primary], frame.counters.rays[RayKind::primary]));
+    EXPECT_TRUE(alike(first.counters.rays[RayKind::mirror], frame.counters.rays[RayKind::mirror]));
+    EXPECT_TRUE(alike(first.counters.rays[RayKind::shadow], frame.counters.rays[RayKind::shadow]));
+    EXPECT_TRUE(
+        alike(first.counters.rays[RayKind::mirror_shadow], frame.counters.rays[RayKind::mirror_shadow]));
+    EXPECT_TRUE(
+        alike(first.counters.rays[RayKind::catcher_shadow], frame.counters.rays[RayKind::catcher_shadow]));
 
     std::vector<double> differences;
     for (std::size_t i = 0; i < frame.viewports.size(); ++i) {

@@ -52,7 +52,7 @@ TEST(MirrorTest, AMirroredSphereAppearsWhereGeometrySays) {
   });
   // pi (radius / pixel)^2 = pi (0.0795 / 0.000669)^2, about 44,000.
   EXPECT_GT(seen, 40000);
-  EXPECT_EQ(frame.counters.mirror_rays, kSide * kSide);
+  EXPECT_EQ(frame.counters.rays[RayKind::mirror], kSide * kSide);
 }
 
 TEST(MirrorTest, WithoutAMirrorNoRayIsSent) {
@@ -65,8 +65,8 @@ TEST(MirrorTest, WithoutAMirrorNoRayIsSent) {
   EXPECT_FALSE(renderer.plan().mirror_rays);
   RenderedFrame frame;
   test::render_with(renderer, scene, test::sample_from({0, 0, 0}), frame);
-  EXPECT_EQ(frame.counters.mirror_rays, 0);
-  EXPECT_EQ(frame.counters.mirror_shadow_rays, 0);
+  EXPECT_EQ(frame.counters.rays[RayKind::mirror], 0);
+  EXPECT_EQ(frame.counters.rays[RayKind::mirror_shadow], 0);
   EXPECT_EQ(frame.times[Stage::second_hits], 0.0);
 }
 
@@ -75,9 +75,9 @@ TEST(MirrorTest, ReflectionsCanBeSwitchedOff) {
   test::add(scene, test::quad({-4, -4, -2}, {8, 0, 0}, {0, 8, 0}), perfect_mirror());
   RenderSettings settings = test::small_settings();
   settings.reflections = false;
-  EXPECT_EQ(
-      test::render(scene, test::small_profile(), settings, test::sample_from({0, 0, 0})).counters.mirror_rays,
-      0);
+  EXPECT_EQ(test::render(scene, test::small_profile(), settings, test::sample_from({0, 0, 0}))
+                .counters.rays[RayKind::mirror],
+            0);
 }
 
 // Without its ray a mirror scatters ambient light like the same metal without a mirror's share.
@@ -135,7 +135,7 @@ TEST(MirrorTest, AMirroredSurfaceIsLitAsIfSeenDirectly) {
   const DisplayProfile profile = test::single_view(65, 65, 40, 40);
   const RenderedFrame frame =
       test::render(scene, profile, test::planar_settings(), test::sample_from({0, 0, 0}));
-  EXPECT_EQ(frame.counters.mirror_shadow_rays, 65 * 65);
+  EXPECT_EQ(frame.counters.rays[RayKind::mirror_shadow], 65 * 65);
   int compared = 0;
   test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
     const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);

@@ -30,11 +30,11 @@ TEST(RendererTest, CountsPixelsAndRays) {
   EXPECT_EQ(frame.counters.viewport_pixels, pixels);
   // Without foveation there is one ray per pixel, and one shadow ray per ray that meets the floor: the lower
   // half.
-  EXPECT_EQ(frame.counters.primary_rays, pixels);
+  EXPECT_EQ(frame.counters.rays[RayKind::primary], pixels);
   EXPECT_EQ(frame.counters.polar_samples, pixels);
-  EXPECT_GT(frame.counters.shadow_rays, pixels * 2 / 5);
-  EXPECT_LE(frame.counters.shadow_rays, pixels / 2);
-  EXPECT_EQ(frame.counters.mirror_rays, 0);
+  EXPECT_GT(frame.counters.rays[RayKind::shadow], pixels * 2 / 5);
+  EXPECT_LE(frame.counters.rays[RayKind::shadow], pixels / 2);
+  EXPECT_EQ(frame.counters.rays[RayKind::mirror], 0);
 }
 
 TEST(RendererTest, SurfacesThatFaceAwayFromTheLightSendNoShadowRay) {
@@ -42,7 +42,7 @@ TEST(RendererTest, SurfacesThatFaceAwayFromTheLightSendNoShadowRay) {
   scene.lights[0].centre = {1, -3, -1};  // under the floor
   const RenderedFrame frame =
       test::render(scene, test::small_profile(), test::small_settings(), test::sample_from({0, 0, 0}));
-  EXPECT_EQ(frame.counters.shadow_rays, 0);
+  EXPECT_EQ(frame.counters.rays[RayKind::shadow], 0);
 }
 
 TEST(RendererTest, ReportsHowFarEachEyesViewportsReach) {
@@ -57,7 +57,7 @@ TEST(RendererTest, AnEyeThatNoViewportBelongsToCostsNothing) {
   const RenderedFrame frame = test::render(grey_floor(), test::single_view(64, 64, 45, 45),
                                            test::small_settings(), test::sample_from({0, 0, 0}));
   EXPECT_EQ(frame.theta_max_deg[1], 0.0);
-  EXPECT_LE(frame.counters.primary_rays, 64 * 48);
+  EXPECT_LE(frame.counters.rays[RayKind::primary], 64 * 48);
   test::expect_finite(frame);
 }
 

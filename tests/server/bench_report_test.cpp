@@ -17,7 +17,7 @@ BenchResult result_with_an_empty_last_frame() {
                             Stage::resolve, Stage::viewports}) {
     result.median_times[stage] = 1;
   }
-  result.counters.primary_rays = 1;
+  result.counters.rays[RayKind::primary] = 1;
   result.counters.polar_samples = 1;
   result.counters.viewport_pixels = 4000;  // the same in every frame
   return result;

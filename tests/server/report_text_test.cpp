@@ -24,7 +24,7 @@ FrameRecord record_of(std::int64_t frame, double first_hits_ms, double light_ms)
   record.pose_age_ms = 5.0;
   record.motion_to_photon_ms = 25.0;
   record.missed = record.times.frame_ms > 16.7;
-  record.counters.primary_rays = 1000;
+  record.counters.rays[RayKind::primary] = 1000;
   return record;
 }
 
@@ -154,7 +154,7 @@ TEST(RunStatistics, MergedRunsEqualOneRunOverAllFrames) {
   EXPECT_EQ(second.frame, whole.frame);
   EXPECT_EQ(second.stages, whole.stages);
   EXPECT_EQ(second.motion_to_photon, whole.motion_to_photon);
-  EXPECT_EQ(second.counters.primary_rays, 10'000);
+  EXPECT_EQ(second.counters.rays[RayKind::primary], 10'000);
   // 2.5 i > 16.7 for i = 7, 8, 9.
   EXPECT_EQ(second.missed_frames, 3);
 }

@@ -1,0 +1,21 @@
+#include "renderer/ray_kind.h"
+
+namespace herr {
+
+const char* name_of(RayKind kind) {
+  switch (kind) {
+    case RayKind::primary:
+      return "primary";
+    case RayKind::shadow:
+      return "shadow";
+    case RayKind::catcher_shadow:
+      return "catcher_shadow";
+    case RayKind::mirror:
+      return "mirror";
+    case RayKind::mirror_shadow:
+      return "mirror_shadow";
+  }
+  return "unknown";
+}
+
+}  // namespace herr
