@@ -7,7 +7,8 @@ namespace herr {
 namespace {
 
 struct Traits {
-  std::size_t instances = 0, catchers = 0, reflecting = 0, textured = 0, specular = 0;
+  std::size_t instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0, transparent = 0,
+              textured = 0, specular = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -33,11 +34,14 @@ Traits traits_of(const Scene& scene) {
       ++traits.textured;
     if (instance.catcher) {
       ++traits.catchers;
+      if (material.mirror > 0) ++traits.reflecting_catchers;
       traits.catchers_may_occlude |= traits.catchers > 1 || !lies_flat(scene.meshes[instance.mesh]);
       continue;
     }
-    ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular lobe
+    ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular
+                        // lobe
     if (material.mirror > 0) ++traits.reflecting;
+    if (material.transmission > 0) ++traits.transparent;
   }
   return traits;
 }
@@ -83,9 +87,30 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.many_light_samples, settings.light_samples > 1, "light samples",
          std::to_string(settings.light_samples) + " jittered strata per light",
          "one sample: the light's centre");
-  decide(plan.mirror_rays, settings.reflections && t.reflecting > 0, "mirror rays",
-         share(t.reflecting, t.instances, "reflect"),
-         t.reflecting == 0 ? "no material reflects" : "switched off by settings");
+  const bool many = plan.many_light_samples;
+  decide(plan.adaptive_light_samples,
+         many && settings.first_light_samples > 0 && settings.first_light_samples < settings.light_samples,
+         "adaptive light samples",
+         std::to_string(settings.first_light_samples) + " strata first, the rest where they disagree",
+         many ? "all strata for every hit" : "one sample");
+  const bool has_ambient = scene.ambient != glm::vec3{0.0f};
+  decide(plan.occlusion, settings.occlusion_rays > 0 && has_ambient, "ambient occlusion",
+         std::to_string(settings.occlusion_rays) + " short rays per hit",
+         settings.occlusion_rays == 0 ? "not asked for" : "no indirect light to occlude");
+  const std::size_t mirrors = t.reflecting + t.reflecting_catchers;
+  decide(plan.mirror_rays, settings.reflections && mirrors > 0, "mirror rays",
+         share(mirrors, t.instances, "reflect"),
+         mirrors == 0 ? "no material reflects" : "switched off by settings");
+  decide(plan.catcher_mirrors, plan.mirror_rays && t.reflecting_catchers > 0, "mirror rays of catchers",
+         share(t.reflecting_catchers, t.instances, "are catchers that reflect"),
+         t.reflecting_catchers == 0 ? "no catcher reflects" : "switched off by settings");
+  decide(plan.refraction, settings.refraction && t.transparent > 0, "refraction",
+         share(t.transparent, t.instances, "are transparent"),
+         t.transparent == 0 ? "no material is transparent" : "switched off by settings");
+  decide(plan.environment_map, !scene.environment_map.rgba.empty(), "environment picture",
+         std::to_string(scene.environment_map.width_px) + "x" +
+             std::to_string(scene.environment_map.height_px) + " pixels around the scene",
+         "the environment has one colour");
   decide(plan.catchers, t.catchers > 0, "catchers", share(t.catchers, t.instances, "are catchers"),
          "the scene has no catcher");
   decide(plan.catchers_occlude, plan.catchers && t.catchers_may_occlude, "catcher shadow rays",

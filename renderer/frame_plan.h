@@ -10,6 +10,10 @@
 
 namespace herr {
 
+// Interfaces that light is followed through at most; the next surface is shown as if it were opaque. A solid object
+// has two, a hollow one four.
+inline constexpr int kMostInterfaces = 8;
+
 struct PlanEntry {
   std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
@@ -20,12 +24,17 @@ struct FramePlan {
   // What the kernels are chosen by.
   bool polar = true;  // log-polar buffer; false: one ray per viewport pixel
   bool mirror_rays = false;
+  bool catcher_mirrors = false;  // mirror rays of catchers: virtual objects reflect in the real room
+  bool refraction = false;
+  bool occlusion = false;
+  bool environment_map = false;
   bool textures = false;
   bool catchers = false;
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
   bool coloured_ratio = false;  // lights and ambient differ in hue: the catcher ratio needs three channels
   bool many_light_samples = false;
+  bool adaptive_light_samples = false;
   bool specular = false;  // some material has a specular lobe
   bool camera = false;
   bool gaze_marker = false;

@@ -14,6 +14,14 @@ const char* name_of(RayKind kind) {
       return "mirror";
     case RayKind::mirror_shadow:
       return "mirror_shadow";
+    case RayKind::refraction:
+      return "refraction";
+    case RayKind::refraction_shadow:
+      return "refraction_shadow";
+    case RayKind::occlusion:
+      return "occlusion";
+    case RayKind::catcher_occlusion:
+      return "catcher_occlusion";
   }
   return "unknown";
 }

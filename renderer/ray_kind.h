@@ -9,13 +9,17 @@
 namespace herr {
 
 enum class RayKind : std::uint8_t {
-  primary,         // from the eye
-  shadow,          // from first hits to lights
-  catcher_shadow,  // from catchers that are in shadow to lights, past virtual objects
-  mirror,          // second rays: reflection
-  mirror_shadow,   // from mirrored hits to lights
+  primary,            // from the eye
+  shadow,             // from first hits to lights
+  catcher_shadow,     // from catchers that are in shadow to lights, past virtual objects
+  mirror,             // second rays: reflection
+  mirror_shadow,      // from mirrored hits to lights
+  refraction,         // second rays: through transparent surfaces
+  refraction_shadow,  // from what they show to lights
+  occlusion,          // short rays of ambient occlusion
+  catcher_occlusion,  // the same from catchers, past virtual objects
 };
-inline constexpr std::size_t kRayKinds = 5;
+inline constexpr std::size_t kRayKinds = 9;
 // Without "rays": "primary", "catcher_shadow", ...
 const char* name_of(RayKind kind);
 

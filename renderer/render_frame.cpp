@@ -1,7 +1,7 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
-// sample of the session -> acceleration structures follow the head -> lights -> polar rays -> first hits,
-// light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
-// allocation, no lock.
+// sample of the session -> acceleration structures follow the head -> lights ->
+// polar rays -> first hits, light rays, second rays (tile by tile) -> viewports
+// over the camera feed -> overlays. No I/O, no allocation, no lock.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -49,15 +49,23 @@ void require_usable(const Pose& pose) {
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
                             const std::atomic<bool>* abandon) {
+  return render_frame(sample, state, {impl_->settings.light_samples}, out, abandon);
+}
+
+bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
+                            RenderedFrame& out, const std::atomic<bool>* abandon) {
   Impl& frame = *impl_;
   require_usable(sample.head.world_from_head);
+  if (quality.light_samples < 1 || quality.light_samples > kMostLightSamples) {
+    throw std::invalid_argument("light samples of a frame must lie in [1, 4096]");
+  }
   out.times = {};
   out.counters = {};
   const auto start = SteadyClock::now();
 
   out.counters.commits =
       timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample); });
-  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state); });
+  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, quality); });
   timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample); });
   if (!frame.trace_tiles(out.times, abandon)) return false;
   timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
@@ -94,13 +102,19 @@ int Renderer::Impl::update_acceleration(const FrameSample& sample) {
   return commits;
 }
 
-void Renderer::Impl::update_scene(const SceneState& state) {
-  light_records(state.lights, geometry->anchor(), settings.light_samples, lights);
+void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
+  light_records(state.lights, geometry->anchor(), quality.light_samples, reach_m, lights);
   shading.plan = &plan;
   shading.scene = geometry->top();
   shading.instances = geometry->instances();
   shading.lights = lights;
-  shading.light_samples = settings.light_samples;
+  shading.first_light_samples = settings.first_light_samples;
+  shading.occlusion_rays = settings.occlusion_rays;
+  shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
+  const EnvironmentImage& outside = scene.environment_map;
+  const float turn = outside.turn_deg / 360.0f;
+  shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
+                             outside.height_px, turn - std::floor(turn)};
   constexpr float kDarkest = 1e-4f;  // of the light on the farthest catcher: below it a ratio is noise
   const glm::vec3 scale = plan.catchers ? farthest_irradiance(state.lights, catcher_boxes) : glm::vec3{0.0f};
   for (int channel = 0; channel < 3; ++channel) {

@@ -18,7 +18,12 @@ RenderSettings resolved(RenderSettings settings) {
   within("polar width", settings.polar_width, 1, 8192);
   within("polar height", settings.polar_height, 2, 8192);
   if (settings.polar_height % 2 != 0) throw std::invalid_argument("polar height must be even");
-  within("light samples", settings.light_samples, 1, 4096);
+  within("light samples", settings.light_samples, 1, kMostLightSamples);
+  within("first light samples", settings.first_light_samples, 0, kMostLightSamples);
+  within("occlusion rays", settings.occlusion_rays, 0, 64);
+  if (!(settings.occlusion_radius_m >= 1e-3 && settings.occlusion_radius_m <= 1e3)) {
+    throw std::invalid_argument("occlusion radius must lie in [0.001, 1000] m");
+  }
   within("threads", settings.threads, 0, 512);
   if (!(settings.feed_distance_m > 0.01)) throw std::invalid_argument("feed distance must exceed 0.01 m");
   if (settings.threads == 0) settings.threads = available_threads();
@@ -48,9 +53,14 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
       trace_tile(trace_tile_for(settings.isa)),
       composite_strip(composite_strip_for(settings.isa)) {
   threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
+  Bounds all{glm::dvec3{1e300}, glm::dvec3{-1e300}};
   for (const MeshInstance& instance : scene.instances) {
-    if (instance.catcher) catcher_boxes.push_back(world_box(scene, instance));
+    const Bounds box = world_box(scene, instance);
+    if (instance.catcher) catcher_boxes.push_back(box);
+    all.lower = glm::min(all.lower, box.lower);
+    all.upper = glm::max(all.upper, box.upper);
   }
+  if (all.upper.x >= all.lower.x) reach_m = 1.0 + 2.0 * glm::length(all.upper - all.lower);
 
   const std::size_t viewports = profile.viewports.size();
   int widest = 1;

@@ -1,5 +1,6 @@
-// The renderer core: pose + gaze + camera + scene state -> four composited viewports + stage times.
-// No I/O here; the server hands in what it read and writes what comes out.
+// The renderer core: pose + gaze + camera + scene state -> four composited
+// viewports + stage times. No I/O here; the server hands in what it read and
+// writes what comes out.
 #pragma once
 
 #include <array>
@@ -25,13 +26,19 @@ struct RenderedFrame {
   std::vector<ViewportImage> viewports;  // in the order of DisplayProfile::viewports
   StageTimes times;
   FrameCounters counters;
-  std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
+  std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to
+                                          // the farthest viewport border
 };
 
 // What a frame leaves behind for the next one, beyond buffers that are filled anew: with it a replay goes on
 // in the middle as if it had come from the start. Stages that carry state keep it here.
 struct RendererState {
   std::optional<glm::dvec3> anchor;  // metres, multiples of 16; none before the first frame
+};
+
+// What may change from frame to frame.
+struct FrameQuality {
+  int light_samples = 1;  // per light and hit, 1 ... 4096
 };
 
 // Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree
@@ -49,10 +56,13 @@ class Renderer {
   const RenderSettings& settings() const;  // threads and isa resolved to what runs
   int threads() const;
 
-  // `abandon` (may be null) is asked before each tile and strip: once it is set the frame is given up, the
-  // answer is false and `out` is no picture. True: the frame is whole.
+  // With the quality that the settings ask for, or one of this frame's own. `abandon` (may be null) is asked
+  // before each tile and strip: once it is set the frame is given up, the answer is false and `out` is no
+  // picture. True: the frame is whole. Throws std::invalid_argument for a head pose or a quality out of range.
   bool render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
                     const std::atomic<bool>* abandon = nullptr);
+  bool render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
+                    RenderedFrame& out, const std::atomic<bool>* abandon = nullptr);
 
   // Takes up what a frame changes in the renderer's state without rendering it.
   void pass_over(const FrameSample& sample);
@@ -60,10 +70,12 @@ class Renderer {
   RendererState state() const;
   void restore(const RendererState& state);
 
-  // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).
+  // Runs `work(i)` for i in [0, count) on the render threads (encoders use this
+  // between frames).
   void parallel_for(int count, const std::function<void(int)>& work);
 
-  // What lies behind, for bench_frame.cpp and tests of single stages; declared in renderer_impl.h.
+  // What lies behind, for bench_frame.cpp and tests of single stages; declared
+  // in renderer_impl.h.
   struct Impl;
   Impl& internals() { return *impl_; }
 

@@ -1,5 +1,5 @@
-// What a renderer keeps between frames. Everything is allocated at construction: the frame loop allocates
-// nothing.
+// What a renderer keeps between frames. Everything is allocated at
+// construction: the frame loop allocates nothing.
 #pragma once
 
 #include <memory>
@@ -25,6 +25,7 @@ struct Renderer::Impl {
   RenderThreads threads;
   std::unique_ptr<EmbreeScene> geometry;
   std::vector<Bounds> catcher_boxes;
+  double reach_m = 1;  // leaves the scene from any place in it
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
@@ -48,7 +49,7 @@ struct Renderer::Impl {
   std::vector<StageCycles> cycles;
 
   // The stages of a frame, in order (render_frame.cpp).
-  void update_scene(const SceneState& state);
+  void update_scene(const SceneState& state, const FrameQuality& quality);
   int update_acceleration(const FrameSample& sample);
   void aim_rays(const FrameSample& sample);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);

@@ -16,6 +16,8 @@ const char* name_of(Stage stage) {
       return "surfaces";
     case Stage::light_rays:
       return "light_rays";
+    case Stage::occlusion:
+      return "occlusion";
     case Stage::second_hits:
       return "second_hits";
     case Stage::second_light:

@@ -16,7 +16,8 @@ enum class Stage : std::uint8_t {
   first_hits,    // primary rays through Embree
   surfaces,      // hit -> position, normal, material
   light_rays,    // shadow rays and direct light at first hits
-  second_hits,   // mirror rays through Embree and their surfaces
+  occlusion,     // short rays of ambient occlusion at first hits
+  second_hits,   // mirrored and refracted rays through Embree and their surfaces
   second_light,  // shadow rays and direct light at second hits
   resolve,       // shaded samples -> polar buffer texels
   viewports,     // polar buffer -> viewports, composite over the camera feed
@@ -24,7 +25,7 @@ enum class Stage : std::uint8_t {
   idle,          // threads waiting at the end of a parallel phase
   other,         // frame time that no other row covers
 };
-inline constexpr std::size_t kStageCount = 13;
+inline constexpr std::size_t kStageCount = 14;
 // Column name without unit: "scene_update", ...
 const char* name_of(Stage stage);
 

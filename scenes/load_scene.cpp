@@ -3,6 +3,7 @@
 #include <cctype>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/scene.h"
@@ -13,8 +14,9 @@
 namespace herr {
 namespace {
 
-// One light above the middle, as far from it as the model's own diagonal, so that it stays clear of it. Its
-// irradiance at the middle is pi W/m^2: a white diffuse surface there has radiance 1.
+// One light above the middle, as far from it as the model's own diagonal, so
+// that it stays clear of it. Its irradiance at the middle is pi W/m^2: a white
+// diffuse surface there has radiance 1.
 AreaLight light_above(const Bounds& bounds) {
   const glm::dvec3 extent = bounds.upper - bounds.lower;
   const double diagonal_m = std::max(glm::length(extent), 1e-3);
@@ -30,8 +32,10 @@ AreaLight light_above(const Bounds& bounds) {
 Scene load_bare_gltf(const std::filesystem::path& file) {
   Scene scene;
   scene.name = file.stem().string();
-  scene.instances = append_gltf(file, scene);
-  scene.lights.push_back(light_above(scene_bounds(scene)));
+  GltfContent content = append_gltf(file, scene);
+  scene.instances = std::move(content.instances);
+  scene.lights = std::move(content.lights);
+  if (scene.lights.empty()) scene.lights.push_back(light_above(scene_bounds(scene)));
   // A fifth of full light in shadows and all around: shapes stay readable.
   scene.ambient = scene.environment = glm::vec3(0.2f);
   return scene;
@@ -59,7 +63,8 @@ Scene load_scene(const std::filesystem::path& file) {
     scene = load_bare_gltf(file);
   } else {
     throw InputError(file, 0, "is not of a format that can be shown",
-                     "name a .scene.json, .gltf or .glb file (convert other models to .glb first)");
+                     "name a .scene.json, .gltf or .glb file (convert other "
+                     "models to .glb first)");
   }
   check_bounds(scene, file);
   return scene;

@@ -1,6 +1,7 @@
-// What there is to see: meshes, materials, textures, instances, lights - flattened to one level, ready for
-// tracing. Before: scene_document reads *.scene.json and gltf files into this. After: renderer/geometry
-// builds Embree scenes.
+// What there is to see: meshes, materials, textures, instances, lights -
+// flattened to one level, ready for tracing. Before: scene_document reads
+// *.scene.json and gltf files into this. After: renderer/geometry builds Embree
+// scenes.
 #pragma once
 
 #include <array>
@@ -22,14 +23,16 @@ enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 struct TextureImage {
   std::string name;
   int width_px = 0, height_px = 0;  // 1 ... 16384
-  bool srgb = true;  // colour: decode to linear light after the fetch; false: values are linear
+  bool srgb = true;                 // colour: decode to linear light after the fetch; false:
+                                    // values are linear
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
   std::vector<std::uint8_t> rgba;  // 4 * width * height
 };
 
-// glTF metallic-roughness in linear light. Mapping to the paper's factors (see README.md of this folder):
-// diffuse = base_colour * (1 - metallic), specular F0 = mix(0.04, base_colour, metallic) with GGX alpha =
-// roughness^2, reflection = mirror * F (Schlick from F0).
+// glTF metallic-roughness in linear light. Mapping to the paper's factors (see
+// README.md of this folder): diffuse = base_colour * (1 - metallic), specular
+// F0 = mix(0.04, base_colour, metallic) with GGX alpha = roughness^2,
+// reflection = mirror * F (Schlick from F0).
 struct Material {
   std::string name;
   glm::vec3 base_colour{0.8f};          // [0, 1]
@@ -39,9 +42,12 @@ struct Material {
   float mirror = 0.0f;                  // [0, 1] share of the mirror ray that is seen; 0 traces none
   int base_colour_texture = -1;         // index into Scene::textures, -1 = none
   int metallic_roughness_texture = -1;  // G = roughness, B = metallic (linear)
+  float transmission = 0.0f;            // [0, 1] share of light that passes, refracted
+  float refractive_index = 1.5f;        // [1, 100]
 };
 
-// One triangle mesh with one material (a glTF primitive). Arrays are all the same length or empty.
+// One triangle mesh with one material (a glTF primitive). Arrays are all the
+// same length or empty.
 struct TriangleMesh {
   std::string name;
   std::vector<glm::vec3> positions;  // metres in object space, finite
@@ -58,14 +64,34 @@ struct MeshInstance {
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
 };
 
-// An axis-aligned box that radiates intensity_w_sr (W/sr, uniform over its volume) and cannot be seen.
+// box: radiates uniformly over its volume, into all directions. spot: from a
+// point into a cone. sun: parallel light from infinitely far away.
+enum class LightKind : std::uint8_t { box, spot, sun };
+
+// A light that cannot be seen itself: an axis-aligned box (a point when it has
+// no size), a spot, or a sun.
 struct AreaLight {
   std::string name;
+  LightKind kind = LightKind::box;
   glm::dvec3 centre{0.0};
   glm::vec3 size{0.0f};            // metres, >= 0 per axis
-  glm::vec3 intensity_w_sr{0.0f};  // >= 0
+  glm::vec3 intensity_w_sr{0.0f};  // >= 0; of a sun: irradiance in W/m^2 on a surface that faces it
+  glm::dvec3 direction{0, -1, 0};  // in which a spot or sun shines, unit
+  double inner_cone_rad = 0,
+         outer_cone_rad = 0.7853981633974483;  // of a spot: full brightness, none; half angles
+  double range_m = 0;                          // where a box or spot ends; 0: nowhere
   // Circular path in the horizontal plane about `centre`: radius 0 = static.
   double path_radius_m = 0, path_period_s = 0, path_phase_deg = 0;
+};
+
+// An equirectangular picture of what lies outside the scene. Row 0 is the
+// zenith; the middle column lies towards -Z, turned by turn_deg
+// counter-clockwise as seen from above; columns run clockwise.
+struct EnvironmentImage {
+  int width_px = 0, height_px = 0;
+  float turn_deg = 0;
+  std::vector<float> rgba;  // 4 * width * height, radiance, finite and >= 0; the
+                            // fourth is unused
 };
 
 struct Scene {
@@ -77,6 +103,7 @@ struct Scene {
   std::vector<AreaLight> lights;
   glm::vec3 ambient{0.0f};                   // radiance of the constant ambient term
   glm::vec3 environment{0.0f};               // radiance that a ray sees which leaves the scene
+  EnvironmentImage environment_map;          // instead of `environment` where it has pixels
   Pose world_from_session;                   // where the recording stands in the scene
   std::vector<std::string> warnings;         // one line each
   std::vector<std::filesystem::path> files;  // every file that was read
@@ -87,19 +114,22 @@ struct SceneState {
   std::vector<AreaLight> lights;  // centres moved along their paths
 };
 
-// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
-// InputError.
+// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light
+// that fits its bounds). Throws InputError.
 Scene load_scene(const std::filesystem::path& file);
 
-// State at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage.
+// State at `time_s` seconds after the session's start (any finite value). Pure;
+// `out` keeps its storage.
 void scene_state_at(const Scene& scene, double time_s, SceneState& out);
 
-// Box around every instance that is not a catcher (of all instances if there are only catchers).
+// Box around every instance that is not a catcher (of all instances if there
+// are only catchers).
 struct Bounds {
   glm::dvec3 lower{0.0}, upper{0.0};
 };
 Bounds scene_bounds(const Scene& scene);
-// Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance.
+// Triangles of all instances; those of catchers only if `catchers`. A mesh
+// counts once for each instance.
 std::int64_t triangle_count(const Scene& scene, bool catchers);
 
 }  // namespace herr

@@ -3,7 +3,9 @@
 #include <map>
 #include <utility>
 
+#include "scenes/environment_image.h"
 #include "scenes/gltf/load_gltf.h"
+#include "scenes/gltf/node_flattener.h"
 #include "scenes/scene_document_parts.h"
 #include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
@@ -15,11 +17,11 @@ namespace {
 constexpr double kBrightestRadiance = 1e9;
 
 // A glTF file as it was appended to the scene, for entries that name it again.
-using LoadedFiles = std::map<std::filesystem::path, std::vector<MeshInstance>>;
+using LoadedFiles = std::map<std::filesystem::path, GltfContent>;
 
-// The file that an entry names: below the folder of the scene document, so that a scene can be copied as a
-// folder.
-std::filesystem::path model_path(const JsonObject& entry) {
+// The file that an entry names: below the folder of the scene document, so that
+// a scene can be copied as a folder.
+std::filesystem::path named_file(const JsonObject& entry) {
   const std::string name = entry.text("file");
   const std::filesystem::path relative(name);
   bool climbs = name.empty() || relative.is_absolute() || name.find('\0') != std::string::npos;
@@ -37,7 +39,8 @@ std::filesystem::path model_path(const JsonObject& entry) {
              generated ? "build first: `cmake --build` makes the generated meshes" : "check the path");
 }
 
-// The material of an instance with the entry's changes; made once per entry and material.
+// The material of an instance with the entry's changes; made once per entry and
+// material.
 std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& change, Scene& scene,
                                std::map<std::uint32_t, std::uint32_t>& changed) {
   const auto [entry, added] = changed.try_emplace(original, 0);
@@ -58,12 +61,15 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   const MaterialOverride change =
       changes ? parse_material_override(entry.object("material")) : MaterialOverride{};
 
-  const std::filesystem::path file = model_path(entry);
+  const std::filesystem::path file = named_file(entry);
   auto known = loaded.find(file);
   if (known == loaded.end()) known = loaded.emplace(file, append_gltf(file, scene)).first;
 
   std::map<std::uint32_t, std::uint32_t> changed;
-  for (MeshInstance instance : known->second) {
+  for (const AreaLight& light : known->second.lights) {
+    scene.lights.push_back(placed_light(world_from_gltf, light));
+  }
+  for (MeshInstance instance : known->second.instances) {
     instance.world_from_object = compose(world_from_gltf, instance.world_from_object);
     if (const auto problem = transform_problem(instance.world_from_object)) {
       entry.fail("scale", "together with the nodes of the model " + *problem, "write a larger scale");
@@ -76,19 +82,40 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   }
 }
 
+void read_environment(const JsonObject& entry, Scene& scene) {
+  entry.allow_only({"file", "turn_deg", "scale"});
+  const std::filesystem::path file = named_file(entry);
+  const auto turn_deg = static_cast<float>(entry.number_or("turn_deg", -360, 360, 0));
+  const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightestRadiance, 1));
+  std::int64_t sanitised = 0;
+  scene.environment_map = read_environment_image(file, sanitised);
+  scene.environment_map.turn_deg = turn_deg;
+  for (float& value : scene.environment_map.rgba) value *= scale;
+  scene.files.push_back(file);
+  if (sanitised == 0) return;
+  scene.warnings.push_back(printable(file.string()) + ": " + std::to_string(sanitised) +
+                           " values are negative, not finite or above 65504; brought into range");
+}
+
 }  // namespace
 
 Scene read_scene_document(const std::filesystem::path& file) {
   const nlohmann::json document = parse_json_file(file);
   const JsonObject root(document, file, "");
   root.allow_only({"format_version", "name", "gltf", "catchers", "lights", "ambient", "environment",
-                   "world_from_session"});
+                   "environment_map", "world_from_session"});
   root.integer("format_version", 1, 1);
   Scene scene;
   scene.files.push_back(file);
   scene.name = root.text("name");
   scene.ambient = glm::vec3(root.vec3_or("ambient", 0, kBrightestRadiance, glm::dvec3(0.0)));
   scene.environment = glm::vec3(root.vec3_or("environment", 0, kBrightestRadiance, glm::dvec3(0.0)));
+  if (root.has("environment_map")) {
+    if (root.has("environment")) {
+      root.fail("environment_map", "stands beside an environment of one colour", "write only one of them");
+    }
+    read_environment(root.object("environment_map"), scene);
+  }
   if (root.has("world_from_session"))
     scene.world_from_session = parse_pose(root.object("world_from_session"));
   for (const JsonObject& light : root.objects("lights")) scene.lights.push_back(parse_light(light));

@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <initializer_list>
+#include <string>
 
 #include "scenes/catcher_meshes.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/transform_checks.h"
+#include "sessions/input_error.h"
 
 namespace herr {
 namespace {
 
 constexpr double kFarthestPlace_m = 1e9;  // of anything that a document places
 constexpr double kLargestScale = 1e6;
-constexpr double kBrightest = 1e9;  // W/sr and radiance
+constexpr double kBrightest = 1e9;               // W/sr and radiance
+constexpr double kLargestRefractiveIndex = 100;  // glTF sets no limit; diamond has 2.4
 
 glm::dvec3 parse_scale(const JsonObject& entry) {
   if (!entry.has("scale")) return glm::dvec3(1.0);
@@ -43,7 +48,8 @@ PlacedCatcher parse_box(const JsonObject& box) {
   int flat_axes = 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (upper[axis] < lower[axis]) box.fail("max", "is below min on an axis", "swap the two numbers");
-    // As the mesh will have it: an extent that vanishes in float has no area either.
+    // As the mesh will have it: an extent that vanishes in float has no area
+    // either.
     if (static_cast<float>(upper[axis] - lower[axis]) == 0) ++flat_axes;
   }
   if (flat_axes > 1) box.fail("max", "equals min on more than one axis", "give the box an area");
@@ -65,6 +71,33 @@ PlacedCatcher parse_quad(const JsonObject& object) {
     object.fail("quad", *problem, "write the four corners of a flat convex surface counter-clockwise");
   }
   return quad_catcher(corners);
+}
+
+// The kind of a light, and that it has no field of another kind.
+LightKind parse_light_kind(const JsonObject& object) {
+  const std::string name = object.text_or("kind", "box");
+  const LightKind kind = name == "spot" ? LightKind::spot : name == "sun" ? LightKind::sun : LightKind::box;
+  if (kind == LightKind::box && name != "box") {
+    object.fail("kind", "is \"" + printable(name) + "\"", "write box, spot or sun");
+  }
+  const auto refuse = [&](std::initializer_list<const char*> fields) {
+    for (const char* field : fields) {
+      if (object.has(field)) object.fail(field, "means nothing for a light of kind " + name, "remove it");
+    }
+  };
+  if (kind == LightKind::box) refuse({"irradiance_w_m2", "direction", "inner_cone_deg", "outer_cone_deg"});
+  if (kind == LightKind::spot) refuse({"irradiance_w_m2", "size"});
+  if (kind == LightKind::sun) {
+    refuse({"centre", "size", "intensity_w_sr", "inner_cone_deg", "outer_cone_deg", "range_m", "path"});
+  }
+  return kind;
+}
+
+glm::dvec3 parse_direction(const JsonObject& object) {
+  const glm::dvec3 direction = object.vec3("direction", -kFarthestPlace_m, kFarthestPlace_m);
+  const double length = glm::length(direction);
+  if (!(length > 1e-9)) object.fail("direction", "is 0", "write the vector along which the light shines");
+  return direction / length;
 }
 
 }  // namespace
@@ -93,18 +126,25 @@ glm::dmat4x3 parse_placement(const JsonObject& entry) {
 }
 
 MaterialOverride parse_material_override(const JsonObject& object) {
-  object.allow_only({"base_colour", "metallic", "roughness", "mirror", "emission"});
+  object.allow_only(
+      {"base_colour", "metallic", "roughness", "mirror", "emission", "transmission", "refractive_index"});
   MaterialOverride change;
   if (object.has("base_colour")) change.base_colour = glm::vec3(object.vec3("base_colour", 0, 1));
   if (object.has("emission")) change.emission = glm::vec3(object.vec3("emission", 0, kBrightest));
   change.metallic = optional_factor(object, "metallic");
   change.roughness = optional_factor(object, "roughness");
   change.mirror = optional_factor(object, "mirror");
+  change.transmission = optional_factor(object, "transmission");
+  if (object.has("refractive_index")) {
+    change.refractive_index =
+        static_cast<float>(object.number("refractive_index", 1, kLargestRefractiveIndex));
+  }
   return change;
 }
 
 Material MaterialOverride::apply(Material material) const {
-  // The number that the document gives is what is drawn: a texture must not multiply it.
+  // The number that the document gives is what is drawn: a texture must not
+  // multiply it.
   if (base_colour) {
     material.base_colour = *base_colour;
     material.base_colour_texture = -1;
@@ -113,7 +153,11 @@ Material MaterialOverride::apply(Material material) const {
     material.metallic = metallic.value_or(material.metallic);
     material.roughness = roughness.value_or(material.roughness);
     material.metallic_roughness_texture = -1;
-    material.mirror = mirror_of(material.metallic, material.roughness);
+  }
+  if (transmission) material.transmission = *transmission;
+  if (refractive_index) material.refractive_index = *refractive_index;
+  if (metallic || roughness || transmission) {
+    material.mirror = mirror_of(material.metallic, material.roughness, material.transmission);
   }
   if (emission) material.emission = *emission;
   if (mirror) material.mirror = *mirror;
@@ -146,12 +190,28 @@ void append_catcher(const JsonObject& object, Scene& scene) {
 }
 
 AreaLight parse_light(const JsonObject& object) {
-  object.allow_only({"name", "centre", "size", "intensity_w_sr", "path"});
+  object.allow_only({"name", "kind", "centre", "size", "intensity_w_sr", "irradiance_w_m2", "direction",
+                     "inner_cone_deg", "outer_cone_deg", "range_m", "path"});
   AreaLight light;
   light.name = object.text_or("name", object.where());
-  light.centre = object.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
-  light.size = glm::vec3(object.vec3_or("size", 0, kLargestScale, glm::dvec3(0.0)));
-  light.intensity_w_sr = glm::vec3(object.vec3("intensity_w_sr", 0, kBrightest));
+  light.kind = parse_light_kind(object);
+  if (light.kind == LightKind::sun) {
+    light.intensity_w_sr = glm::vec3(object.vec3("irradiance_w_m2", 0, kBrightest));
+  } else {
+    light.centre = object.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
+    light.intensity_w_sr = glm::vec3(object.vec3("intensity_w_sr", 0, kBrightest));
+    light.range_m = object.number_or("range_m", 0, kFarthestPlace_m, 0);
+  }
+  if (light.kind == LightKind::box)
+    light.size = glm::vec3(object.vec3_or("size", 0, kLargestScale, glm::dvec3(0.0)));
+  if (light.kind != LightKind::box) light.direction = parse_direction(object);
+  if (light.kind == LightKind::spot) {
+    light.outer_cone_rad = glm::radians(object.number_or("outer_cone_deg", 0.1, 90, 45));
+    light.inner_cone_rad = glm::radians(object.number_or("inner_cone_deg", 0, 90, 0));
+    if (light.inner_cone_rad >= light.outer_cone_rad) {
+      object.fail("inner_cone_deg", "is not below outer_cone_deg", "write a smaller angle");
+    }
+  }
   if (!object.has("path")) return light;
   const JsonObject path = object.object("path");
   path.allow_only({"circle_radius_m", "period_s", "phase_deg"});

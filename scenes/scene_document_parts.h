@@ -1,5 +1,6 @@
-// The parts of a scene document, each from its JSON object: poses, materials, catchers, lights.
-// Before: scene_document walks the document. Every function throws InputError that names the field.
+// The parts of a scene document, each from its JSON object: poses, materials,
+// catchers, lights. Before: scene_document walks the document. Every function
+// throws InputError that names the field.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -12,17 +13,19 @@
 
 namespace herr {
 
-// A quaternion x, y, z, w of length 1 within 1e-3 (normalised); the identity when absent.
+// A quaternion x, y, z, w of length 1 within 1e-3 (normalised); the identity
+// when absent.
 glm::dquat parse_orientation(const JsonObject& object, const char* key);
 // world_from_session: {"position", "orientation_xyzw"}.
 Pose parse_pose(const JsonObject& object);
-// translation, rotation_xyzw and scale of a glTF entry; a scale of 0 is refused by name.
+// translation, rotation_xyzw and scale of a glTF entry; a scale of 0 is refused
+// by name.
 glm::dmat4x3 parse_placement(const JsonObject& entry);
 
 // What a scene document changes about the materials of a glTF file.
 struct MaterialOverride {
   std::optional<glm::vec3> base_colour, emission;
-  std::optional<float> metallic, roughness, mirror;
+  std::optional<float> metallic, roughness, mirror, transmission, refractive_index;
   Material apply(Material material) const;
 };
 MaterialOverride parse_material_override(const JsonObject& object);

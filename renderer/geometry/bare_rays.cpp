@@ -29,8 +29,9 @@ void fill(const RecordedRays& rays, std::size_t first, std::size_t count, float 
 template <int kRays>
 std::size_t trace_packets(RTCScene scene, RayKind kind, const RecordedRays& rays, std::size_t first,
                           std::size_t count) {
-  const bool closest = kind == RayKind::primary || kind == RayKind::mirror;
-  const unsigned mask = kind == RayKind::catcher_shadow ? kCatcherMask : kAllMask;
+  const bool closest = kind == RayKind::primary || kind == RayKind::mirror || kind == RayKind::refraction;
+  const bool past_objects = kind == RayKind::catcher_shadow || kind == RayKind::catcher_occlusion;
+  const unsigned mask = past_objects ? kCatcherMask : kAllMask;
   alignas(64) typename RayPacket<kRays>::RayHit packet;
   alignas(64) int valid[16];
   std::size_t hits = 0;

@@ -43,7 +43,8 @@ void check_transform(const glm::dmat4x3& m, const std::string& name) {
   const double determinant = std::abs(glm::determinant(linear));
   const double reach = glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]) + glm::length(m[3]);
   const double scale = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-  // scenes/ refuses such transforms with the name of the file; this is the last guard before Embree.
+  // scenes/ refuses such transforms with the name of the file; this is the last
+  // guard before Embree.
   if (!(reach < kLargestCoordinate_m) || !(determinant >= 1e-18) ||
       !(determinant >= 0.5 * kMinVolumeShare * scale)) {
     throw std::invalid_argument("instance '" + name +
@@ -141,6 +142,10 @@ void EmbreeScene::build_instances() {
     record.metallic = material.metallic;
     record.roughness = material.roughness;
     record.mirror = material.mirror;
+    record.transmission = material.transmission;
+    record.refractive_index = material.refractive_index;
+    const float f0_root = (material.refractive_index - 1.0f) / (material.refractive_index + 1.0f);
+    record.dielectric_f0 = f0_root * f0_root;
     const bool has_uvs = !scene_.meshes[instance.mesh].uvs.empty();
     const auto texture = [&](int index) {
       return index >= 0 && has_uvs ? &textures_[static_cast<std::size_t>(index)] : nullptr;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scenes/scene.h"
+
 namespace herr {
 
 // 32 bytes, one gather base per hit: what Embree's primID leads to.
@@ -29,6 +31,8 @@ struct InstanceRecord {
   float uv_lower[2] = {}, uv_scale[2] = {};  // uv = lower + scale * unorm
   float base_colour[3] = {};
   float metallic = 0, roughness = 1, mirror = 0;
+  float transmission = 0, refractive_index = 1.5f;
+  float dielectric_f0 = 0.04f;  // ((n - 1) / (n + 1))^2
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
@@ -36,12 +40,19 @@ struct InstanceRecord {
 };
 
 struct LightRecord {
+  LightKind kind = LightKind::box;
   float centre[3] = {};
-  float lower[3] = {}, size[3] = {};  // the box, for stratified samples
-  float intensity[3] = {};            // W/sr
-  float min_distance2 = 0;            // (half the longest edge)^2: the falloff's floor
-  std::uint32_t key = 0;              // random numbers: which light
-  int strata[3] = {1, 1, 1};          // per axis; their product is the number of samples
+  float lower[3] = {}, size[3] = {};      // the box, for stratified samples
+  float intensity[3] = {};                // W/sr; of a sun W/m^2
+  float min_distance2 = 0;                // (half the longest edge)^2: the falloff's floor
+  float inverse_range2 = 0;               // 1 / (distance where the light ends)^2; 0: it never ends
+  float direction[3] = {};                // in which a spot or sun shines, unit
+  float cone_scale = 0, cone_offset = 1;  // of a spot: brightness clamp(scale cos + offset)^2
+  float reach = 0;                        // of a sun: metres that leave the scene from anywhere in it
+  std::uint32_t key = 0;                  // random numbers: which light
+  int samples = 1;                        // the product of the strata
+  int stride = 1;             // sample s lies in stratum s * stride mod samples: the first few spread out
+  int strata[3] = {1, 1, 1};  // per axis
 };
 
 }  // namespace herr

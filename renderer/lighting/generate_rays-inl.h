@@ -90,6 +90,8 @@ HWY_INLINE int generate_rays(const TileJob& job) {
       hn::Store(hash(hn::BitCast(kU, cell), grid.key), kU, scratch.first.key.data() + count * kLanes);
       hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, wanted), hn::Set(kI, static_cast<int>(HitKind::miss))),
                 kI, scratch.first.kind.data() + count * kLanes);
+      const auto block = static_cast<std::uint8_t>((y - job.y0) / 4 * kBlocksAlong + (x - job.x0) / 4);
+      std::fill_n(scratch.first.block.begin() + count * kLanes, kLanes, block);
       ++count;
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace herr {
 
@@ -25,12 +26,21 @@ std::array<int, 3> strata_for(const glm::vec3& size, int samples) {
   return best;
 }
 
-void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples,
+int spreading_stride(int samples) {
+  // Near the golden ratio of the count, and without a common factor:
+  // consecutive samples lie far apart.
+  int stride = std::max(1, static_cast<int>(std::lround(0.6180339887 * samples)));
+  while (std::gcd(stride, samples) != 1) ++stride;
+  return stride;
+}
+
+void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples, double reach_m,
                    std::vector<LightRecord>& out) {
   out.clear();
   for (const AreaLight& light : lights) {
     if (light.intensity_w_sr == glm::vec3{0.0f}) continue;
     LightRecord record;
+    record.kind = light.kind;
     const glm::vec3 centre(light.centre - anchor);
     for (int axis = 0; axis < 3; ++axis) {
       record.centre[axis] = centre[axis];
@@ -40,7 +50,22 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     }
     const float half = 0.5f * std::max({light.size.x, light.size.y, light.size.z});
     record.min_distance2 = std::max(half * half, 1e-12f);
-    const auto strata = strata_for(light.size, samples);
+    for (int axis = 0; axis < 3; ++axis) record.direction[axis] = static_cast<float>(light.direction[axis]);
+    if (light.range_m > 0) record.inverse_range2 = static_cast<float>(1.0 / (light.range_m * light.range_m));
+    if (light.kind == LightKind::spot) {
+      // KHR_lights_punctual: clamp((cos - cos_outer) / (cos_inner -
+      // cos_outer))^2.
+      const double inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
+      const double scale = 1.0 / std::max(1e-3, inner - outer);
+      record.cone_scale = static_cast<float>(scale);
+      record.cone_offset = static_cast<float>(-outer * scale);
+    }
+    record.reach = static_cast<float>(reach_m);
+    // All samples of a light without extent would be the same.
+    const bool extended = light.size.x > 0 || light.size.y > 0 || light.size.z > 0;
+    record.samples = extended ? samples : 1;
+    record.stride = spreading_stride(record.samples);
+    const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
     record.key = static_cast<std::uint32_t>(&light - lights.data())
                  << 20;  // 3 numbers for each of 4096 samples
@@ -51,6 +76,10 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
 glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes) {
   glm::vec3 sum{0.0f};
   for (const AreaLight& light : lights) {
+    if (light.kind == LightKind::sun) {
+      sum += light.intensity_w_sr;
+      continue;
+    }
     double farthest2 = 1e-12;
     for (const Bounds& box : boxes) {
       const glm::dvec3 reach =

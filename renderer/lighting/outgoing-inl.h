@@ -14,16 +14,19 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Radiance that hits [slot, slot + kLanes) send back: emission, ambient and direct light; misses:
-// environment.
-// The mirror ray stands for the mirror's share of the specular ambient light, where one is traced.
-HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced) {
+// Radiance that hits [slot, slot + kLanes) send back: emission, ambient and direct light. The mirror ray
+// stands for the mirror's share of the specular ambient light, where one is traced; ambient light reaches the
+// `open` share of a hit where short rays were traced.
+HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced,
+                       bool occlusion_traced) {
   const VF one = set(1.0f);
   const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
+  const VF open = occlusion_traced ? hn::Max(load(&hits.open[slot]), hn::Zero(kF)) : one;
   const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
                            const Lane<float>& direct, float ambient) HWY_ATTR {
     const VF scattered = hn::MulAdd(load(&f0[slot]), rough_share, load(&diffuse[slot]));
-    return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, set(ambient), load(&direct[slot])));
+    return hn::Add(load(&emission[slot]),
+                   hn::MulAdd(scattered, hn::Mul(open, set(ambient)), load(&direct[slot])));
   };
   return {channel(hits.er, hits.dr, hits.fr, hits.lr, shading.ambient[0]),
           channel(hits.eg, hits.dg, hits.fg, hits.lg, shading.ambient[1]),

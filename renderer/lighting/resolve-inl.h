@@ -1,5 +1,6 @@
 // Stage: shaded samples -> texels {s, r}: s = virtual light, r = share of the camera feed that is kept.
-// Objects: r = 0. Misses: r = 1, s = 0. Catchers: r = E_with / E_without (differential rendering), s = 0.
+// Objects: r = 0. Misses: r = 1, s = 0. Catchers: r = E_with / E_without (differential rendering), s = what
+// they mirror of the virtual objects.
 #if defined(HERR_RESOLVE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HERR_RESOLVE_INL
 #undef HERR_RESOLVE_INL
@@ -9,7 +10,7 @@
 
 #include <cstring>
 
-#include "renderer/lighting/mirror_rays-inl.h"
+#include "renderer/lighting/refractions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -19,13 +20,12 @@ constexpr float kLargestRatio = 4.0f;
 constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
 constexpr float kPi = 3.14159265f;
 
-// E_with / E_without where there is light to compare, clamped and snapped; ambient light counts in both.
-HWY_INLINE VF catcher_ratio(VF with_objects, VF without, float ambient_radiance, float smallest) {
-  const VF one = set(1.0f), ambient = set(kPi * ambient_radiance);
-  const VF below = hn::Add(without, ambient);
-  const VF ratio =
-      hn::Min(hn::Div(hn::Add(with_objects, ambient), hn::Max(below, set(1e-30f))), set(kLargestRatio));
-  const MF keep = hn::Or(hn::Le(below, set(smallest)), hn::Lt(hn::Abs(hn::Sub(ratio, one)), set(kSnapToOne)));
+// E_with / E_without where there is light to compare, clamped and snapped.
+HWY_INLINE VF catcher_ratio(VF with_objects, VF without, float smallest) {
+  const VF one = set(1.0f);
+  const VF ratio = hn::Min(hn::Div(with_objects, hn::Max(without, set(1e-30f))), set(kLargestRatio));
+  const MF keep =
+      hn::Or(hn::Le(without, set(smallest)), hn::Lt(hn::Abs(hn::Sub(ratio, one)), set(kSnapToOne)));
   return hn::IfThenElse(keep, one, ratio);
 }
 
@@ -67,17 +67,27 @@ HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
   const VF zero = hn::Zero(kF), one = set(1.0f);
   Texel texel{{zero, zero, zero}, {one, one, one}};
   if (!hn::AllFalse(kF, object)) {
-    texel.light = select(object, outgoing(hits, slot, shading, shading.plan->mirror_rays), texel.light);
+    texel.light =
+        select(object, outgoing(hits, slot, shading, shading.plan->mirror_rays, shading.plan->occlusion),
+               texel.light);
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
-    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without,
-                           std::size_t channel) HWY_ATTR {
-      return catcher_ratio(load(&with_objects[slot]), load(&without[slot]), shading.ambient[channel],
-                           shading.smallest_irradiance[channel]);
-    };
+    const bool occlusion = shading.plan->occlusion;
+    const VF open = occlusion ? hn::Max(load(&hits.open[slot]), zero) : one;
+    const VF open_without = occlusion ? hn::Max(load(&hits.open_without[slot]), zero) : one;
+    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without, std::size_t channel)
+                           HWY_ATTR {
+                             const VF ambient = set(kPi * shading.ambient[channel]);
+                             return catcher_ratio(hn::MulAdd(ambient, open, load(&with_objects[slot])),
+                                                  hn::MulAdd(ambient, open_without, load(&without[slot])),
+                                                  shading.smallest_irradiance[channel]);
+                           };
     const V3 ratios{ratio(hits.lr, hits.wr, 0), ratio(hits.lg, hits.wg, 1), ratio(hits.lb, hits.wb, 2)};
     texel.ratio = select(catcher, ratios, texel.ratio);
+    if (shading.plan->catcher_mirrors) {
+      texel.light = select(catcher, load3(&hits.sr[slot], &hits.sg[slot], &hits.sb[slot]), texel.light);
+    }
   }
   if (shading.debug_tiles && job.grid->polar) {
     const V3 colour = debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
@@ -87,7 +97,8 @@ HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
                    hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};
     texel.ratio = {zero, zero, zero};
   } else if (shading.background_is_environment) {
-    const V3 environment = set3(shading.environment);
+    const V3 back = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
+    const V3 environment = environment_radiance(shading, scale(back, set(-1.0f)));
     texel.light = {hn::MulAdd(environment.x, texel.ratio.x, texel.light.x),
                    hn::MulAdd(environment.y, texel.ratio.y, texel.light.y),
                    hn::MulAdd(environment.z, texel.ratio.z, texel.light.z)};

@@ -1,5 +1,6 @@
-// Shadow rays: from hits of a batch to points of a light, compacted into dense packets, traced for occlusion.
-// Hits that face away are culled first; rays of neighbouring hits to the same stratum share packets.
+// Shadow rays: from hits of a batch to points of a light, compacted into dense
+// packets, traced for occlusion. Hits that face away are culled first; rays of
+// neighbouring hits to the same stratum share packets.
 #if defined(HERR_SHADOW_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HERR_SHADOW_RAYS_INL
 #undef HERR_SHADOW_RAYS_INL
@@ -13,36 +14,52 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// The point of the light that sample `s` of each hit aims at: the centre, or a jittered place in stratum s.
-HWY_INLINE V3 light_point(const LightRecord& light, bool many, int s, VU key) {
-  if (!many) return set3(light.centre);
+HWY_INLINE MF of_kind(const HitBatch& hits, int slot, HitKind kind) {
+  return hn::RebindMask(kF,
+                        hn::Eq(hn::Load(kI, &hits.kind[slot]), hn::Set(kI, static_cast<std::int32_t>(kind))));
+}
+
+// The way from each hit to the point that light sample `s` of it aims at, not
+// normalised: to the centre of the light, or to a jittered place in one
+// stratum. A sun's lies outside the scene.
+HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits, int slot) {
+  if (light.kind == LightKind::sun) {
+    return scale(set3(light.direction), set(-light.reach));
+  }
+  const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
+  if (light.samples == 1) return sub(set3(light.centre), p);
+  const VU key = hn::Load(kU, &hits.key[slot]);
   const int nx = light.strata[0], ny = light.strata[1];
-  const int cell[3] = {s % nx, s / nx % ny, s / (nx * ny)};
+  const int stratum = static_cast<int>(static_cast<std::int64_t>(s) * light.stride % light.samples);
+  const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
   VF point[3];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const VF jitter = unit_float(hash(key, light.key + 3 * static_cast<std::uint32_t>(s) + axis));
+    const VF jitter = unit_float(hash(key, light.key + 3 * static_cast<std::uint32_t>(stratum) + axis));
     const float width = light.size[axis] / static_cast<float>(light.strata[axis]);
     const float lower = light.lower[axis] + width * static_cast<float>(cell[axis]);
     point[axis] = hn::MulAdd(jitter, set(width), set(lower));
   }
-  return {point[0], point[1], point[2]};
+  return sub(V3{point[0], point[1], point[2]}, p);
 }
 
-// Hits of [slot, slot + kLanes) that can receive light from `point`; `to_light` is not normalised.
-HWY_INLINE MF facing(const HitBatch& hits, int slot, const V3& point, V3& to_light) {
-  const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
-  to_light = sub(point, p);
-  const VI kind = hn::Load(kI, &hits.kind[slot]);
-  const MF surface =
-      hn::RebindMask(kF, hn::Or(hn::Eq(kind, hn::Set(kI, static_cast<int>(HitKind::object))),
-                                hn::Eq(kind, hn::Set(kI, static_cast<int>(HitKind::catcher)))));
+// Hits of [slot, slot + kLanes) that can receive light from `to_light`.
+HWY_INLINE MF facing(const HitBatch& hits, int slot, const V3& to_light) {
+  const MF surface = hn::Or(of_kind(hits, slot, HitKind::object), of_kind(hits, slot, HitKind::catcher));
   const VF by_shading = dot(load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]), to_light);
   const VF by_geometry = dot(load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]), to_light);
   return hn::And(surface, hn::Gt(hn::Min(by_shading, by_geometry), hn::Zero(kF)));
 }
 
-// Appends `lanes` to the queue. Compressed in a register and stored whole: a compressing store is microcoded
-// on some CPUs. What the store writes beyond the last ray is overwritten by the next.
+// Where secondary rays of hits [slot, slot + kLanes) start, on the viewer's
+// side of the surface.
+HWY_INLINE V3 ray_origin(const HitBatch& hits, int slot) {
+  return mul_add(load(&hits.offset[slot]), load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]),
+                 load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]));
+}
+
+// Appends `lanes` to the queue. Compressed in a register and stored whole: a
+// compressing store is microcoded on some CPUs. What the store writes beyond
+// the last ray is overwritten by the next.
 HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI hit, MF lanes) {
   const int at = queue.count;
   const auto put = [&](VF value, Lane<float>& lane)
@@ -57,12 +74,22 @@ HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI 
   queue.count += static_cast<int>(hn::CountTrue(kF, lanes));
 }
 
-// Traces the queue's rays over their whole length; calls blocked(i) for each that meets something of `mask`.
+// Appends ray `i` of another queue.
+HWY_INLINE void push_one(RayQueue& queue, const RayQueue& from, int i) {
+  const auto at = static_cast<std::size_t>(i), to = static_cast<std::size_t>(queue.count++);
+  queue.ox[to] = from.ox[at], queue.oy[to] = from.oy[at], queue.oz[to] = from.oz[at];
+  queue.dx[to] = from.dx[at], queue.dy[to] = from.dy[at], queue.dz[to] = from.dz[at];
+  queue.hit[to] = from.hit[at];
+}
+
+// Traces the queue's rays over their whole length, t in [0, 1); calls
+// blocked(i) for each that meets something of `mask`.
 template <typename Blocked>
 HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsigned mask, RayKind kind,
                                 const Blocked& blocked) {
   alignas(64) Ray packet;
   alignas(64) int valid[kMaxLanes];
+  job.counters->rays[kind] += queue.count;
   for (int start = 0; start < queue.count; start += kLanes) {
     const MF used = first_lanes(queue.count - start);
     const V3 origin = load3(&queue.ox[start], &queue.oy[start], &queue.oz[start]);
@@ -85,25 +112,26 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
   }
 }
 
-// Fills the queue with one shadow ray for each hit that faces sample `s`, and assumes it visible.
-HWY_INLINE void queue_shadow_rays(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                                  int count) {
+// Traces the queue's rays against everything, and those of catchers that are
+// blocked against catchers alone: what blocks a catcher may be another catcher,
+// which is there without the virtual objects too. Calls blocked(hit) and
+// blocked_without(hit).
+template <typename Blocked, typename BlockedWithout>
+HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKind kind, RayKind catcher_kind,
+                                 const Blocked& blocked, const BlockedWithout& blocked_without) {
   TileScratch& scratch = *job.scratch;
-  scratch.queue.count = 0;
-  const VI lane = hn::Iota(kI, 0);
-  for (int slot = 0; slot < count; slot += kLanes) {
-    V3 to_light;
-    const V3 point =
-        light_point(light, job.shading->plan->many_light_samples, s, hn::Load(kU, &hits.key[slot]));
-    const MF lit = facing(hits, slot, point, to_light);
-    hn::Store(set(1.0f), kF, &scratch.visible[slot]);
-    hn::Store(set(1.0f), kF, &scratch.visible_without[slot]);
-    if (hn::AllFalse(kF, lit)) continue;
-    const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
-    const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
-    const V3 origin = mul_add(load(&hits.offset[slot]), g, p);
-    push(scratch.queue, origin, sub(point, origin), hn::Add(lane, hn::Set(kI, slot)), lit);
-  }
+  const bool catchers_occlude = job.shading->plan->catchers_occlude;
+  scratch.blocked.count = 0;
+  trace_occlusion(job, scratch.queue, kAllMask, kind, [&](int i) HWY_ATTR {
+    const auto hit = static_cast<std::size_t>(scratch.queue.hit[static_cast<std::size_t>(i)]);
+    blocked(hit);
+    if (!catchers_occlude || hits.kind[hit] != static_cast<int>(HitKind::catcher)) return;
+    push_one(scratch.blocked, scratch.queue, i);
+  });
+  if (scratch.blocked.count == 0) return;
+  trace_occlusion(job, scratch.blocked, kCatcherMask, catcher_kind, [&](int i) HWY_ATTR {
+    blocked_without(static_cast<std::size_t>(scratch.blocked.hit[static_cast<std::size_t>(i)]));
+  });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -15,7 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-constexpr float kDielectricF0 = 0.04f;   // glTF's fixed index of refraction of 1.5
 constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi alpha^2), finite in float
 // Secondary rays start off the surface by 256 units in the last place of the largest coordinate or distance
 // that went into the hit point, along the geometric normal (after Waechter & Binder, "A Fast and Robust
@@ -43,10 +42,11 @@ HWY_INLINE VF unorm_lane(VU packed, bool high) {
   return hn::ConvertTo(kF, hn::BitCast(kI, bits));
 }
 
-// Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance.
+// Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance,
+// and what passes where the frame follows light through `transparent` surfaces.
 template <bool kTextures>
-HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const Barycentric& at, MF lanes,
-                               HitBatch& out, int slot) {
+HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const Barycentric& at,
+                               bool transparent, MF lanes, HitBatch& out, int slot) {
   Rgb base{set(instance.base_colour[0]), set(instance.base_colour[1]), set(instance.base_colour[2])};
   VF metallic = set(instance.metallic), roughness = set(instance.roughness);
   if constexpr (kTextures) {
@@ -72,10 +72,20 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
       }
     }
   }
-  const VF dielectric = hn::Sub(set(1.0f), metallic);
-  const VF f0 = set(kDielectricF0);
+  VF dielectric = hn::Sub(set(1.0f), metallic);
+  const VF f0 = set(instance.dielectric_f0);
   const auto put = [&](VF value, Lane<float>& lane)
                        HWY_ATTR { store_lanes(value, lanes, lane.data() + slot); };
+  if (transparent) {
+    // What passes the surface is not scattered by it.
+    const VF transmission = hn::Mul(dielectric, set(instance.transmission));
+    dielectric = hn::Sub(dielectric, transmission);
+    put(transmission, out.transmission);
+    put(f0, out.dielectric_f0);
+    put(base.r, out.tr);
+    put(base.g, out.tg);
+    put(base.b, out.tb);
+  }
   put(hn::Mul(base.r, dielectric), out.dr);
   put(hn::Mul(base.g, dielectric), out.dg);
   put(hn::Mul(base.b, dielectric), out.db);
@@ -88,6 +98,7 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   put(set(instance.emission[1]), out.eg);
   put(set(instance.emission[2]), out.eb);
   put(set(instance.mirror), out.mirror);
+  put(set(instance.catcher ? 1.0f : 0.0f), out.real);
 }
 
 // Normals of `lanes`, turned to the viewer's side.
@@ -110,6 +121,9 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   V3 n = to_world(mul_add(at.w, n0, mul_add(at.u, n1, scale(n2, at.v))));
   const MF g_behind = hn::Lt(dot(g, viewer), hn::Zero(kF));
   g = select(g_behind, scale(g, set(-1.0f)), g);
+  // Normals of a closed surface point outwards: from behind, the viewer is inside.
+  const float index = instance.refractive_index;
+  store_lanes(hn::IfThenElse(g_behind, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
   // The shading normal follows the geometric one's side, so that both see the same lights.
   n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
   store_lanes(g.x, lanes, out.gx.data() + slot);
@@ -129,21 +143,21 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
   const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
   const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
   VI kind = hn::IfThenElseZero(hn::RebindMask(kI, rays), hn::Set(kI, static_cast<int>(HitKind::miss)));
+  const V3 direction = load3(packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z);
+  const V3 viewer = scale(direction, set(-1.0f));
+  hn::Store(viewer.x, kF, out.vx.data() + slot);
+  hn::Store(viewer.y, kF, out.vy.data() + slot);
+  hn::Store(viewer.z, kF, out.vz.data() + slot);
   if (hn::AllFalse(kF, hit)) {
     hn::Store(kind, kI, out.kind.data() + slot);
     return;
   }
-  const V3 direction = load3(packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z);
   const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
   const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
   const V3 p = mul_add(t, direction, origin);
   hn::Store(p.x, kF, out.px.data() + slot);
   hn::Store(p.y, kF, out.py.data() + slot);
   hn::Store(p.z, kF, out.pz.data() + slot);
-  const V3 viewer = scale(direction, set(-1.0f));
-  hn::Store(viewer.x, kF, out.vx.data() + slot);
-  hn::Store(viewer.y, kF, out.vy.data() + slot);
-  hn::Store(viewer.z, kF, out.vz.data() + slot);
   const VF largest = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Max(hn::Abs(p.z), t));
   hn::Store(hn::Mul(hn::Max(largest, set(kSmallestOffsetScale_m)), set(kOffsetScale)), kF,
             out.offset.data() + slot);
@@ -160,7 +174,7 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
     const InstanceRecord& instance = shading.instances[id];
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
     store_normals(instance, record, at, packet, viewer, lanes, out, slot);
-    store_material<kTextures>(instance, record, at, lanes, out, slot);
+    store_material<kTextures>(instance, record, at, shading.plan->refraction, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
   }

@@ -11,6 +11,7 @@
 #include "renderer/frame_plan.h"
 #include "renderer/geometry/embree_api.h"
 #include "renderer/geometry/shading_scene.h"
+#include "renderer/lighting/environment_record.h"
 #include "renderer/lighting/ray_recorder.h"
 #include "renderer/stage_clock.h"
 #include "renderer/stage_times.h"
@@ -20,6 +21,9 @@ namespace herr {
 inline constexpr int kTileSide = 32;
 inline constexpr int kTileRays = kTileSide * kTileSide;
 inline constexpr int kMaxLanes = 16;
+// Blocks of 4x4 samples: neighbours that share decisions and directions on every instruction set.
+inline constexpr int kBlocksAlong = kTileSide / 4;
+inline constexpr std::size_t kBlocksInTile = kBlocksAlong * kBlocksAlong;
 
 // One value per ray of a batch, with room for a last partial vector.
 template <typename T>
@@ -30,22 +34,32 @@ enum class HitKind : std::int32_t { none = 0, object = 1, catcher = 2, miss = 3 
 
 // Surfaces that a batch of rays hit, and the light that they send back along the ray.
 struct alignas(64) HitBatch {
-  Lane<float> px, py, pz;   // position, metres from the anchor
-  Lane<float> nx, ny, nz;   // shading normal, unit, on the viewer's side
-  Lane<float> gx, gy, gz;   // geometric normal, unit, on the viewer's side
-  Lane<float> vx, vy, vz;   // towards the viewer, unit
-  Lane<float> offset;       // metres along g at which secondary rays start
-  Lane<float> dr, dg, db;   // diffuse albedo
-  Lane<float> fr, fg, fb;   // specular reflectance at normal incidence
-  Lane<float> alpha2;       // GGX alpha squared
-  Lane<float> er, eg, eb;   // emitted radiance
-  Lane<float> mirror;       // share of the mirror ray that is seen
-  Lane<std::int32_t> kind;  // HitKind
-  Lane<std::uint32_t> key;  // random numbers: frame, eye and sample
+  Lane<float> px, py, pz;     // position, metres from the anchor
+  Lane<float> nx, ny, nz;     // shading normal, unit, on the viewer's side
+  Lane<float> gx, gy, gz;     // geometric normal, unit, on the viewer's side
+  Lane<float> vx, vy, vz;     // towards the viewer, unit
+  Lane<float> offset;         // metres along g at which secondary rays start
+  Lane<float> dr, dg, db;     // diffuse albedo
+  Lane<float> fr, fg, fb;     // specular reflectance at normal incidence
+  Lane<float> alpha2;         // GGX alpha squared
+  Lane<float> er, eg, eb;     // emitted radiance
+  Lane<float> mirror;         // share of the mirror ray that is seen
+  Lane<float> transmission;   // share of the light that passes the surface
+  Lane<float> index_ratio;    // refractive index of the viewer's side over that of the other
+  Lane<float> dielectric_f0;  // reflectance of the bare interface at normal incidence
+  Lane<float> tr, tg, tb;     // colour of light that passes
+  Lane<float> real;           // 1 on a catcher that is seen as an object
+  Lane<std::int32_t> kind;    // HitKind
+  Lane<std::uint32_t> key;    // random numbers: frame, eye and sample
+  Lane<std::uint8_t> block;   // which 4x4 block of the tile the sample lies in
   // Objects: radiance by direct light. Catchers: irradiance with all objects in place.
   Lane<float> lr, lg, lb;
   // Catchers: irradiance without the virtual objects.
   Lane<float> wr, wg, wb;
+  // Share of short rays that meet nothing; of catchers also without the virtual objects.
+  Lane<float> open, open_without;
+  // Catchers: reflection of virtual objects, added to the feed.
+  Lane<float> sr, sg, sb;
 };
 
 // Rays that wait to be traced, dense, and which hit of the batch each belongs to.
@@ -55,15 +69,22 @@ struct alignas(64) RayQueue {
   int count = 0;
 };
 
+// What the first strata of a light say about each hit, where samples are adaptive.
+struct AdaptiveLight {
+  Lane<float> faced, seen, seen_without;          // numbers of samples
+  Lane<float> agreed, agreed_without, undecided;  // 0 or 1
+};
+
 struct alignas(64) TileScratch {
   alignas(64) unsigned char packets[sizeof(RTCRayHit16) * kTileRays / 16];  // of whichever width
   std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
   alignas(64) std::array<std::array<std::int32_t, kMaxLanes>, kTileRays / 4> packet_valid;
   HitBatch first, second;
-  RayQueue queue, blocked;
-  Lane<float> visible, visible_without;      // of the light sample in work, per hit
-  Lane<std::int32_t> mirror_sender;          // per mirror ray: the first hit that sent it
-  Lane<float> mirror_r, mirror_g, mirror_b;  // per first hit: weight of its mirror ray
+  RayQueue queue, blocked, onward;       // onward: rays that leave a transparent surface
+  Lane<float> visible, visible_without;  // of the light sample in work, per hit
+  AdaptiveLight adaptive;
+  Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
+  Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
 };
 
 // Counts of one worker; added up after the frame.
@@ -75,8 +96,11 @@ struct ShadingInputs {
   RTCScene scene = nullptr;
   std::span<const InstanceRecord> instances;
   std::span<const LightRecord> lights;
-  int light_samples = 1;
+  int first_light_samples = 0;  // adaptive: strata traced for every hit; 0: all of them
   float ambient[3] = {};
+  int occlusion_rays = 0;
+  float occlusion_radius_m = 0;
+  EnvironmentRecord environment_map;  // instead of `environment` where it has texels
   float environment[3] = {};
   float smallest_irradiance[3] =
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is

@@ -7,6 +7,7 @@
 
 #include <hwy/highway.h>
 
+#include "renderer/lighting/ambient_occlusion-inl.h"
 #include "renderer/lighting/resolve-inl.h"
 #include "renderer/simd_dispatch.h"
 
@@ -46,7 +47,12 @@ void trace_tile_with(const TileJob& job) {
   const int count = packet_count * kLanes;
   direct_light<kSpecular>(job, scratch.first, count, RayKind::shadow);
   cycles.lap(Stage::light_rays);
+  if (plan.occlusion) {
+    ambient_occlusion(job, packet_count);
+    cycles.lap(Stage::occlusion);
+  }
   if (plan.mirror_rays) reflect_light<kTextures, kSpecular>(job, count);
+  if (plan.refraction) refract_light<kTextures, kSpecular>(job, count);
   resolve(job, packet_count);
   cycles.lap(Stage::resolve);
 }

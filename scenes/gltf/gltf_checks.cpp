@@ -15,7 +15,8 @@ namespace {
 
 // What this reader understands well enough to honour a file that requires it.
 constexpr std::array kSupportedExtensions{"KHR_materials_unlit", "KHR_materials_emissive_strength",
-                                          "KHR_mesh_quantization"};
+                                          "KHR_materials_ior",   "KHR_materials_transmission",
+                                          "KHR_lights_punctual", "KHR_mesh_quantization"};
 constexpr std::int64_t kMaxOffset = 1ll << 40;  // far above any file that is accepted; sums cannot overflow
 
 bool is_supported(std::string_view extension) {
@@ -76,7 +77,8 @@ void check_buffers(const std::vector<JsonObject>& buffers, bool binary) {
   }
 }
 
-// One run of bytes [offset, offset + length) must lie within `available`. All terms are below 2^41.
+// One run of bytes [offset, offset + length) must lie within `available`. All
+// terms are below 2^41.
 void check_extent(const JsonObject& object, const char* key, std::int64_t end, std::int64_t available,
                   const std::string& of_what) {
   if (end <= available) return;
@@ -115,8 +117,8 @@ std::int64_t component_bytes(const JsonObject& object, const char* key) {
   }
 }
 
-// Bytes from one element to the next, and of the last one, which may go without its padding: columns of
-// matrices start at multiples of four bytes.
+// Bytes from one element to the next, and of the last one, which may go without
+// its padding: columns of matrices start at multiples of four bytes.
 struct ElementSize {
   std::int64_t step, last;
 };
@@ -134,7 +136,8 @@ ElementSize element_size(const JsonObject& accessor, std::int64_t component) {
   return {rows * column, (rows - 1) * column + rows * component};
 }
 
-// `count` elements at `offset` of the view that `object` names must lie within that view.
+// `count` elements at `offset` of the view that `object` names must lie within
+// that view.
 void check_run(const JsonObject& object, const std::vector<JsonObject>& views, std::int64_t count,
                const ElementSize& size, bool may_stride) {
   const std::int64_t index = object.integer("bufferView", 0, static_cast<std::int64_t>(views.size()) - 1);

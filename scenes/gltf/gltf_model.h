@@ -1,6 +1,7 @@
-// A glTF 2.0 file as plain structs: what the other stages of this folder read instead of tinygltf's classes.
-// Before: read_gltf fills it, after gltf_checks has proved every index and extent. After: accessor_reader,
-// material_builder, mesh_builder, node_flattener.
+// A glTF 2.0 file as plain structs: what the other stages of this folder read
+// instead of tinygltf's classes. Before: read_gltf fills it, after gltf_checks
+// has proved every index and extent. After: accessor_reader, material_builder,
+// mesh_builder, node_flattener.
 #pragma once
 
 #include <array>
@@ -65,6 +66,7 @@ struct GltfMaterial {
   std::string name;
   glm::vec3 base_colour{1.0f}, emission{0.0f};  // linear; emission includes its strength
   float metallic = 1.0f, roughness = 1.0f;
+  float transmission = 0.0f, refractive_index = 1.5f;
   bool unlit = false;
   GltfTextureUse base_colour_texture, metallic_roughness_texture;
 };
@@ -74,8 +76,8 @@ struct GltfTexture {
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
 };
 
-// An image still encoded: in `view` when that is >= 0, else in `encoded`; when that is empty, `failure` says
-// why.
+// An image still encoded: in `view` when that is >= 0, else in `encoded`; when
+// that is empty, `failure` says why.
 struct GltfImage {
   std::string name;
   int view = -1;
@@ -86,6 +88,7 @@ struct GltfImage {
 struct GltfNode {
   std::string name;
   int mesh = -1;
+  int light = -1;
   std::vector<int> children;
   glm::dmat4x3 parent_from_node{1.0};
 };
@@ -99,6 +102,7 @@ struct GltfModel {
   std::vector<GltfMaterial> materials;
   std::vector<GltfTexture> textures;
   std::vector<GltfImage> images;
+  std::vector<AreaLight> lights;  // at the origin, shining along -Z
   std::vector<GltfNode> nodes;
   std::vector<int> roots;  // of the scene to show
   std::vector<std::string> warnings;

@@ -62,6 +62,22 @@ void check_texture_use(const JsonObject& parent, const char* key, const Counts& 
   use.integer_or("texCoord", 0, 31, 0);
 }
 
+// KHR_materials_transmission and KHR_materials_ior.
+void check_glass(const JsonObject& material, const Counts& counts) {
+  if (!material.has("extensions")) return;
+  const JsonObject extensions = material.object("extensions");
+  if (extensions.has("KHR_materials_transmission")) {
+    const JsonObject transmission = extensions.object("KHR_materials_transmission");
+    transmission.number_or("transmissionFactor", 0, 1, 0);
+    check_texture_use(transmission, "transmissionTexture", counts);
+  }
+  if (!extensions.has("KHR_materials_ior")) return;
+  const JsonObject index = extensions.object("KHR_materials_ior");
+  // 0 stands for a fully reflective surface; between 0 and 1 there is nothing.
+  const double value = index.number_or("ior", 0, 100, 1.5);
+  if (value > 0 && value < 1) index.fail("ior", "lies between 0 and 1", "write 0, or 1 and above");
+}
+
 void check_materials(const JsonObject& root, const Counts& counts) {
   for (const JsonObject& material : root.objects("materials")) {
     material.text_or("name", "");
@@ -69,6 +85,7 @@ void check_materials(const JsonObject& root, const Counts& counts) {
     check_texture_use(material, "emissiveTexture", counts);
     check_texture_use(material, "normalTexture", counts);
     check_texture_use(material, "occlusionTexture", counts);
+    check_glass(material, counts);
     if (!material.has("pbrMetallicRoughness")) continue;
     const JsonObject pbr = material.object("pbrMetallicRoughness");
     if (pbr.has("baseColorFactor")) pbr.numbers("baseColorFactor", 4, 0, 1);
@@ -100,8 +117,8 @@ void check_node_transform(const JsonObject& node) {
       node.fail("matrix", "stands beside translation, rotation or scale", "keep one of the two");
     }
     const std::vector<double> m = node.numbers("matrix", 16, -kLargest, kLargest);
-    // Column major: the last row is 3, 7, 11, 15. Anything but 0 0 0 1 is a projection, which no ray can
-    // follow.
+    // Column major: the last row is 3, 7, 11, 15. Anything but 0 0 0 1 is a
+    // projection, which no ray can follow.
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
       node.fail("matrix", "is not affine (its last row is not 0 0 0 1)", "export the model again");
     }
@@ -116,8 +133,8 @@ void check_node_transform(const JsonObject& node) {
   }
 }
 
-// The node graph must be a forest: each node has at most one parent, and no chain of parents returns to its
-// start.
+// The node graph must be a forest: each node has at most one parent, and no
+// chain of parents returns to its start.
 void check_nodes(const JsonObject& root, const Counts& counts) {
   const std::vector<JsonObject> nodes = root.objects("nodes");
   std::vector<std::int64_t> parent(nodes.size(), -1);
@@ -138,7 +155,8 @@ void check_nodes(const JsonObject& root, const Counts& counts) {
     }
   }
 
-  // With one parent each, following parents from i ends at a root, or runs into i's own mark: a cycle.
+  // With one parent each, following parents from i ends at a root, or runs into
+  // i's own mark: a cycle.
   std::vector<std::size_t> mark(nodes.size(), nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     std::size_t at = i;

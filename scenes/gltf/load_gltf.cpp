@@ -71,14 +71,16 @@ class PrimitiveCache {
   std::set<std::string> said_;
 };
 
-std::vector<MeshInstance> append(const std::filesystem::path& file, Scene& scene) {
+GltfContent append(const std::filesystem::path& file, Scene& scene) {
   const GltfModel model = read_gltf(file);
   scene.files.insert(scene.files.end(), model.files.begin(), model.files.end());
   scene.warnings.insert(scene.warnings.end(), model.warnings.begin(), model.warnings.end());
 
   PrimitiveCache cache(model, scene);
-  std::vector<MeshInstance> instances;
-  for (const PlacedMesh& placed : flatten_nodes(model)) {
+  FlattenedNodes nodes = flatten_nodes(model);
+  GltfContent content{{}, std::move(nodes.lights)};
+  std::vector<MeshInstance>& instances = content.instances;
+  for (const PlacedMesh& placed : nodes.meshes) {
     for (const BuiltPrimitive& primitive : cache.primitives(placed.mesh)) {
       instances.push_back({placed.name, primitive.mesh, primitive.material, placed.gltf_from_mesh, false});
     }
@@ -86,16 +88,16 @@ std::vector<MeshInstance> append(const std::filesystem::path& file, Scene& scene
       throw InputError(file, 0, "has more than a million instances", "merge some of its nodes");
     }
   }
-  if (instances.empty())
+  if (instances.empty() && content.lights.empty())
     scene.warnings.push_back(gltf_warning(model, "shows nothing: its scene has no triangles"));
-  return instances;
+  return content;
 }
 
 }  // namespace
 
-std::vector<MeshInstance> append_gltf(const std::filesystem::path& file, Scene& scene) {
-  // Whatever a library throws over this file is the file's fault, except a lack of memory within our own
-  // limits.
+GltfContent append_gltf(const std::filesystem::path& file, Scene& scene) {
+  // Whatever a library throws over this file is the file's fault, except a lack
+  // of memory within our own limits.
   try {
     return append(file, scene);
   } catch (const InputError&) {

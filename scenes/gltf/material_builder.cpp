@@ -14,7 +14,8 @@ const GltfMaterial& material_of(const GltfModel& model, int index) {
   return index < 0 ? kDefault : model.materials[static_cast<std::size_t>(index)];
 }
 
-// The texture that decides which coordinates a material reads; others with different ones are left out.
+// The texture that decides which coordinates a material reads; others with
+// different ones are left out.
 int uv_set_of(const GltfMaterial& material) {
   if (material.base_colour_texture.texture >= 0) return material.base_colour_texture.uv_set;
   if (material.metallic_roughness_texture.texture >= 0) return material.metallic_roughness_texture.uv_set;
@@ -31,10 +32,12 @@ float channel_mean(const TextureImage& texture, std::size_t channel) {
 
 }  // namespace
 
-float mirror_of(float metallic, float roughness) {
-  // At roughness 0.35 a GGX lobe is some 14 degrees wide: a single mirror ray no longer stands for it.
+float mirror_of(float metallic, float roughness, float transmission) {
+  // At roughness 0.35 a GGX lobe is some 14 degrees wide: a single mirror ray
+  // no longer stands for it.
   constexpr float kRoughest = 0.35f;
-  return std::clamp(metallic, 0.0f, 1.0f) * std::clamp((kRoughest - roughness) / kRoughest, 0.0f, 1.0f);
+  const float clear = std::max(metallic, (1.0f - metallic) * transmission);
+  return std::clamp(clear, 0.0f, 1.0f) * std::clamp((kRoughest - roughness) / kRoughest, 0.0f, 1.0f);
 }
 
 int MaterialBuilder::uv_set(int material) const {
@@ -58,22 +61,26 @@ Material MaterialBuilder::build(const GltfMaterial& from, bool textured) {
   to.emission = from.emission;
   to.metallic = from.metallic;
   to.roughness = from.roughness;
+  to.transmission = from.transmission;
+  to.refractive_index = from.refractive_index > 0 ? from.refractive_index : 100.0f;  // 0: reflects everything
   if (textured) {
     const int set = uv_set_of(from);
     to.base_colour_texture = texture(from.base_colour_texture, true, set, from.name);
     to.metallic_roughness_texture = texture(from.metallic_roughness_texture, false, set, from.name);
   }
 
-  // The mirror share is one number per material: textures count with their mean.
+  // The mirror share is one number per material: textures count with their
+  // mean.
   float metallic = to.metallic, roughness = to.roughness;
   if (to.metallic_roughness_texture >= 0) {
     const TextureImage& image = scene_.textures[static_cast<std::size_t>(to.metallic_roughness_texture)];
     roughness *= channel_mean(image, 1);
     metallic *= channel_mean(image, 2);
   }
-  to.mirror = mirror_of(metallic, roughness);
+  to.mirror = mirror_of(metallic, roughness, to.transmission);
 
-  // An unlit surface shows its colour whatever the light: that is emission. With a texture it stays lit.
+  // An unlit surface shows its colour whatever the light: that is emission.
+  // With a texture it stays lit.
   if (from.unlit && to.base_colour_texture < 0) {
     to.emission = to.base_colour;
     to.base_colour = glm::vec3(0.0f);

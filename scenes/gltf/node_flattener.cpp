@@ -1,5 +1,6 @@
 #include "scenes/gltf/node_flattener.h"
 
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "scenes/transform_checks.h"
@@ -7,11 +8,20 @@
 
 namespace herr {
 
-std::vector<PlacedMesh> flatten_nodes(const GltfModel& model) {
-  // An explicit stack: a chain of 100,000 nodes must not overflow the program's own.
+AreaLight placed_light(const glm::dmat4x3& world_from_light, AreaLight light) {
+  light.centre = world_from_light * glm::dvec4(light.centre, 1.0);
+  const glm::dvec3 direction = world_from_light * glm::dvec4(light.direction, 0.0);
+  const double length = glm::length(direction);
+  if (length > 0) light.direction = direction / length;
+  return light;
+}
+
+FlattenedNodes flatten_nodes(const GltfModel& model) {
+  // An explicit stack: a chain of 100,000 nodes must not overflow the program's
+  // own.
   std::vector<std::pair<int, glm::dmat4x3>> open;  // node, gltf_from_parent
   for (auto root = model.roots.rbegin(); root != model.roots.rend(); ++root) open.emplace_back(*root, 1.0);
-  std::vector<PlacedMesh> placed;
+  FlattenedNodes placed;
   while (!open.empty()) {
     const auto [index, gltf_from_parent] = open.back();
     open.pop_back();
@@ -25,7 +35,13 @@ std::vector<PlacedMesh> flatten_nodes(const GltfModel& model) {
                              "\" " + *problem,
                          "give the node a scale that is not 0, or remove it");
       }
-      placed.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_node});
+      placed.meshes.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_node});
+    }
+    if (node.light >= 0) {
+      AreaLight light = model.lights[static_cast<std::size_t>(node.light)];
+      light.direction = {0, 0, -1};
+      if (light.name.empty()) light.name = node.name;
+      placed.lights.push_back(placed_light(gltf_from_node, light));
     }
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
       open.emplace_back(*child, gltf_from_node);

@@ -1,5 +1,5 @@
-// Flattens the node tree to one level: the ray tracer has exactly one level of instances.
-// Before: read_gltf (the nodes are a forest). After: load_gltf.
+// Flattens the node tree to one level: the ray tracer has exactly one level of
+// instances. Before: read_gltf (the nodes are a forest). After: load_gltf.
 #pragma once
 
 #include <glm/mat4x3.hpp>
@@ -17,7 +17,17 @@ struct PlacedMesh {
   glm::dmat4x3 gltf_from_mesh{1.0};
 };
 
-// Depth first, in the order of the file. Throws InputError for a transform that cannot be rendered.
-std::vector<PlacedMesh> flatten_nodes(const GltfModel& model);
+struct FlattenedNodes {
+  std::vector<PlacedMesh> meshes;
+  std::vector<AreaLight> lights;  // where their nodes put them
+};
+
+// Depth first, in the order of the file. Throws InputError for a transform that
+// cannot be rendered.
+FlattenedNodes flatten_nodes(const GltfModel& model);
+
+// A light moved along: its place, and its direction as a vector. Brightness and
+// range stay, as KHR_lights_punctual says of scaled nodes.
+AreaLight placed_light(const glm::dmat4x3& world_from_light, AreaLight light);
 
 }  // namespace herr

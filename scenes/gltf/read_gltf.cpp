@@ -11,6 +11,7 @@
 
 #include "scenes/gltf/contained_folder.h"
 #include "scenes/gltf/gltf_checks.h"
+#include "scenes/gltf/gltf_lights.h"
 #include "scenes/gltf/gltf_limits.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
@@ -23,19 +24,20 @@ std::string gltf_warning(const GltfModel& model, const std::string& text) {
 
 namespace {
 
-// What tinygltf's callbacks share: the folder, what is left of the byte budget, and why a read failed.
+// What tinygltf's callbacks share: the folder, what is left of the byte budget,
+// and why a read failed.
 struct Reading {
   explicit Reading(const std::filesystem::path& file) : gltf_file(file), folder(file) {}
   std::filesystem::path gltf_file;
   ContainedFolder folder;
   std::int64_t bytes_left = kMaxExternalBytes;
   std::set<std::filesystem::path> files;
-  std::vector<std::exception_ptr>
-      failures;  // one for each file that could not be read, in the order of the document
+  std::vector<std::exception_ptr> failures;  // one for each file that could not be read, in the order of the
+                                             // document
 };
 
-// tinygltf asks for existence in several folders; the first must be the answer, so that reading reports the
-// reason.
+// tinygltf asks for existence in several folders; the first must be the answer,
+// so that reading reports the reason.
 bool file_exists(const std::string&, void*) {
   return true;
 }
@@ -47,11 +49,13 @@ std::string keep_path(const std::string& path, void*) {
 bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path,
                      void* user) {
   auto& reading = *static_cast<Reading*>(user);
-  // An exception must not cross tinygltf, which holds no guards: it is kept and thrown again afterwards.
+  // An exception must not cross tinygltf, which holds no guards: it is kept and
+  // thrown again afterwards.
   try {
     if (path.rfind("data:", 0) == 0) {
       throw InputError(reading.gltf_file, 0, "embeds data as " + printable(path.substr(0, path.find(','))),
-                       "embed it as data:application/octet-stream;base64 or data:image/png;base64");
+                       "embed it as data:application/octet-stream;base64 or "
+                       "data:image/png;base64");
     }
     *out = reading.folder.read(path, reading.bytes_left);
     reading.files.insert(reading.folder.path() / path);
@@ -67,7 +71,8 @@ bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigne
   return false;
 }
 
-// Keeps the encoded bytes; images in buffer views are found there again, so they are not copied.
+// Keeps the encoded bytes; images in buffer views are found there again, so
+// they are not copied.
 bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
                   const unsigned char* bytes, int size, void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
@@ -113,7 +118,8 @@ tinygltf::Model parse(const std::vector<unsigned char>& bytes, const std::filesy
                       ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, "")
                       : parser.LoadASCIIFromString(&model, &error, &warning,
                                                    reinterpret_cast<const char*>(bytes.data()), size, "");
-  // Buffers are required, so tinygltf stops at the one that could not be read; images go on without.
+  // Buffers are required, so tinygltf stops at the one that could not be read;
+  // images go on without.
   if (!ok && !reading.failures.empty() && error.find("File read error") != std::string::npos) {
     std::rethrow_exception(reading.failures.back());
   }
@@ -154,16 +160,18 @@ GltfMaterial convert(const tinygltf::Material& from) {
   to.roughness = static_cast<float>(pbr.roughnessFactor);
   to.base_colour_texture = {pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord};
   to.metallic_roughness_texture = {pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord};
+  const auto number = [&](const char* extension, const char* key, double otherwise) {
+    const auto found = from.extensions.find(extension);
+    const bool there = found != from.extensions.end() && found->second.IsObject() && found->second.Has(key);
+    return static_cast<float>(there ? found->second.Get(key).GetNumberAsDouble() : otherwise);
+  };
+  to.transmission = number("KHR_materials_transmission", "transmissionFactor", 0);
+  to.refractive_index = number("KHR_materials_ior", "ior", 1.5);
   to.unlit = from.extensions.count("KHR_materials_unlit") != 0;
   if (from.emissiveFactor.size() == 3) {
     to.emission = {from.emissiveFactor[0], from.emissiveFactor[1], from.emissiveFactor[2]};
   }
-  const auto strength = from.extensions.find("KHR_materials_emissive_strength");
-  if (strength != from.extensions.end() && strength->second.IsObject() &&
-      strength->second.Has("emissiveStrength")) {
-    to.emission *= static_cast<float>(
-        std::clamp(strength->second.Get("emissiveStrength").GetNumberAsDouble(), 0.0, 1e6));
-  }
+  to.emission *= std::clamp(number("KHR_materials_emissive_strength", "emissiveStrength", 1), 0.0f, 1e6f);
   return to;
 }
 
@@ -204,7 +212,8 @@ GltfPrimitive convert(const tinygltf::Primitive& from) {
   return to;
 }
 
-// Content that this version draws differently than its author meant, said once per file.
+// Content that this version draws differently than its author meant, said once
+// per file.
 void warn_of_losses(const tinygltf::Model& from, GltfModel& to) {
   if (!from.animations.empty())
     to.warnings.push_back("animations are not played; nodes stand as the file has them");
@@ -233,7 +242,7 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
       to.warnings.push_back("the rotation of node \"" + printable(node.name) +
                             "\" is not of unit length; normalised");
     }
-    to.nodes.push_back({node.name, node.mesh, node.children, matrix_of(node)});
+    to.nodes.push_back({node.name, node.mesh, -1, node.children, matrix_of(node)});
   }
   if (!from.scenes.empty()) {
     const int scene = std::max(from.defaultScene, 0);
@@ -247,8 +256,9 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
 }
 
 void convert_images(tinygltf::Model& from, const Reading& reading, GltfModel& to) {
-  // Images were read in order, and each that failed left one failure: the next one belongs to the next image
-  // without bytes. It is thrown only if a material uses the image.
+  // Images were read in order, and each that failed left one failure: the next
+  // one belongs to the next image without bytes. It is thrown only if a
+  // material uses the image.
   auto failure = reading.failures.begin();
   for (auto& image : from.images) {
     GltfImage converted{
@@ -301,6 +311,7 @@ GltfModel read_gltf(const std::filesystem::path& file) {
 
   Reading reading(file);
   GltfModel model = convert(parse(bytes, file, reading), file, reading);
+  read_gltf_lights(document, file, model);
   model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
   for (std::string& warning : model.warnings) warning = gltf_warning(model, warning);
   return model;

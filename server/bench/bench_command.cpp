@@ -76,7 +76,7 @@ int run_bench(const BenchOptions& options) {
   subject.settings = renderer.settings();
   print_result(options.json ? json_text(bench_json(result, subject)) : bench_table(result, subject));
   const std::string excess =
-      rays_beyond_plan(result, renderer.plan(), scene.lights.size(), renderer.settings().light_samples);
+      rays_beyond_plan(result, renderer.plan(), scene.lights.size(), renderer.settings());
   if (excess.empty()) return kExitDone;
   print_message(excess);
   return kExitInternal;

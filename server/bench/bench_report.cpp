@@ -47,10 +47,12 @@ StageItems items_of(Stage stage, const BenchResult& result) {
       return {"ray", rays_of(result, "primary")};
     case Stage::light_rays:
       return {"shadow ray", rays_of(result, "shadow") + rays_of(result, "catcher_shadow")};
+    case Stage::occlusion:
+      return {"short ray", rays_of(result, "occlusion") + rays_of(result, "catcher_occlusion")};
     case Stage::second_hits:
-      return {"mirror ray", rays_of(result, "mirror")};
+      return {"second ray", rays_of(result, "mirror") + rays_of(result, "refraction")};
     case Stage::second_light:
-      return {"shadow ray", rays_of(result, "mirror_shadow")};
+      return {"shadow ray", rays_of(result, "mirror_shadow") + rays_of(result, "refraction_shadow")};
     case Stage::resolve:
       return {"polar sample", polar_samples_of(result)};
     case Stage::viewports:

@@ -20,20 +20,28 @@ double per_sample(const BenchResult& result, const std::string& name) {
 }  // namespace
 
 std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, std::size_t lights,
-                             int light_samples) {
-  const double per_hit = static_cast<double>(lights) * light_samples;
+                             const RenderSettings& settings) {
+  const double per_hit = static_cast<double>(lights) * settings.light_samples;
   const double shadow = per_sample(result, "shadow"), mirror = per_sample(result, "mirror");
   const double mirror_shadow = per_sample(result, "mirror_shadow");
+  const double refraction = per_sample(result, "refraction");
+  const double refraction_shadow = per_sample(result, "refraction_shadow");
+  const double occlusion = per_sample(result, "occlusion");
   struct Limit {
     std::string name;
     double most;
   };
-  // A second ray asks whether another catcher blocks; hits in mirrors ask it too.
-  const std::vector<Limit> limits{{"primary", 1.0},
-                                  {"shadow", per_hit},
-                                  {"catcher_shadow", plan.catchers_occlude ? shadow + mirror_shadow : 0.0},
-                                  {"mirror", plan.mirror_rays ? 1.0 : 0.0},
-                                  {"mirror_shadow", mirror * per_hit}};
+  // A second ray asks whether another catcher blocks; hits in mirrors and behind glass ask it too.
+  const std::vector<Limit> limits{
+      {"primary", 1.0},
+      {"shadow", per_hit},
+      {"catcher_shadow", plan.catchers_occlude ? shadow + mirror_shadow + refraction_shadow : 0.0},
+      {"mirror", plan.mirror_rays ? 1.0 : 0.0},
+      {"mirror_shadow", mirror * per_hit},
+      {"refraction", plan.refraction ? kMostInterfaces : 0.0},
+      {"refraction_shadow", refraction * per_hit},
+      {"occlusion", plan.occlusion ? settings.occlusion_rays : 0.0},
+      {"catcher_occlusion", plan.catchers_occlude ? occlusion : 0.0}};
   for (const Limit& limit : limits) {
     const double traced = per_sample(result, limit.name);
     if (traced <= limit.most * (1 + kRoundingSlack)) continue;

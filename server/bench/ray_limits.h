@@ -10,8 +10,8 @@
 namespace herr {
 
 // One line that names the first kind of which more were traced than `plan` implies; empty when there is none.
-// `lights` and `light_samples` (per light and hit) bound the shadow rays of a hit.
+// `lights` and the settings' light samples bound the shadow rays of a hit.
 std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, std::size_t lights,
-                             int light_samples);
+                             const RenderSettings& settings);
 
 }  // namespace herr

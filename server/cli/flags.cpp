@@ -151,10 +151,33 @@ void add_plan_flags(CLI::App& app, RenderSettings& render) {
   value_flag(app, "--light-samples", "N",
              "shadow rays per light and hit, 1 ... 4096 (default 1: hard shadows)",
              [&render](const std::string& text) {
-               render.light_samples = static_cast<int>(parse_whole_number("--light-samples", text, 1, 4096));
+               render.light_samples =
+                   static_cast<int>(parse_whole_number("--light-samples", text, 1, kMostLightSamples));
+             });
+  value_flag(app, "--quality", "NAME", "shadows: hard, soft or ultra, that is 1, 64 or 256 light samples",
+             [&render](const std::string& text) {
+               constexpr std::array<int, 3> kSamples{1, 64, 256};
+               render.light_samples = kSamples.at(parse_word("--quality", text, {"hard", "soft", "ultra"}));
+             });
+  value_flag(app, "--first-light-samples", "N",
+             "adaptive: trace N light samples, the rest only where they disagree; 0: all (default 0)",
+             [&render](const std::string& text) {
+               render.first_light_samples =
+                   static_cast<int>(parse_whole_number("--first-light-samples", text, 0, kMostLightSamples));
+             });
+  value_flag(app, "--occlusion-rays", "N",
+             "short rays of ambient occlusion per hit, 0 ... 64 (default 0: none)",
+             [&render](const std::string& text) {
+               render.occlusion_rays = static_cast<int>(parse_whole_number("--occlusion-rays", text, 0, 64));
+             });
+  value_flag(app, "--occlusion-radius", "M", "metres that they reach, 0.001 ... 1000 (default 0.3)",
+             [&render](const std::string& text) {
+               render.occlusion_radius_m = parse_real_number("--occlusion-radius", text, 0.001, 1000);
              });
   app.add_flag_callback(
       "--no-reflections", [&render] { render.reflections = false; }, "trace no mirror rays");
+  app.add_flag_callback(
+      "--no-refraction", [&render] { render.refraction = false; }, "draw transparent materials opaque");
   app.add_flag_callback(
       "--no-camera", [&render] { render.camera = false; }, "leave the camera feed out");
 }

@@ -245,5 +245,54 @@ TEST(CatcherTest, InTheDarkTheFeedIsLeftAlone) {
   });
 }
 
+TEST(CatcherTest, AMirrorCatcherAddsVirtualHitsOnly) {
+  // A polished real floor (a perfect mirror), a real ceiling at 4 m and a glowing virtual ball of radius 0.3
+  // at (1, 1, 0), off to the side of the eye. The feed shows the ceiling's reflection already: only where the
+  // ball is mirrored does its radiance of 2 come on top of the feed; r is 1 everywhere, since no light
+  // shines.
+  Material polished = kReal;
+  polished.base_colour = glm::vec3{1.0f};
+  polished.metallic = 1;
+  polished.roughness = 0;
+  polished.mirror = 1;
+  Scene scene;
+  test::add(scene, test::floor_quad(10), polished, true);
+  test::add(scene, test::quad({-10, 4, -10}, {20, 0, 0}, {0, 0, 20}), test::glowing(glm::vec3{5.0f}), true);
+  constexpr float kRadius_m = 0.3f;
+  const glm::dvec3 ball{1, 1, 0};
+  test::add(scene, test::sphere(glm::vec3(ball), kRadius_m, 128, 256), test::glowing({2, 1, 0.5f}));
+  scene.environment = glm::vec3{7.0f};
+
+  const test::TestCamera camera = detailed_feed();
+  const FrameSample sample = above_floor(camera);
+  const DisplayProfile profile = test::single_view(256, 256, 40, 40);
+  const RenderedFrame frame = test::render(scene, profile, test::planar_settings(), sample);
+  const RenderedFrame feed = test::render(Scene(), profile, test::planar_settings(), sample);
+  const glm::dvec3 eye{0, 2, 0}, mirrored_ball{1, -1, 0};
+  int mirrored = 0, untouched = 0;
+  test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
+    const glm::dvec3 world{d.x, d.z, -d.y};
+    const auto off = [&](const glm::dvec3& centre) {
+      return std::sin(eccentricity_deg(centre - eye, world) / kDegreesPerRadian) * glm::length(centre - eye);
+    };
+    const double direct = off(ball) - kRadius_m, image = off(mirrored_ball) - kRadius_m;
+    if (direct < 1e-3) return;  // the ball itself
+    const test::Pixel& before = test::pixel_at(feed.viewports[0], x, y);
+    if (image > 1e-3) {
+      ++untouched;
+      ASSERT_EQ(pixel, before) << x << ", " << y;
+    } else if (image < -1e-3) {
+      ++mirrored;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double expected = before[c] + 2.0 / (1 << c);
+        ASSERT_NEAR(pixel[c], expected, test::half_rounding(expected) * 2) << x << ", " << y;
+      }
+    }
+  });
+  EXPECT_GT(mirrored, 300);
+  EXPECT_GT(untouched, 10000);
+}
+
 }  // namespace
 }  // namespace herr

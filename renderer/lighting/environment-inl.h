@@ -1,0 +1,60 @@
+// Radiance that comes from outside the scene: one colour, or an equirectangular picture with bilinear
+// filtering.
+#if defined(HERR_ENVIRONMENT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_ENVIRONMENT_INL
+#undef HERR_ENVIRONMENT_INL
+#else
+#define HERR_ENVIRONMENT_INL
+#endif
+
+#include "renderer/lighting/tile_job.h"
+#include "renderer/vector_angles-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// u to the right from the azimuth -180 degrees of an unturned picture, v downwards from the zenith; [0, 1]
+// each.
+HWY_INLINE V3 environment_texel(const EnvironmentRecord& map, const V3& direction) {
+  constexpr float kTurnsPerRadian = 0.159154943f;
+  const VF zero = hn::Zero(kF), one = set(1.0f), half = set(0.5f);
+  const VF turns = hn::Mul(atan2(direction.x, hn::Neg(direction.z)), set(kTurnsPerRadian));
+  VF u = hn::Add(turns, set(0.5f - map.turn));
+  u = hn::Sub(u, hn::Floor(u));
+  const VF across = hn::Sqrt(hn::MulAdd(direction.x, direction.x, hn::Mul(direction.z, direction.z)));
+  const VF v = hn::Mul(atan2(across, direction.y), set(2.0f * kTurnsPerRadian));
+
+  const VF x = hn::MulSub(u, set(static_cast<float>(map.width)), half);
+  const VF y = hn::MulSub(v, set(static_cast<float>(map.height)), half);
+  const VF left = hn::Floor(x),
+           upper = hn::Min(hn::Max(hn::Floor(y), zero), set(static_cast<float>(map.height - 1)));
+  const VF tx = hn::Sub(x, left), ty = hn::Min(hn::Max(hn::Sub(y, upper), zero), one);
+  // Columns wrap around; rows end at the poles.
+  const VI last_column = hn::Set(kI, map.width - 1), last_row = hn::Set(kI, map.height - 1);
+  const VI c = hn::ConvertTo(kI, left), none = hn::Zero(kI);
+  const VI c0 = hn::IfThenElse(hn::Lt(c, none), last_column, hn::Min(c, last_column));
+  const VI c1 = hn::IfThenElse(hn::Eq(c0, last_column), none, hn::Add(c0, hn::Set(kI, 1)));
+  const VI r0 = hn::Min(hn::Max(hn::ConvertTo(kI, upper), none), last_row),
+           r1 = hn::Min(hn::Add(r0, hn::Set(kI, 1)), last_row);
+  const VI width = hn::Set(kI, map.width);
+  const auto fetch = [&](VI row, VI column) HWY_ATTR -> V3 {
+    const VI at = hn::ShiftLeft<2>(hn::Add(hn::Mul(row, width), column));
+    return {hn::GatherIndex(kF, map.texels, at), hn::GatherIndex(kF, map.texels + 1, at),
+            hn::GatherIndex(kF, map.texels + 2, at)};
+  };
+  const auto mix = [](const V3& a, const V3& b, VF t) HWY_ATTR { return mul_add(t, sub(b, a), a); };
+  return mix(mix(fetch(r0, c0), fetch(r0, c1), tx), mix(fetch(r1, c0), fetch(r1, c1), tx), ty);
+}
+
+// `direction`: unit, in every lane.
+HWY_INLINE V3 environment_radiance(const ShadingInputs& shading, const V3& direction) {
+  if (!shading.environment_map.texels) return set3(shading.environment);
+  return environment_texel(shading.environment_map, direction);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,83 @@
+// Stage: second rays by reflection. One mirror bounce for hits whose material asks for it, objects and
+// catchers.
+#if defined(HERR_REFLECTIONS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_REFLECTIONS_INL
+#undef HERR_REFLECTIONS_INL
+#else
+#define HERR_REFLECTIONS_INL
+#endif
+
+#include "renderer/lighting/second_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// Direction mirrored at the normal; `v` is towards the viewer. An interpolated normal can send the ray into
+// the surface; the triangle's own normal never does.
+HWY_INLINE V3 mirrored(const V3& v, const V3& n, const V3& g) {
+  const auto reflect = [&](const V3& normal) HWY_ATTR {
+    return mul_add(hn::Mul(set(2.0f), dot(normal, v)), normal, scale(v, set(-1.0f)));
+  };
+  const V3 bent = reflect(n);
+  return select(hn::Gt(dot(bent, g), hn::Zero(kF)), bent, reflect(g));
+}
+
+// Share of the mirror ray that is seen, per channel: mirror * (F0 + (1 - F0) (1 - n.v)^5).
+HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine) {
+  const VF one = set(1.0f), grazing = schlick_weight(cosine), mirror = load(&hits.mirror[slot]);
+  const auto channel = [&](const Lane<float>& f0_lane) HWY_ATTR {
+    const VF f0 = load(&f0_lane[slot]);
+    return hn::Mul(mirror, hn::MulAdd(grazing, hn::Sub(one, f0), f0));
+  };
+  return {channel(hits.fr), channel(hits.fg), channel(hits.fb)};
+}
+
+HWY_INLINE void queue_mirror_rays(const TileJob& job, int count) {
+  TileScratch& scratch = *job.scratch;
+  const HitBatch& hits = scratch.first;
+  RayQueue& queue = scratch.queue;
+  queue.count = 0;
+  const VI lane = hn::Iota(kI, 0);
+  for (int slot = 0; slot < count; slot += kLanes) {
+    MF mirrors = of_kind(hits, slot, HitKind::object);
+    if (job.shading->plan->catcher_mirrors) {
+      mirrors = hn::Or(mirrors, of_kind(hits, slot, HitKind::catcher));
+    }
+    if (hn::AllFalse(kF, mirrors)) continue;
+    const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
+    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
+    const V3 weight = mirror_weight(hits, slot, dot(n, v));
+    const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
+    if (hn::AllFalse(kF, reflects)) continue;
+    hn::Store(weight.x, kF, &scratch.weight_r[slot]);
+    hn::Store(weight.y, kF, &scratch.weight_g[slot]);
+    hn::Store(weight.z, kF, &scratch.weight_b[slot]);
+    const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+    push(queue, ray_origin(hits, slot), mirrored(v, n, g), hn::Add(lane, hn::Set(kI, slot)), reflects);
+  }
+}
+
+// The whole stage for first hits [0, count).
+template <bool kTextures, bool kSpecular>
+HWY_INLINE void reflect_light(const TileJob& job, int count) {
+  TileScratch& scratch = *job.scratch;
+  if (job.shading->plan->catcher_mirrors) {
+    for (Lane<float>* lane : {&scratch.first.sr, &scratch.first.sg, &scratch.first.sb}) clear(*lane, count);
+  }
+  queue_mirror_rays(job, count);
+  const int rays = scratch.queue.count;
+  if (rays == 0) return;
+  remember_senders(scratch);
+  trace_second_rays<kTextures>(job, RayKind::mirror, 0x517cc1b7u);
+  job.cycles->lap(Stage::second_hits);
+  direct_light<kSpecular>(job, scratch.second, rays, RayKind::mirror_shadow);
+  gather_second_light(job, rays);
+  job.cycles->lap(Stage::second_light);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,123 @@
+// Stage: second rays by refraction. Light that passes transparent surfaces is followed from interface to
+// interface by Snell's law, mirrored where it is reflected totally, until it meets something opaque or leaves
+// the scene; that is lit like a first hit. At each interface the share 1 - F (Schlick) times the base colour
+// goes on.
+#if defined(HERR_REFRACTIONS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_REFRACTIONS_INL
+#undef HERR_REFRACTIONS_INL
+#else
+#define HERR_REFRACTIONS_INL
+#endif
+
+#include <utility>
+
+#include "renderer/lighting/reflections-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+struct Refraction {
+  V3 direction;  // refracted, or mirrored where reflection is total
+  MF total;      // total internal reflection
+  VF passes;     // share that goes on: 1 - F, or 1 where reflection is total
+};
+
+// `eta`: index of the viewer's side over that of the other; `f0`: reflectance at normal incidence.
+HWY_INLINE Refraction refract(const V3& v, const V3& n, const V3& g, VF eta, VF f0) {
+  const VF one = set(1.0f), zero = hn::Zero(kF);
+  const VF cosine = hn::Min(hn::Max(dot(n, v), zero), one);
+  const VF sine2 = hn::Mul(hn::Mul(eta, eta), hn::NegMulAdd(cosine, cosine, one));
+  const VF below2 = hn::Sub(one, sine2);  // squared cosine on the other side
+  Refraction out;
+  out.total = hn::Le(below2, zero);
+  const VF below = hn::Sqrt(hn::Max(below2, zero));
+  // eta (-v) + (eta cos - cos') n
+  const V3 straight = scale(v, hn::Neg(eta));
+  V3 through = mul_add(hn::MulSub(eta, cosine, below), n, straight);
+  // An interpolated normal can leave the ray on the viewer's side: it then goes straight on.
+  through = select(hn::Lt(dot(through, g), zero), through, scale(v, set(-1.0f)));
+  out.direction = select(out.total, mirrored(v, n, g), normalise(through));
+  // Schlick's angle is the one in the thinner medium.
+  const VF grazing = schlick_weight(hn::IfThenElse(hn::Gt(eta, one), below, cosine));
+  out.passes = hn::IfThenElse(out.total, one, hn::NegMulAdd(hn::Sub(one, f0), grazing, hn::Sub(one, f0)));
+  return out;
+}
+
+// Sends light of hits [0, count) of a batch onward through their surfaces, into the queue `onward`.
+// `senders(slot)`: the first hits they belong to, whose weights are set at the first interface and multiplied
+// at later ones. Behind the first, a hit that lets its light through shows nothing of its own and becomes
+// none.
+template <typename Senders>
+HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count, bool first_interface,
+                                  const Senders& senders) {
+  TileScratch& scratch = *job.scratch;
+  RayQueue& onward = scratch.onward;
+  onward.count = 0;
+  alignas(64) std::int32_t sends[kMaxLanes], sender[kMaxLanes];
+  alignas(64) float r[kMaxLanes], g[kMaxLanes], b[kMaxLanes];
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const VF transmission = load(&hits.transmission[slot]);
+    const MF clear_hits = hn::And(of_kind(hits, slot, HitKind::object), hn::Gt(transmission, hn::Zero(kF)));
+    if (hn::AllFalse(kF, clear_hits)) continue;
+    const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
+    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
+    const V3 gn = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+    const V3 tint = load3(&hits.tr[slot], &hits.tg[slot], &hits.tb[slot]);
+    const Refraction way = refract(v, n, gn, load(&hits.index_ratio[slot]), load(&hits.dielectric_f0[slot]));
+    const VF share = hn::Mul(transmission, way.passes);
+    const V3 weight = scale(tint, share);
+    const MF go_on = hn::And(clear_hits, hn::Gt(largest(weight), set(kNegligibleWeight)));
+    hn::Store(weight.x, kF, r), hn::Store(weight.y, kF, g), hn::Store(weight.z, kF, b);
+    const VI senders_of = senders(slot);
+    hn::Store(senders_of, kI, sender);
+    hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, go_on)), kI, sends);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(kLanes); ++i) {
+      if (sends[i] == 0) continue;
+      const auto hit = static_cast<std::size_t>(sender[i]);
+      scratch.weight_r[hit] = (first_interface ? 1.0f : scratch.weight_r[hit]) * r[i];
+      scratch.weight_g[hit] = (first_interface ? 1.0f : scratch.weight_g[hit]) * g[i];
+      scratch.weight_b[hit] = (first_interface ? 1.0f : scratch.weight_b[hit]) * b[i];
+    }
+    // From the far side of the surface, or from this one where the light turns back.
+    const VF offset = load(&hits.offset[slot]);
+    const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
+    const V3 origin = mul_add(hn::IfThenElse(way.total, offset, hn::Neg(offset)), gn, p);
+    push(onward, origin, way.direction, senders_of, go_on);
+    if (!first_interface) {
+      const VI kind = hn::Load(kI, &hits.kind[slot]);
+      hn::Store(hn::IfThenZeroElse(hn::RebindMask(kI, go_on), kind), kI, &hits.kind[slot]);
+    }
+  }
+}
+
+// The whole stage for first hits [0, count).
+template <bool kTextures, bool kSpecular>
+HWY_INLINE void refract_light(const TileJob& job, int count) {
+  TileScratch& scratch = *job.scratch;
+  const VI lane = hn::Iota(kI, 0);
+  queue_refractions(job, scratch.first, count, true,
+                    [&](int slot) HWY_ATTR { return hn::Add(lane, hn::Set(kI, slot)); });
+  for (int interface = 1; scratch.onward.count > 0 && interface <= kMostInterfaces; ++interface) {
+    std::swap(scratch.queue, scratch.onward);
+    const int rays = scratch.queue.count;
+    remember_senders(scratch);
+    trace_second_rays<kTextures>(job, RayKind::refraction,
+                                 0x2545f491u + static_cast<std::uint32_t>(interface));
+    scratch.onward.count = 0;
+    if (interface < kMostInterfaces) {
+      queue_refractions(job, scratch.second, rays, false,
+                        [&](int slot) HWY_ATTR { return hn::LoadU(kI, &scratch.sender[slot]); });
+    }
+    job.cycles->lap(Stage::second_hits);
+    direct_light<kSpecular>(job, scratch.second, rays, RayKind::refraction_shadow);
+    gather_second_light(job, rays);
+    job.cycles->lap(Stage::second_light);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,113 @@
+// What reflections and refractions share: tracing a queue of second rays, lighting what they hit, and adding
+// its light to the hits that sent them. Rays are compacted into dense packets.
+#if defined(HERR_SECOND_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_SECOND_RAYS_INL
+#undef HERR_SECOND_RAYS_INL
+#else
+#define HERR_SECOND_RAYS_INL
+#endif
+
+#include "renderer/lighting/direct_light-inl.h"
+#include "renderer/lighting/environment-inl.h"
+#include "renderer/lighting/outgoing-inl.h"
+#include "renderer/lighting/surfaces-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// A second ray whose weight is below half an 8-bit step of white in every channel cannot be seen: it is not
+// traced. What is left out is below this times the radiance that the ray would have brought.
+constexpr float kNegligibleWeight = 1.0f / 512.0f;
+
+// (1 - cosine)^5, for Schlick's approximation of Fresnel's reflectance.
+HWY_INLINE VF schlick_weight(VF cosine) {
+  const VF one = set(1.0f);
+  const VF k = hn::Sub(one, hn::Min(hn::Max(cosine, hn::Zero(kF)), one));
+  const VF k2 = hn::Mul(k, k);
+  return hn::Mul(hn::Mul(k2, k2), k);
+}
+
+HWY_INLINE VF largest(const V3& v) {
+  return hn::Max(v.x, hn::Max(v.y, v.z));
+}
+
+// Sets out on a pass of second rays: those of the queue, each remembered with its sender.
+HWY_INLINE void remember_senders(TileScratch& scratch) {
+  std::memcpy(scratch.sender.data(), scratch.queue.hit.data(),
+              sizeof(std::int32_t) * static_cast<std::size_t>(scratch.queue.count));
+}
+
+// Traces the queued rays and stores their surfaces in the second batch, slot i for ray i. `salt` tells the
+// random numbers of this pass from those of others.
+template <bool kTextures>
+HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt) {
+  TileScratch& scratch = *job.scratch;
+  const RayQueue& queue = scratch.queue;
+  RayHit& packet = packets_of(scratch)[0];  // the first hits are done with
+  alignas(64) int valid[kMaxLanes];
+  for (int start = 0; start < queue.count; start += kLanes) {
+    const MF used = first_lanes(queue.count - start);
+    const V3 origin = load3(&queue.ox[start], &queue.oy[start], &queue.oz[start]);
+    const V3 direction = load3(&queue.dx[start], &queue.dy[start], &queue.dz[start]);
+    const MF lanes = hn::And(used, traceable(origin, direction));
+    job.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
+    job.counters->invalid_rays +=
+        static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
+    set_rays(packet, origin, direction);
+    set_valid(valid, lanes);
+    record(job, kind, packet.ray, valid, false);
+    intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
+    surface_of_packet<kTextures>(packet, lanes, *job.shading, true, scratch.second, start);
+    const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &scratch.sender[start]));
+    const VU key = hn::BitCast(
+        kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), sender));
+    hn::Store(hash(key, salt), kU, &scratch.second.key[start]);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
+    scratch.second.block[i] = scratch.first.block[static_cast<std::size_t>(scratch.sender[i])];
+  }
+}
+
+// Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to all, what
+// is not virtual to objects only, since a catcher's feed shows the real room already. Rays of kind none bring
+// nothing.
+HWY_INLINE void gather_second_light(const TileJob& job, int rays) {
+  TileScratch& scratch = *job.scratch;
+  HitBatch& first = scratch.first;
+  const HitBatch& second = scratch.second;
+  alignas(64) float r[kMaxLanes], g[kMaxLanes], b[kMaxLanes];
+  for (int start = 0; start < rays; start += kLanes) {
+    const MF object = of_kind(second, start, HitKind::object), miss = of_kind(second, start, HitKind::miss);
+    V3 radiance = outgoing(second, start, *job.shading, false, false);
+    if (!hn::AllFalse(kF, miss)) {
+      const V3 back = load3(&second.vx[start], &second.vy[start], &second.vz[start]);
+      radiance = select(object, radiance, environment_radiance(*job.shading, scale(back, set(-1.0f))));
+    }
+    const MF brings = hn::Or(object, miss);
+    hn::Store(hn::IfThenElseZero(brings, radiance.x), kF, r);
+    hn::Store(hn::IfThenElseZero(brings, radiance.y), kF, g);
+    hn::Store(hn::IfThenElseZero(brings, radiance.z), kF, b);
+    const int lanes = rays - start < kLanes ? rays - start : kLanes;
+    for (int i = 0; i < lanes; ++i) {
+      const auto ray = static_cast<std::size_t>(start + i);
+      const auto hit = static_cast<std::size_t>(scratch.sender[ray]);
+      if (first.kind[hit] == static_cast<int>(HitKind::catcher)) {
+        if (second.kind[ray] != static_cast<int>(HitKind::object) || second.real[ray] != 0) continue;
+        first.sr[hit] += scratch.weight_r[hit] * r[i];
+        first.sg[hit] += scratch.weight_g[hit] * g[i];
+        first.sb[hit] += scratch.weight_b[hit] * b[i];
+      } else {
+        first.lr[hit] += scratch.weight_r[hit] * r[i];
+        first.lg[hit] += scratch.weight_g[hit] * g[i];
+        first.lb[hit] += scratch.weight_b[hit] * b[i];
+      }
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,144 @@
+// Short-ray ambient occlusion against the closed form of a floor beside a wall.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+constexpr double kRadius_m = 0.5;
+constexpr double kAmbient = 1.0;
+
+// A floor and, in the plane x = 0 on its left, a wall far taller than the radius; seen from above at x in [0,
+// 0.7] m.
+Scene floor_beside_wall() {
+  Scene scene;
+  test::add(scene, test::floor_quad(20), test::matte(glm::vec3{0.5f}));
+  test::add(scene, test::quad({0, 0, 20}, {0, 0, -40}, {0, 5, 0}), test::matte(glm::vec3{0.5f}));
+  scene.ambient = glm::vec3{static_cast<float>(kAmbient)};
+  return scene;
+}
+
+RenderSettings settings_with(int rays) {
+  RenderSettings settings = test::planar_settings();
+  settings.occlusion_rays = rays;
+  settings.occlusion_radius_m = kRadius_m;
+  return settings;
+}
+
+// The share of a cosine-weighted hemisphere of radius R that a wall at distance a leaves open. Seen from the
+// floor the wall's points within R are those directions whose component towards it is at least c = a / R;
+// projected to the unit disc of the floor (cosine weighting is area there) that is the segment beyond c, of
+// area acos c - c sqrt(1 - c^2).
+double open_share(double distance_m) {
+  const double c = distance_m / kRadius_m;
+  if (c >= 1) return 1;
+  return 1 - (std::acos(c) - c * std::sqrt(1 - c * c)) / glm::pi<double>();
+}
+
+TEST(AmbientOcclusionTest, AFloorBesideAWallIsDarkenedByTheSegmentOfTheDisc) {
+  const Scene scene = floor_beside_wall();
+  const double eye_height_m = 1.5;
+  // 128 columns over 0.7 m beside the wall, 32 rows along it: the mean of a column takes 2048 rays,
+  // stratified over 64 per hit. Its deviation is below sqrt(0.25 / 2048) = 0.011 were they independent; the
+  // radii's strata make it less than half of that.
+  const DisplayProfile profile = [&] {
+    DisplayProfile p;
+    p.name = "beside the wall";
+    const double right_deg = std::atan2(0.7, eye_height_m) * kDegreesPerRadian;
+    p.viewports = {test::viewport_deg(Eye::left, 128, 32, 0.01, right_deg, -8, 8)};
+    return p;
+  }();
+  const RenderedFrame frame =
+      test::render(scene, profile, settings_with(64), test::looking_down({0.001, eye_height_m, 0}));
+  const double unoccluded = (0.5 + 0.04) * kAmbient;  // diffuse and F0
+  double worst = 0;
+  int columns = 0;
+  for (int x = 2; x < 128; ++x) {
+    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, 16);
+    const double distance = 0.001 + eye_height_m * d.x / -d.z;
+    double sum = 0;
+    for (int y = 0; y < 32; ++y) sum += test::pixel_at(frame.viewports[0], x, y)[0];
+    const double measured = sum / 32 / unoccluded;
+    worst = std::max(worst, std::abs(measured - open_share(distance)));
+    ASSERT_NEAR(measured, open_share(distance), 0.01) << "at " << distance << " m";
+    ++columns;
+  }
+  std::cout << "worst error of " << columns << " columns: " << worst << "\n";
+  EXPECT_EQ(frame.counters.rays[RayKind::occlusion], 64 * 128 * 32);
+}
+
+TEST(AmbientOcclusionTest, AnOpenFloorStaysAsItIsBitForBit) {
+  Scene scene;
+  test::add(scene, test::floor_quad(20), test::matte(glm::vec3{0.5f}));
+  scene.ambient = glm::vec3{0.7f};
+  const DisplayProfile profile = test::small_profile();
+  test::expect_same_bits(test::render(scene, profile, settings_with(4), test::looking_down({0, 2, 0})),
+                         test::render(scene, profile, settings_with(0), test::looking_down({0, 2, 0})));
+}
+
+TEST(AmbientOcclusionTest, DirectLightIsNotOccluded) {
+  Scene scene = floor_beside_wall();
+  scene.lights = {test::light_at({0.5, 3, 0}, glm::vec3{2.0f})};
+  const DisplayProfile profile = test::single_view(32, 32, 10, 10);
+  const auto lit = [&](float ambient, int rays) {
+    scene.ambient = glm::vec3{ambient};
+    return test::render(scene, profile, settings_with(rays), test::looking_down({0.3, 1, 0}));
+  };
+  // A trace of ambient light so that the rays are traced at all: 1e-7 is nothing beside the light in half
+  // precision.
+  const RenderedFrame with = lit(1e-7f, 4), without = lit(1e-7f, 0);
+  EXPECT_GT(with.counters.rays[RayKind::occlusion], 0);
+  test::expect_same_bits(with, without);
+}
+
+TEST(AmbientOcclusionTest, WithoutIndirectLightNoRayIsTraced) {
+  Scene scene = floor_beside_wall();
+  scene.ambient = glm::vec3{0.0f};
+  const RenderedFrame frame =
+      test::render(scene, test::small_profile(), settings_with(4), test::looking_down({0.3, 1, 0}));
+  EXPECT_EQ(frame.counters.rays[RayKind::occlusion], 0);
+  EXPECT_EQ(frame.times[Stage::occlusion], 0.0);
+}
+
+TEST(AmbientOcclusionTest, AVirtualObjectDarkensTheFeedOnACatcherAndARealWallDoesNot) {
+  // A catcher floor, half a metre of virtual box on it, and a real wall elsewhere. Next to the box the feed
+  // is multiplied by less than 1; next to the real wall, which the feed shows already, by exactly 1.
+  Scene scene;
+  test::add(scene, test::floor_quad(20), test::matte(glm::vec3{0.5f}), true);
+  test::add(scene, test::quad({-2, 0, 20}, {0, 0, -40}, {0, 5, 0}), test::matte(glm::vec3{0.5f}), true);
+  test::add(scene, test::box({0, 0, -1}, {0.5f, 0.5f, 1}), test::matte(glm::vec3{0.5f}));
+  scene.ambient = glm::vec3{1.0f};
+  FrameSample sample = test::looking_down({-0.75, 3, 0});
+  const auto camera = test::TestCamera::pinhole(64, 64, 60, [](int, int) {
+    return std::array<std::uint16_t, 4>{0x3800, 0x3800, 0x3800, 0x3c00};  // 0.5
+  });
+  camera.attach_to(sample);
+  const DisplayProfile profile = test::single_view(256, 16, 25, 2);
+  const RenderedFrame frame = test::render(scene, profile, settings_with(16), sample);
+  int beside_box = 0, beside_wall = 0;
+  test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
+    const double floor_x = -0.75 + 3 * d.x / -d.z;
+    if (floor_x > -0.1 && floor_x < -0.02) {
+      ++beside_box;
+      ASSERT_LT(pixel[0], 0.47)
+          << floor_x;  // at 0.1 m of 0.5 m: 1 - 0.37 = 0.63 of the feed at most, noise aside
+    }
+    if (floor_x > -1.98 && floor_x < -1.0) {
+      ++beside_wall;
+      ASSERT_EQ(pixel[0], 0.5) << floor_x;
+    }
+  });
+  EXPECT_GT(beside_box, 100);
+  EXPECT_GT(beside_wall, 1000);
+  EXPECT_GT(frame.counters.rays[RayKind::catcher_occlusion], 0);
+}
+
+}  // namespace
+}  // namespace herr

@@ -1,0 +1,214 @@
+// Soft shadows of a straight edge under a large light, against the light's visible share in double; and light
+// samples that are spent only where they disagree.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "renderer/lighting/light_records.h"
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+constexpr double kLightHeight_m = 2.0, kEdgeHeight_m = 1.0, kEyeHeight_m = 0.9;
+
+// The floor y = 0 under a screen at y = 1 that covers x < 0, and a light at y = 2; the eye lies below the
+// screen.
+Scene edge_scene(const glm::vec3& light_size) {
+  Scene scene;
+  Material dull = test::matte(glm::vec3{0.8f});
+  test::add(scene, test::floor_quad(50), dull);
+  test::add(scene, test::quad({-50, kEdgeHeight_m, 50}, {50, 0, 0}, {0, 0, -100}), dull);
+  scene.lights = {test::light_at({0, kLightHeight_m, 0}, glm::vec3{10.0f}, light_size)};
+  return scene;
+}
+
+// Irradiance at (x, 0, z) by the midpoint rule over the light, of what the edge lets through or of all. Along
+// x the rule's cells are cut where the edge cuts them, so that visibility is exact.
+double irradiance(const AreaLight& light, double x, double z, bool behind_edge) {
+  constexpr int kCells = 48;
+  const glm::dvec3 size(light.size), lower = light.centre - 0.5 * size;
+  const int cells_y = size.y > 0 ? kCells : 1, cells_z = size.z > 0 ? kCells : 1;
+  double sum = 0;
+  for (int j = 0; j < cells_y; ++j) {
+    const double y = lower.y + size.y * (j + 0.5) / cells_y;
+    // A point of the light at height y is seen where x + (lx - x) edge / y > 0.
+    const double first_seen = behind_edge ? x * (1 - y / kEdgeHeight_m) : -1e9;
+    for (int k = 0; k < cells_z; ++k) {
+      const double lz = lower.z + size.z * (k + 0.5) / cells_z;
+      for (int i = 0; i < kCells; ++i) {
+        const double from = std::max(lower.x + size.x * i / kCells, first_seen);
+        const double to = lower.x + size.x * (i + 1) / kCells;
+        if (to <= from) continue;
+        const glm::dvec3 way = glm::dvec3{0.5 * (from + to), y, lz} - glm::dvec3{x, 0, z};
+        const double d2 = glm::dot(way, way);
+        sum += (to - from) / size.x * way.y / (d2 * std::sqrt(d2));
+      }
+    }
+  }
+  return sum / (cells_y * cells_z);
+}
+
+// Mean absolute error of the visible share over the penumbra, for N samples.
+double penumbra_error(const glm::vec3& light_size, int samples, int first_samples = 0,
+                      FrameCounters* counters = nullptr) {
+  const Scene scene = edge_scene(light_size);
+  // 0.6 m to both sides of the edge's projection: the penumbra of a light of 1 m reaches 0.5 m.
+  const DisplayProfile profile = [] {
+    DisplayProfile p;
+    p.name = "penumbra";
+    const double half_deg = std::atan2(0.6, kEyeHeight_m) * kDegreesPerRadian;
+    p.viewports = {test::viewport_deg(Eye::left, 96, 24, -half_deg, half_deg, -5, 5)};
+    return p;
+  }();
+  RenderSettings settings = test::planar_settings();
+  settings.light_samples = samples;
+  settings.first_light_samples = first_samples;
+  const RenderedFrame frame =
+      test::render(scene, profile, settings, test::looking_down({0, kEyeHeight_m, 0}));
+  Scene open = scene;
+  open.instances.pop_back();
+  const RenderedFrame unshadowed =
+      test::render(open, profile, settings, test::looking_down({0, kEyeHeight_m, 0}));
+  if (counters) *counters = frame.counters;
+  double sum = 0;
+  int count = 0;
+  test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
+    const double floor_x = kEyeHeight_m * d.x / -d.z, floor_z = -kEyeHeight_m * d.y / -d.z;
+    const double exact = irradiance(scene.lights[0], floor_x, floor_z, true) /
+                         irradiance(scene.lights[0], floor_x, floor_z, false);
+    sum += std::abs(pixel[0] / test::pixel_at(unshadowed.viewports[0], x, y)[0] - exact);
+    ++count;
+  });
+  return sum / count;
+}
+
+// Slope of a straight line through (log n, log error) by least squares.
+double slope(const std::vector<double>& n, const std::vector<double>& error) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const auto count = static_cast<double>(n.size());
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    const double x = std::log(n[i]), y = std::log(error[i]);
+    sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+TEST(PenumbraTest, AFlatLightsEdgeIsRightToAHundredthAndItsErrorFallsWithThreeQuarters) {
+  // n x n strata: the edge crosses n of them, each a coin of deviation 1/2 at most, so the share's deviation
+  // is sqrt(n) / 2 / n^2 = N^(-3/4) / 2; independent samples would give N^(-1/2).
+  std::vector<double> n, error;
+  for (const int samples : {4, 16, 64, 256}) {
+    n.push_back(samples);
+    error.push_back(penumbra_error({1, 0, 1}, samples));
+    std::cout << samples << " samples: mean error " << error.back() << "\n";
+  }
+  EXPECT_LE(error.back(), 0.01);
+  std::cout << "slope " << slope(n, error) << "\n";
+  EXPECT_LE(slope(n, error), -0.70);
+}
+
+TEST(PenumbraTest, ABoxLightsErrorFallsWithTwoThirds) {
+  // n^3 strata: the edge's plane crosses about n^2 of them, so the deviation is n / 2 / n^3 = N^(-2/3) / 2.
+  std::vector<double> n, error;
+  for (const int samples : {8, 64, 512}) {
+    n.push_back(samples);
+    error.push_back(penumbra_error({1, 0.6f, 1}, samples));
+    std::cout << samples << " samples: mean error " << error.back() << "\n";
+  }
+  std::cout << "slope " << slope(n, error) << "\n";
+  EXPECT_LE(slope(n, error), -0.62);
+  EXPECT_LE(penumbra_error({1, 0.6f, 1}, 256), 0.01);
+}
+
+TEST(AdaptiveLightTest, APenumbraKeepsItsErrorAndTheRestOfTheFloorTracesFewerRays) {
+  FrameCounters all, adaptive;
+  const double error_all = penumbra_error({0.3f, 0, 0.3f}, 64, 0, &all);
+  const double error_adaptive = penumbra_error({0.3f, 0, 0.3f}, 64, 8, &adaptive);
+  const double saved =
+      static_cast<double>(all.rays[RayKind::shadow]) / static_cast<double>(adaptive.rays[RayKind::shadow]);
+  std::cout << "mean error " << error_all << " and " << error_adaptive << " with " << saved
+            << " times fewer rays\n";
+  // The penumbra of a light of 0.3 m is 0.3 m of 1.2 m wide: 8 rays in three quarters, 64 in the rest and in
+  // the blocks around it, is 64 / (0.25 * 64 + 0.75 * 8) = 2.9 less the blocks.
+  EXPECT_GT(saved, 2.0);
+  EXPECT_LE(error_adaptive, error_all + 1e-3);
+}
+
+TEST(AdaptiveLightTest, AsManyFirstSamplesAsThereAreIsTheSamePicture) {
+  const Scene scene = edge_scene({1, 0, 1});
+  RenderSettings settings = test::small_settings();
+  settings.light_samples = 16;
+  const RenderedFrame plain =
+      test::render(scene, test::small_profile(), settings, test::looking_down({0, 0.9, 0}));
+  settings.first_light_samples = 16;
+  test::expect_same_bits(
+      plain, test::render(scene, test::small_profile(), settings, test::looking_down({0, 0.9, 0})));
+}
+
+TEST(AdaptiveLightTest, WithoutAnythingInTheWayThePictureIsTheSameBitForBit) {
+  Scene scene;
+  test::add(scene, test::floor_quad(10), test::matte(glm::vec3{0.5f}));
+  scene.lights = {test::light_at({0.2, 2, 0.1}, glm::vec3{4.0f}, {1, 0.5f, 1})};
+  RenderSettings settings = test::small_settings();
+  settings.light_samples = 64;
+  const RenderedFrame plain =
+      test::render(scene, test::small_profile(), settings, test::looking_down({0, 1, 0}));
+  settings.first_light_samples = 4;
+  const RenderedFrame adaptive =
+      test::render(scene, test::small_profile(), settings, test::looking_down({0, 1, 0}));
+  test::expect_same_bits(plain, adaptive);
+  EXPECT_EQ(plain.counters.rays[RayKind::shadow], 16 * adaptive.counters.rays[RayKind::shadow]);
+}
+
+TEST(AdaptiveLightTest, AnyFewFirstStrataLieFarApart) {
+  // 8 of 8 x 8 strata: at most two in any row or column.
+  const int stride = spreading_stride(64);
+  std::array<int, 8> rows{}, columns{};
+  for (int s = 0; s < 8; ++s) {
+    ++columns[static_cast<std::size_t>(s * stride % 64 % 8)];
+    ++rows[static_cast<std::size_t>(s * stride % 64 / 8)];
+  }
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_LE(rows[static_cast<std::size_t>(i)], 2) << i;
+    EXPECT_LE(columns[static_cast<std::size_t>(i)], 2) << i;
+  }
+  // A permutation for every count.
+  for (int samples = 1; samples <= 300; ++samples) {
+    std::vector<int> seen(static_cast<std::size_t>(samples));
+    for (int s = 0; s < samples; ++s)
+      ++seen[static_cast<std::size_t>(s * spreading_stride(samples) % samples)];
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), samples);
+  }
+}
+
+TEST(LightSamplesTest, MayChangeFromFrameToFrame) {
+  const Scene scene = edge_scene({1, 0, 1});
+  const RenderSettings settings = test::small_settings();
+  Renderer renderer(scene, test::small_profile(), settings, false);
+  SceneState state;
+  scene_state_at(scene, 0, state);
+  RenderedFrame frame;
+  const FrameSample sample = test::looking_down({0, 0.9, 0});
+  renderer.render_frame(sample, state, {16}, frame);
+  const std::int64_t soft = frame.counters.rays[RayKind::shadow];
+  renderer.render_frame(sample, state, {1}, frame);
+  // Samples of one hit face the light or not one by one, the floor and the screen's underside alike: 16 times
+  // within a few per cent.
+  EXPECT_NEAR(static_cast<double>(soft) / static_cast<double>(frame.counters.rays[RayKind::shadow]), 16, 1);
+  RenderSettings sixteen = settings;
+  sixteen.light_samples = 16;
+  renderer.render_frame(sample, state, {16}, frame);
+  test::expect_same_bits(frame, test::render(scene, test::small_profile(), sixteen, sample));
+  EXPECT_THROW(renderer.render_frame(sample, state, {0}, frame), std::invalid_argument);
+  EXPECT_THROW(renderer.render_frame(sample, state, {4097}, frame), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace herr
