@@ -51,7 +51,6 @@ struct alignas(64) HitBatch {
   Lane<float> real;           // 1 on a catcher that is seen as an object
   Lane<std::int32_t> kind;    // HitKind
   Lane<std::uint32_t> key;    // random numbers: frame, eye and sample
-  Lane<std::uint8_t> block;   // which 4x4 block of the tile the sample lies in
   // Objects: radiance by direct light. Catchers: irradiance with all objects in place.
   Lane<float> lr, lg, lb;
   // Catchers: irradiance without the virtual objects.
@@ -60,6 +59,8 @@ struct alignas(64) HitBatch {
   Lane<float> open, open_without;
   // Catchers: reflection of virtual objects, added to the feed.
   Lane<float> sr, sg, sb;
+  // Which 4x4 block of the tile the sample lies in. Last: bytes would leave the lanes behind them unaligned.
+  Lane<std::uint8_t> block;
 };
 
 // Rays that wait to be traced, dense, and which hit of the batch each belongs to.
