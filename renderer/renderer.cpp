@@ -88,6 +88,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   const auto workers = static_cast<std::size_t>(threads.count());
   for (std::size_t w = 0; w < workers; ++w) {
     tile_scratch.push_back(std::make_unique<TileScratch>());
+    if (settings.first_light_samples > 0) tile_scratch.back()->adaptive = std::make_unique<AdaptiveLight>();
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
   counters.resize(workers);

@@ -3,6 +3,7 @@
 // instance.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct InstanceRecord {
   bool catcher = false;
 };
 
+inline constexpr int kMostOrderedSamples = 256;
+
 struct LightRecord {
   LightKind kind = LightKind::box;
   float centre[3] = {};
@@ -51,8 +54,10 @@ struct LightRecord {
   float reach = 0;                        // of a sun: metres that leave the scene from anywhere in it
   std::uint32_t key = 0;                  // random numbers: which light
   int samples = 1;                        // the product of the strata
-  int stride = 1;             // sample s lies in stratum s * stride mod samples: the first few spread out
-  int strata[3] = {1, 1, 1};  // per axis
+  int strata[3] = {1, 1, 1};              // per axis
+  // Which stratum each sample takes, and its inverse; in use where samples <= kMostOrderedSamples. A sample
+  // comes after those strata around it that lie on a coarser lattice.
+  std::array<std::uint16_t, kMostOrderedSamples> stratum_of{}, sample_of{};
 };
 
 }  // namespace herr

@@ -17,21 +17,41 @@ std::array<int, 3> strata_for(const glm::vec3& size, int samples) {
       if (samples / nx % ny != 0 || (ny > 1 && !(size.y > 0))) continue;
       const int nz = samples / nx / ny;
       if (nz > 1 && !(size.z > 0)) continue;
-      // The longest edge of a stratum: the smaller, the more even the samples.
-      const double longest = std::max({static_cast<double>(size.x) / nx, static_cast<double>(size.y) / ny,
-                                       static_cast<double>(size.z) / nz});
-      if (longest < best_misfit) best_misfit = longest, best = {nx, ny, nz};
+      // The diagonal of a stratum: the smaller, the more even the samples.
+      const double x = static_cast<double>(size.x) / nx, y = static_cast<double>(size.y) / ny,
+                   z = static_cast<double>(size.z) / nz;
+      const double misfit = x * x + y * y + z * z;
+      if (misfit < best_misfit * (1 - 1e-12)) best_misfit = misfit, best = {nx, ny, nz};
     }
   }
   return best;
 }
 
-int spreading_stride(int samples) {
+int spreading_stride(int n) {
   // Near the golden ratio of the count, and without a common factor:
   // consecutive samples lie far apart.
-  int stride = std::max(1, static_cast<int>(std::lround(0.6180339887 * samples)));
-  while (std::gcd(stride, samples) != 1) ++stride;
+  int stride = std::max(1, static_cast<int>(std::lround(0.6180339887 * n)));
+  while (std::gcd(stride, n) != 1) ++stride;
   return stride;
+}
+
+void order_strata(LightRecord& light) {
+  // Strata by the parity of their coordinates x, y, z: even ones first, a lattice of every other stratum,
+  // then those between four or eight of the lattice, then the rest. Within a class the golden ratio spreads
+  // them out.
+  constexpr std::array<int, 8> kClasses{0b000, 0b111, 0b011, 0b101, 0b110, 0b001, 0b010, 0b100};
+  const int stride = spreading_stride(light.samples);
+  const int nx = light.strata[0], ny = light.strata[1];
+  std::size_t sample = 0;
+  for (const int parity : kClasses) {
+    for (int i = 0; i < light.samples; ++i) {
+      const int stratum = i * stride % light.samples;
+      const int x = stratum % nx, y = stratum / nx % ny, z = stratum / (nx * ny);
+      if (((x & 1) | (y & 1) << 1 | (z & 1) << 2) != parity) continue;
+      light.sample_of[static_cast<std::size_t>(stratum)] = static_cast<std::uint16_t>(sample);
+      light.stratum_of[sample++] = static_cast<std::uint16_t>(stratum);
+    }
+  }
 }
 
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples, double reach_m,
@@ -64,9 +84,9 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     // All samples of a light without extent would be the same.
     const bool extended = light.size.x > 0 || light.size.y > 0 || light.size.z > 0;
     record.samples = extended ? samples : 1;
-    record.stride = spreading_stride(record.samples);
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
+    if (record.samples <= kMostOrderedSamples) order_strata(record);
     record.key = static_cast<std::uint32_t>(&light - lights.data())
                  << 20;  // 3 numbers for each of 4096 samples
     out.push_back(record);

@@ -17,9 +17,11 @@ namespace herr {
 // is a point).
 std::array<int, 3> strata_for(const glm::vec3& size, int samples);
 
-// s * spreading_stride(samples) mod samples visits every sample once, and any
-// few in a row lie far apart.
-int spreading_stride(int samples);
+// i * spreading_stride(n) mod n visits each of n numbers once, and any few in a row lie far apart.
+int spreading_stride(int n);
+
+// Fills stratum_of and sample_of of a light of at most kMostOrderedSamples samples.
+void order_strata(LightRecord& light);
 
 // Fills `out` (its storage is kept) with the lights that shine, relative to
 // `anchor`. `reach_m`: a distance that leaves the scene from any place in it.

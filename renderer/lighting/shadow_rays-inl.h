@@ -19,6 +19,11 @@ HWY_INLINE MF of_kind(const HitBatch& hits, int slot, HitKind kind) {
                         hn::Eq(hn::Load(kI, &hits.kind[slot]), hn::Set(kI, static_cast<std::int32_t>(kind))));
 }
 
+// The stratum of light sample `s`: x + nx (y + ny z).
+HWY_INLINE int stratum_of(const LightRecord& light, int s) {
+  return light.samples <= kMostOrderedSamples ? light.stratum_of[static_cast<std::size_t>(s)] : s;
+}
+
 // The way from each hit to the point that light sample `s` of it aims at, not
 // normalised: to the centre of the light, or to a jittered place in one
 // stratum. A sun's lies outside the scene.
@@ -30,7 +35,7 @@ HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits
   if (light.samples == 1) return sub(set3(light.centre), p);
   const VU key = hn::Load(kU, &hits.key[slot]);
   const int nx = light.strata[0], ny = light.strata[1];
-  const int stratum = static_cast<int>(static_cast<std::int64_t>(s) * light.stride % light.samples);
+  const int stratum = stratum_of(light, s);
   const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
   VF point[3];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
@@ -72,6 +77,15 @@ HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI 
   put(direction.z, queue.dz);
   hn::StoreU(hn::Compress(hit, hn::RebindMask(kI, lanes)), kI, queue.hit.data() + at);
   queue.count += static_cast<int>(hn::CountTrue(kF, lanes));
+}
+
+// Appends the shadow rays of `lanes`, from the hits' ray origins to where `to_light` leads.
+HWY_INLINE void push_shadow_rays(RayQueue& queue, const HitBatch& hits, int slot, const V3& to_light,
+                                 MF lanes) {
+  if (hn::AllFalse(kF, lanes)) return;
+  const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+  const V3 direction = mul_add(hn::Neg(load(&hits.offset[slot])), g, to_light);
+  push(queue, ray_origin(hits, slot), direction, hn::Add(hn::Iota(kI, 0), hn::Set(kI, slot)), lanes);
 }
 
 // Appends ray `i` of another queue.

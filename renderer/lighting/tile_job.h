@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "renderer/foveation/ray_grids.h"
@@ -70,10 +71,15 @@ struct alignas(64) RayQueue {
   int count = 0;
 };
 
-// What the first strata of a light say about each hit, where samples are adaptive.
-struct AdaptiveLight {
-  Lane<float> faced, seen, seen_without;          // numbers of samples
-  Lane<float> agreed, agreed_without, undecided;  // 0 or 1
+// What is known of a light at each hit while its samples are adaptive. Half a megabyte: only where asked for.
+struct alignas(64) AdaptiveLight {
+  Lane<float> faced, seen, seen_without;  // numbers of the first samples
+  Lane<float> undecided, asks;  // 1: needs more than the first samples; needs a ray for the one in work
+  Lane<float> paired;           // 1: may share its first samples with its neighbour
+  Lane<float> agreed, agreed_without;  // what is taken where no ray is needed: 0 or 1
+  // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
+  std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
+  Lane<std::uint8_t> sum, sum_without;  // of neighbouring samples seen
 };
 
 struct alignas(64) TileScratch {
@@ -81,11 +87,12 @@ struct alignas(64) TileScratch {
   std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
   alignas(64) std::array<std::array<std::int32_t, kMaxLanes>, kTileRays / 4> packet_valid;
   HitBatch first, second;
-  RayQueue queue, blocked, onward;       // onward: rays that leave a transparent surface
-  Lane<float> visible, visible_without;  // of the light sample in work, per hit
-  AdaptiveLight adaptive;
+  RayQueue queue, blocked, onward;           // onward: rays that leave a transparent surface
+  Lane<float> visible, visible_without;      // of the light sample in work, per hit
   Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
   Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
+  std::unique_ptr<AdaptiveLight>
+      adaptive;  // where light samples are adaptive; after the lanes, which it would shift
 };
 
 // Counts of one worker; added up after the frame.

@@ -1,0 +1,229 @@
+// Light samples spent only where they matter. The first few are traced for every hit, the others only in 4x4
+// blocks whose first samples disagree (refinement where samples differ: Mitchell 1987). There, samples run
+// from a coarse lattice of strata to the finer ones, and a stratum whose neighbours all agree is not asked:
+// only those along the edge of what hides the light are.
+#if defined(HERR_ADAPTIVE_LIGHT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_ADAPTIVE_LIGHT_INL
+#undef HERR_ADAPTIVE_LIGHT_INL
+#else
+#define HERR_ADAPTIVE_LIGHT_INL
+#endif
+
+#include <algorithm>
+#include <array>
+
+#include "renderer/lighting/light_samples-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// The samples before `s` whose strata touch that of sample `s`, by a face, an edge or a corner.
+struct KnownNeighbours {
+  std::array<std::uint16_t, 26> sample;
+  int count = 0;
+};
+HWY_INLINE KnownNeighbours known_neighbours(const LightRecord& light, int s) {
+  const int nx = light.strata[0], ny = light.strata[1], nz = light.strata[2];
+  const int stratum = stratum_of(light, s);
+  const int x = stratum % nx, y = stratum / nx % ny, z = stratum / (nx * ny);
+  KnownNeighbours known;
+  for (int dz = -1; dz <= 1; ++dz) {
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int ox = x + dx, oy = y + dy, oz = z + dz;
+        if (ox < 0 || oy < 0 || oz < 0 || ox >= nx || oy >= ny || oz >= nz) continue;
+        const std::uint16_t other = light.sample_of[static_cast<std::size_t>(ox + nx * (oy + ny * oz))];
+        if (other < s) known.sample[static_cast<std::size_t>(known.count++)] = other;
+      }
+    }
+  }
+  return known;
+}
+
+// Fills `sum` with how many of the neighbours each hit sees.
+HWY_INLINE void sum_seen(const std::array<Lane<std::uint8_t>, kMostOrderedSamples>& saw,
+                         const KnownNeighbours& known, int count, Lane<std::uint8_t>& sum) {
+  const hn::CappedTag<std::uint8_t, kMaxLanes> bytes;  // lanes have room for this many beyond the last hit
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += hn::Lanes(bytes)) {
+    auto total = hn::Zero(bytes);
+    for (int n = 0; n < known.count; ++n) {
+      const std::size_t sample = known.sample[static_cast<std::size_t>(n)];
+      total = hn::Add(total, hn::LoadU(bytes, saw[sample].data() + i));
+    }
+    hn::StoreU(total, bytes, sum.data() + i);
+  }
+}
+
+// Foretells sample `s` of undecided hits where all the strata around it that are known agree: the edge of
+// what hides the light does not pass there. Takes three of them at least. Elsewhere undecided hits ask.
+HWY_INLINE void foretell(const TileJob& job, const LightRecord& light, int s, int count) {
+  AdaptiveLight& adaptive = *job.scratch->adaptive;
+  const bool catchers = job.shading->plan->catchers_occlude;
+  const KnownNeighbours known = known_neighbours(light, s);
+  Lane<std::uint8_t>&sum = adaptive.sum, &sum_without = adaptive.sum_without;
+  sum_seen(adaptive.saw, known, count, sum);
+  if (catchers) sum_seen(adaptive.saw_without, known, count, sum_without);
+  const auto same = [&](std::uint8_t seen) { return seen == 0 || seen == known.count; };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    adaptive.asks[i] = 0.0f;
+    if (adaptive.undecided[i] == 0) continue;
+    const bool foretold = known.count >= 3 && same(sum[i]) && (!catchers || same(sum_without[i]));
+    adaptive.asks[i] = foretold ? 0.0f : 1.0f;
+    adaptive.agreed[i] = sum[i] != 0 ? 1.0f : 0.0f;
+    adaptive.agreed_without[i] = !catchers || sum_without[i] != 0 ? 1.0f : 0.0f;
+  }
+}
+
+// Lanes 2k and 2k + 1 exchanged: neighbouring columns of a 4x4 block.
+HWY_INLINE VF swap_pairs(VF v) {
+  return hn::Shuffle2301(v);
+}
+HWY_INLINE MF swap_pairs(MF m) {
+  return hn::MaskFromVec(hn::Shuffle2301(hn::VecFromMask(kF, m)));
+}
+
+// Hits that may share their first samples: the same kind of surface, turned alike, in one plane.
+HWY_INLINE void find_pairs(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
+    const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+    const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
+    const V3 other_n{swap_pairs(n.x), swap_pairs(n.y), swap_pairs(n.z)};
+    const V3 gap = sub(V3{swap_pairs(p.x), swap_pairs(p.y), swap_pairs(p.z)}, p);
+    const VF kind = hn::ConvertTo(kF, hn::Load(kI, &hits.kind[slot]));
+    const MF alike = hn::And(hn::Eq(kind, swap_pairs(kind)), hn::Gt(dot(n, other_n), set(0.95f)));
+    const VF height = dot(gap, g);
+    const MF level = hn::Le(hn::Mul(height, height), hn::Mul(set(0.01f), dot(gap, gap)));
+    hn::Store(hn::IfThenElseZero(hn::And(alike, hn::And(level, swap_pairs(level))), set(1.0f)), kF,
+              &adaptive.paired[slot]);
+  }
+}
+
+// Hits that take first sample `s` from their neighbour's ray: even ones the odd samples, odd ones the even
+// samples.
+HWY_INLINE MF borrows(const AdaptiveLight& adaptive, int s, int slot, MF lit) {
+  const VI odd = hn::And(hn::Iota(kI, 0), hn::Set(kI, 1));
+  const MF not_mine = hn::RebindMask(kF, hn::Ne(odd, hn::Set(kI, s & 1)));
+  const MF paired = hn::Gt(load(&adaptive.paired[slot]), hn::Zero(kF));
+  return hn::And(hn::And(lit, swap_pairs(lit)), hn::And(paired, not_mine));
+}
+
+// Finds what hits see of one of the first samples: by a ray, or from the ray of the neighbour.
+HWY_INLINE void first_visibility(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
+                                 int count, RayKind kind) {
+  TileScratch& scratch = *job.scratch;
+  const AdaptiveLight& adaptive = *scratch.adaptive;
+  scratch.queue.count = 0;
+  for (int slot = 0; slot < count; slot += kLanes) {
+    hn::Store(set(1.0f), kF, &scratch.visible[slot]);
+    hn::Store(set(1.0f), kF, &scratch.visible_without[slot]);
+    const V3 to_light = way_to_light(light, s, hits, slot);
+    const MF lit = facing(hits, slot, to_light);
+    push_shadow_rays(scratch.queue, hits, slot, to_light, hn::AndNot(borrows(adaptive, s, slot, lit), lit));
+  }
+  find_visibility(job, hits, kind);
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
+    const MF borrowed = borrows(adaptive, s, slot, lit);
+    const VF visible = load(&scratch.visible[slot]), without = load(&scratch.visible_without[slot]);
+    hn::Store(hn::IfThenElse(borrowed, swap_pairs(visible), visible), kF, &scratch.visible[slot]);
+    hn::Store(hn::IfThenElse(borrowed, swap_pairs(without), without), kF, &scratch.visible_without[slot]);
+  }
+}
+
+// Finds what hits see of a later sample: by a ray where a hit asks, else by what was decided or foretold.
+HWY_INLINE void later_visibility(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
+                                 int count, RayKind kind) {
+  TileScratch& scratch = *job.scratch;
+  const AdaptiveLight& adaptive = *scratch.adaptive;
+  scratch.queue.count = 0;
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const MF asks = hn::Gt(load(&adaptive.asks[slot]), hn::Zero(kF));
+    const VF one = set(1.0f);
+    hn::Store(hn::IfThenElse(asks, one, load(&adaptive.agreed[slot])), kF, &scratch.visible[slot]);
+    hn::Store(hn::IfThenElse(asks, one, load(&adaptive.agreed_without[slot])), kF,
+              &scratch.visible_without[slot]);
+    if (hn::AllFalse(kF, asks)) continue;
+    const V3 to_light = way_to_light(light, s, hits, slot);
+    push_shadow_rays(scratch.queue, hits, slot, to_light, hn::And(asks, facing(hits, slot, to_light)));
+  }
+  find_visibility(job, hits, kind);
+}
+
+// Writes down what each hit saw of sample `s`.
+HWY_INLINE void note_seen(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
+                          int count) {
+  TileScratch& scratch = *job.scratch;
+  std::uint8_t* saw = scratch.adaptive->saw[static_cast<std::size_t>(s)].data();
+  std::uint8_t* saw_without = scratch.adaptive->saw_without[static_cast<std::size_t>(s)].data();
+  const hn::Rebind<std::uint8_t, I> bytes;
+  const auto put = [&](VF share, std::uint8_t* to)
+                       HWY_ATTR { hn::StoreU(hn::DemoteTo(bytes, hn::ConvertTo(kI, share)), bytes, to); };
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
+    put(hn::IfThenElseZero(lit, load(&scratch.visible[slot])), saw + slot);
+    put(hn::IfThenElseZero(lit, load(&scratch.visible_without[slot])), saw_without + slot);
+  }
+}
+
+// Adds up how many of the samples so far a hit faces and sees.
+HWY_INLINE void count_seen(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
+                           int slot) {
+  TileScratch& scratch = *job.scratch;
+  const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
+  add_to(scratch.adaptive->faced, slot, hn::IfThenElseZero(lit, set(1.0f)));
+  add_to(scratch.adaptive->seen, slot, hn::IfThenElseZero(lit, load(&scratch.visible[slot])));
+  add_to(scratch.adaptive->seen_without, slot, hn::IfThenElseZero(lit, load(&scratch.visible_without[slot])));
+}
+
+// Decides for each hit, from the first samples, whether it sees all of the light, nothing of it, or must ask
+// on: where samples within its 4x4 block disagree. Blocks are the same on every instruction set, and so is
+// the decision.
+HWY_INLINE void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
+  enum : std::uint8_t { kDark = 1, kBright = 2, kMixed = kDark | kBright };
+  std::array<std::uint8_t, kBlocksInTile> with{}, without{};
+  const auto state = [](float seen, float faced) -> std::uint8_t {
+    if (faced == 0) return 0;
+    return seen == 0 ? kDark : seen == faced ? kBright : kMixed;
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    with[hits.block[i]] |= state(adaptive.seen[i], adaptive.faced[i]);
+    without[hits.block[i]] |= state(adaptive.seen_without[i], adaptive.faced[i]);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    const bool mixed = with[hits.block[i]] == kMixed || without[hits.block[i]] == kMixed;
+    adaptive.undecided[i] = mixed ? 1.0f : 0.0f;
+    adaptive.agreed[i] = adaptive.seen[i] > 0 ? 1.0f : 0.0f;
+    adaptive.agreed_without[i] = adaptive.seen_without[i] > 0 ? 1.0f : 0.0f;
+  }
+}
+
+// One light at hits [0, count) of a batch. `first` samples are traced for every hit.
+template <bool kSpecular>
+HWY_INLINE void adaptive_light(const TileJob& job, const LightRecord& light, int first, HitBatch& hits,
+                               int count, RayKind kind) {
+  AdaptiveLight& adaptive = *job.scratch->adaptive;
+  for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
+  find_pairs(hits, count, adaptive);
+  for (int s = 0; s < light.samples; ++s) {
+    if (s < first) {
+      first_visibility(job, light, s, hits, count, kind);
+    } else {
+      if (s == first) decide(hits, count, adaptive);
+      foretell(job, light, s, count);
+      later_visibility(job, light, s, hits, count, kind);
+    }
+    note_seen(job, light, s, hits, count);
+    for (int slot = 0; slot < count; slot += kLanes) {
+      if (s < first) count_seen(job, light, s, hits, slot);
+      add_sample<kSpecular>(job, light, s, hits, slot);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif
