@@ -53,9 +53,9 @@ class RawSide {
     all_pixels_ = counters.viewport_pixels;
   }
 
-  // Milliseconds that all rays of kind k take bare, scaled from those recorded:
-  // packed densely or as the frame packed them, whichever is faster (dense
-  // packets waste no lane, the frame's own keep blocks of neighbours together).
+  // Milliseconds that all rays of kind k take bare, scaled from those recorded: packed densely or as the
+  // frame packed them, whichever is faster (dense packets waste no lane, the frame's own keep blocks of
+  // neighbours together).
   double rays_ms(std::size_t k) {
     if (dense_[k].size() == 0) return 0;
     double ms = packets_ms(k, dense_[k]);
@@ -103,8 +103,7 @@ class RawSide {
   std::int64_t all_pixels_ = 0;
 };
 
-// Samples of one quantity: per frame the median over repeats, overall the
-// median over frames.
+// Samples of one quantity: per frame the median over repeats, overall the median over frames.
 struct Series {
   std::vector<double> of_frame, of_frames;
   void add(double x) { of_frame.push_back(x); }

@@ -38,8 +38,7 @@ Traits traits_of(const Scene& scene) {
       traits.catchers_may_occlude |= traits.catchers > 1 || !lies_flat(scene.meshes[instance.mesh]);
       continue;
     }
-    ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular
-                        // lobe
+    ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular lobe
     if (material.mirror > 0) ++traits.reflecting;
     if (material.transmission > 0) ++traits.transparent;
   }

@@ -10,8 +10,8 @@
 
 namespace herr {
 
-// Interfaces that light is followed through at most; the next surface is shown as if it were opaque. A solid object
-// has two, a hollow one four.
+// Interfaces that light is followed through at most; the next surface is shown as if it were opaque. A solid
+// object has two, a hollow one four.
 inline constexpr int kMostInterfaces = 8;
 
 struct PlanEntry {

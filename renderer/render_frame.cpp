@@ -1,7 +1,7 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
-// sample of the session -> acceleration structures follow the head -> lights ->
-// polar rays -> first hits, light rays, second rays (tile by tile) -> viewports
-// over the camera feed -> overlays. No I/O, no allocation, no lock.
+// sample of the session -> acceleration structures follow the head -> lights -> polar rays -> first hits,
+// light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
+// allocation, no lock.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -1,5 +1,4 @@
-// What the user can choose about a render; one struct, each field with its
-// default, unit and range.
+// What the user can choose about a render; one struct, each field with its default, unit and range.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +13,11 @@ enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 struct RenderSettings {
   Foveation foveation = Foveation::log_polar;  // off: one ray per viewport pixel, the reference
-  int polar_width = 788;                       // radial samples per eye, 1 ... 8192 (the paper's
-                                               // "1576x768" counts both eyes)
-  int polar_height = 768;                      // angular samples, even, 2 ... 8192
-  int light_samples = 1;  // per light and hit, 1 ... 4096; 1 = centre of the light, hard shadows
-  // Adaptive light samples: this many strata are traced for every hit, the
-  // others only where those disagree; 0: all strata everywhere.
+  int polar_width = 788;   // radial samples per eye, 1 ... 8192 (the paper's "1576x768" counts both eyes)
+  int polar_height = 768;  // angular samples, even, 2 ... 8192
+  int light_samples = 1;   // per light and hit, 1 ... 4096; 1 = centre of the light, hard shadows
+  // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
+  // 0: all strata everywhere.
   int first_light_samples = 0;
   int occlusion_rays = 0;           // short rays of ambient occlusion per first hit, 0 (off) ... 64
   double occlusion_radius_m = 0.3;  // how far they reach, 0.001 ... 1000
@@ -29,16 +27,14 @@ struct RenderSettings {
   bool camera = true;               // composite over the camera feed where the session has one
   bool gaze_marker = false;         // red circle around the gaze direction in every viewport
   bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
-  double feed_distance_m = 2.0;     // the camera feed is re-projected as if it lay
-                                    // on a sphere of this radius
+  double feed_distance_m = 2.0;     // the camera feed is re-projected as if it lay on a sphere of this radius
   int threads = 0;                  // 1 ... 512; 0 = all that this process may use
   Isa isa = Isa::best;              // instruction set of kernels and Embree
 };
 
 // "sse4", "avx2", "avx512". The one that runs: best resolved against this CPU.
 const char* name_of(Isa isa);
-// Resolves `best`; throws std::invalid_argument when this CPU lacks the one
-// asked for.
+// Resolves `best`; throws std::invalid_argument when this CPU lacks the one asked for.
 Isa resolve_isa(Isa asked);
 
 }  // namespace herr

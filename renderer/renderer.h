@@ -1,6 +1,5 @@
-// The renderer core: pose + gaze + camera + scene state -> four composited
-// viewports + stage times. No I/O here; the server hands in what it read and
-// writes what comes out.
+// The renderer core: pose + gaze + camera + scene state -> four composited viewports + stage times.
+// No I/O here; the server hands in what it read and writes what comes out.
 #pragma once
 
 #include <array>
@@ -26,8 +25,7 @@ struct RenderedFrame {
   std::vector<ViewportImage> viewports;  // in the order of DisplayProfile::viewports
   StageTimes times;
   FrameCounters counters;
-  std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to
-                                          // the farthest viewport border
+  std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
 };
 
 // What a frame leaves behind for the next one, beyond buffers that are filled anew: with it a replay goes on
@@ -58,7 +56,8 @@ class Renderer {
 
   // With the quality that the settings ask for, or one of this frame's own. `abandon` (may be null) is asked
   // before each tile and strip: once it is set the frame is given up, the answer is false and `out` is no
-  // picture. True: the frame is whole. Throws std::invalid_argument for a head pose or a quality out of range.
+  // picture. True: the frame is whole. Throws std::invalid_argument for a head pose or a quality out of
+  // range.
   bool render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
                     const std::atomic<bool>* abandon = nullptr);
   bool render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
@@ -70,12 +69,10 @@ class Renderer {
   RendererState state() const;
   void restore(const RendererState& state);
 
-  // Runs `work(i)` for i in [0, count) on the render threads (encoders use this
-  // between frames).
+  // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).
   void parallel_for(int count, const std::function<void(int)>& work);
 
-  // What lies behind, for bench_frame.cpp and tests of single stages; declared
-  // in renderer_impl.h.
+  // What lies behind, for bench_frame.cpp and tests of single stages; declared in renderer_impl.h.
   struct Impl;
   Impl& internals() { return *impl_; }
 

@@ -14,9 +14,8 @@
 namespace herr {
 namespace {
 
-// One light above the middle, as far from it as the model's own diagonal, so
-// that it stays clear of it. Its irradiance at the middle is pi W/m^2: a white
-// diffuse surface there has radiance 1.
+// One light above the middle, as far from it as the model's own diagonal, so that it stays clear of it. Its
+// irradiance at the middle is pi W/m^2: a white diffuse surface there has radiance 1.
 AreaLight light_above(const Bounds& bounds) {
   const glm::dvec3 extent = bounds.upper - bounds.lower;
   const double diagonal_m = std::max(glm::length(extent), 1e-3);

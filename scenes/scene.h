@@ -1,7 +1,6 @@
-// What there is to see: meshes, materials, textures, instances, lights -
-// flattened to one level, ready for tracing. Before: scene_document reads
-// *.scene.json and gltf files into this. After: renderer/geometry builds Embree
-// scenes.
+// What there is to see: meshes, materials, textures, instances, lights - flattened to one level, ready for
+// tracing. Before: scene_document reads *.scene.json and gltf files into this. After: renderer/geometry
+// builds Embree scenes.
 #pragma once
 
 #include <array>
@@ -23,16 +22,14 @@ enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
 struct TextureImage {
   std::string name;
   int width_px = 0, height_px = 0;  // 1 ... 16384
-  bool srgb = true;                 // colour: decode to linear light after the fetch; false:
-                                    // values are linear
+  bool srgb = true;  // colour: decode to linear light after the fetch; false: values are linear
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
   std::vector<std::uint8_t> rgba;  // 4 * width * height
 };
 
-// glTF metallic-roughness in linear light. Mapping to the paper's factors (see
-// README.md of this folder): diffuse = base_colour * (1 - metallic), specular
-// F0 = mix(0.04, base_colour, metallic) with GGX alpha = roughness^2,
-// reflection = mirror * F (Schlick from F0).
+// glTF metallic-roughness in linear light. Mapping to the paper's factors (see README.md of this folder):
+// diffuse = base_colour * (1 - metallic), specular F0 = mix(0.04, base_colour, metallic) with GGX alpha =
+// roughness^2, reflection = mirror * F (Schlick from F0).
 struct Material {
   std::string name;
   glm::vec3 base_colour{0.8f};          // [0, 1]
@@ -46,8 +43,7 @@ struct Material {
   float refractive_index = 1.5f;        // [1, 100]
 };
 
-// One triangle mesh with one material (a glTF primitive). Arrays are all the
-// same length or empty.
+// One triangle mesh with one material (a glTF primitive). Arrays are all the same length or empty.
 struct TriangleMesh {
   std::string name;
   std::vector<glm::vec3> positions;  // metres in object space, finite
@@ -64,12 +60,11 @@ struct MeshInstance {
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
 };
 
-// box: radiates uniformly over its volume, into all directions. spot: from a
-// point into a cone. sun: parallel light from infinitely far away.
+// box: radiates uniformly over its volume, into all directions. spot: from a point into a cone. sun: parallel
+// light from infinitely far away.
 enum class LightKind : std::uint8_t { box, spot, sun };
 
-// A light that cannot be seen itself: an axis-aligned box (a point when it has
-// no size), a spot, or a sun.
+// A light that cannot be seen itself: an axis-aligned box (a point when it has no size), a spot, or a sun.
 struct AreaLight {
   std::string name;
   LightKind kind = LightKind::box;
@@ -84,9 +79,8 @@ struct AreaLight {
   double path_radius_m = 0, path_period_s = 0, path_phase_deg = 0;
 };
 
-// An equirectangular picture of what lies outside the scene. Row 0 is the
-// zenith; the middle column lies towards -Z, turned by turn_deg
-// counter-clockwise as seen from above; columns run clockwise.
+// An equirectangular picture of what lies outside the scene. Row 0 is the zenith; the middle column lies
+// towards -Z, turned by turn_deg counter-clockwise as seen from above; columns run clockwise.
 struct EnvironmentImage {
   int width_px = 0, height_px = 0;
   float turn_deg = 0;
@@ -114,22 +108,19 @@ struct SceneState {
   std::vector<AreaLight> lights;  // centres moved along their paths
 };
 
-// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light
-// that fits its bounds). Throws InputError.
+// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
+// InputError.
 Scene load_scene(const std::filesystem::path& file);
 
-// State at `time_s` seconds after the session's start (any finite value). Pure;
-// `out` keeps its storage.
+// State at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage.
 void scene_state_at(const Scene& scene, double time_s, SceneState& out);
 
-// Box around every instance that is not a catcher (of all instances if there
-// are only catchers).
+// Box around every instance that is not a catcher (of all instances if there are only catchers).
 struct Bounds {
   glm::dvec3 lower{0.0}, upper{0.0};
 };
 Bounds scene_bounds(const Scene& scene);
-// Triangles of all instances; those of catchers only if `catchers`. A mesh
-// counts once for each instance.
+// Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance.
 std::int64_t triangle_count(const Scene& scene, bool catchers);
 
 }  // namespace herr

@@ -19,8 +19,8 @@ constexpr double kBrightestRadiance = 1e9;
 // A glTF file as it was appended to the scene, for entries that name it again.
 using LoadedFiles = std::map<std::filesystem::path, GltfContent>;
 
-// The file that an entry names: below the folder of the scene document, so that
-// a scene can be copied as a folder.
+// The file that an entry names: below the folder of the scene document, so that a scene can be copied as a
+// folder.
 std::filesystem::path named_file(const JsonObject& entry) {
   const std::string name = entry.text("file");
   const std::filesystem::path relative(name);
@@ -39,8 +39,7 @@ std::filesystem::path named_file(const JsonObject& entry) {
              generated ? "build first: `cmake --build` makes the generated meshes" : "check the path");
 }
 
-// The material of an instance with the entry's changes; made once per entry and
-// material.
+// The material of an instance with the entry's changes; made once per entry and material.
 std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& change, Scene& scene,
                                std::map<std::uint32_t, std::uint32_t>& changed) {
   const auto [entry, added] = changed.try_emplace(original, 0);

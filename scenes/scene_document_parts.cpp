@@ -48,8 +48,7 @@ PlacedCatcher parse_box(const JsonObject& box) {
   int flat_axes = 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (upper[axis] < lower[axis]) box.fail("max", "is below min on an axis", "swap the two numbers");
-    // As the mesh will have it: an extent that vanishes in float has no area
-    // either.
+    // As the mesh will have it: an extent that vanishes in float has no area either.
     if (static_cast<float>(upper[axis] - lower[axis]) == 0) ++flat_axes;
   }
   if (flat_axes > 1) box.fail("max", "equals min on more than one axis", "give the box an area");
@@ -143,8 +142,7 @@ MaterialOverride parse_material_override(const JsonObject& object) {
 }
 
 Material MaterialOverride::apply(Material material) const {
-  // The number that the document gives is what is drawn: a texture must not
-  // multiply it.
+  // The number that the document gives is what is drawn: a texture must not multiply it.
   if (base_colour) {
     material.base_colour = *base_colour;
     material.base_colour_texture = -1;

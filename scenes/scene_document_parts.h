@@ -1,6 +1,5 @@
-// The parts of a scene document, each from its JSON object: poses, materials,
-// catchers, lights. Before: scene_document walks the document. Every function
-// throws InputError that names the field.
+// The parts of a scene document, each from its JSON object: poses, materials, catchers, lights.
+// Before: scene_document walks the document. Every function throws InputError that names the field.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -13,13 +12,11 @@
 
 namespace herr {
 
-// A quaternion x, y, z, w of length 1 within 1e-3 (normalised); the identity
-// when absent.
+// A quaternion x, y, z, w of length 1 within 1e-3 (normalised); the identity when absent.
 glm::dquat parse_orientation(const JsonObject& object, const char* key);
 // world_from_session: {"position", "orientation_xyzw"}.
 Pose parse_pose(const JsonObject& object);
-// translation, rotation_xyzw and scale of a glTF entry; a scale of 0 is refused
-// by name.
+// translation, rotation_xyzw and scale of a glTF entry; a scale of 0 is refused by name.
 glm::dmat4x3 parse_placement(const JsonObject& entry);
 
 // What a scene document changes about the materials of a glTF file.

@@ -43,8 +43,7 @@ void check_transform(const glm::dmat4x3& m, const std::string& name) {
   const double determinant = std::abs(glm::determinant(linear));
   const double reach = glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]) + glm::length(m[3]);
   const double scale = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-  // scenes/ refuses such transforms with the name of the file; this is the last
-  // guard before Embree.
+  // scenes/ refuses such transforms with the name of the file; this is the last guard before Embree.
   if (!(reach < kLargestCoordinate_m) || !(determinant >= 1e-18) ||
       !(determinant >= 0.5 * kMinVolumeShare * scale)) {
     throw std::invalid_argument("instance '" + name +

@@ -1,9 +1,7 @@
-// Stage: ambient occlusion. A few short rays per hit, cosine-weighted about the
-// normal; the share that meets nothing within the radius multiplies indirect
-// light. All hits of a 4x4 block of samples turn the same local directions into
-// their own frames: rays of a packet then stay together, which makes them twice
-// as fast as directions of their own, at the price of noise that is the same
-// over the block.
+// Stage: ambient occlusion. A few short rays per hit, cosine-weighted about the normal; the share that meets
+// nothing within the radius multiplies indirect light. All hits of a 4x4 block of samples turn the same local
+// directions into their own frames: rays of a packet then stay together, which makes them twice as fast as
+// directions of their own, at the price of noise that is the same over the block.
 #if defined(HERR_AMBIENT_OCCLUSION_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HERR_AMBIENT_OCCLUSION_INL
 #undef HERR_AMBIENT_OCCLUSION_INL
@@ -19,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// A vector in the frame of each normal (Duff et al., "Building an Orthonormal
-// Basis, Revisited", 2017); z = along it.
+// A vector in the frame of each normal (Duff et al., "Building an Orthonormal Basis, Revisited", 2017); z =
+// along it.
 HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
   const VF one = set(1.0f);
   const VF sign = hn::CopySign(one, n.z);
@@ -32,9 +30,8 @@ HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
   return mul_add(set(local[0]), right, mul_add(set(local[1]), up, scale(n, set(local[2]))));
 }
 
-// Direction `ray` of `rays`, cosine-distributed (Malley's method): radii
-// stratified, angles by the golden ratio, both shifted by random numbers of the
-// block.
+// Direction `ray` of `rays`, cosine-distributed (Malley's method): radii stratified, angles by the golden
+// ratio, both shifted by random numbers of the block.
 HWY_INLINE void local_direction(std::uint32_t key, int ray, int rays, float local[3]) {
   const auto random = [&](std::uint32_t counter) {
     return hn::GetLane(unit_float(hash(hn::Set(kU, key), counter)));
@@ -48,9 +45,8 @@ HWY_INLINE void local_direction(std::uint32_t key, int ray, int rays, float loca
   local[2] = std::sqrt(std::max(0.0f, 1.0f - area));
 }
 
-// One ray per hit of first hits [0, count), into the queue. A direction that
-// the interpolated normal bends below the surface is left out and counts as
-// open: it is no corner that could be dark.
+// One ray per hit of first hits [0, count), into the queue. A direction that the interpolated normal bends
+// below the surface is left out and counts as open: it is no corner that could be dark.
 HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
   TileScratch& scratch = *job.scratch;
   const HitBatch& hits = scratch.first;

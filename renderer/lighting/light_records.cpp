@@ -28,8 +28,7 @@ std::array<int, 3> strata_for(const glm::vec3& size, int samples) {
 }
 
 int spreading_stride(int n) {
-  // Near the golden ratio of the count, and without a common factor:
-  // consecutive samples lie far apart.
+  // Near the golden ratio of the count, and without a common factor: consecutive samples lie far apart.
   int stride = std::max(1, static_cast<int>(std::lround(0.6180339887 * n)));
   while (std::gcd(stride, n) != 1) ++stride;
   return stride;
@@ -73,8 +72,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     for (int axis = 0; axis < 3; ++axis) record.direction[axis] = static_cast<float>(light.direction[axis]);
     if (light.range_m > 0) record.inverse_range2 = static_cast<float>(1.0 / (light.range_m * light.range_m));
     if (light.kind == LightKind::spot) {
-      // KHR_lights_punctual: clamp((cos - cos_outer) / (cos_inner -
-      // cos_outer))^2.
+      // KHR_lights_punctual: clamp((cos - cos_outer) / (cos_inner - cos_outer))^2.
       const double inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
       const double scale = 1.0 / std::max(1e-3, inner - outer);
       record.cone_scale = static_cast<float>(scale);

@@ -1,5 +1,4 @@
-// Lights of this frame as the kernels read them, and how their samples are
-// stratified.
+// Lights of this frame as the kernels read them, and how their samples are stratified.
 #pragma once
 
 #include <array>
@@ -12,9 +11,8 @@
 
 namespace herr {
 
-// Strata per axis whose product is `samples`, as near to cubes as the box's
-// extent allows; one on an axis of no thickness (all of them on x when the box
-// is a point).
+// Strata per axis whose product is `samples`, as near to cubes as the box's extent allows; one on an axis of
+// no thickness (all of them on x when the box is a point).
 std::array<int, 3> strata_for(const glm::vec3& size, int samples);
 
 // i * spreading_stride(n) mod n visits each of n numbers once, and any few in a row lie far apart.
@@ -23,14 +21,14 @@ int spreading_stride(int n);
 // Fills stratum_of and sample_of of a light of at most kMostOrderedSamples samples.
 void order_strata(LightRecord& light);
 
-// Fills `out` (its storage is kept) with the lights that shine, relative to
-// `anchor`. `reach_m`: a distance that leaves the scene from any place in it.
+// Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`. `reach_m`: a distance
+// that leaves the scene from any place in it.
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples, double reach_m,
                    std::vector<LightRecord>& out);
 
-// Irradiance that these lights would give, unblocked and head on, at the point
-// of `boxes` (world space) farthest from each, per channel: a scale of what
-// catchers receive that no light near one of them can blow up.
+// Irradiance that these lights would give, unblocked and head on, at the point of `boxes` (world space)
+// farthest from each, per channel: a scale of what catchers receive that no light near one of them can blow
+// up.
 glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes);
 
 }  // namespace herr

@@ -24,9 +24,8 @@ HWY_INLINE void clear(Lane<float>& lane, int count) {
               sizeof(float) * static_cast<std::size_t>((count + kLanes - 1) / kLanes * kLanes));
 }
 
-// Irradiance per unit of intensity and cosine: 1 / max(d^2, r^2), times a
-// spot's cone and the end of its range (KHR_lights_punctual). `direction` is
-// towards the light, unit. A sun is equally bright everywhere.
+// Irradiance per unit of intensity and cosine: 1 / max(d^2, r^2), times a spot's cone and the end of its
+// range (KHR_lights_punctual). `direction` is towards the light, unit. A sun is equally bright everywhere.
 HWY_INLINE VF falloff(const LightRecord& light, VF distance2, const V3& direction) {
   const VF zero = hn::Zero(kF), one = set(1.0f);
   if (light.kind == LightKind::sun) return one;
@@ -64,8 +63,7 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const VF seen = hn::Mul(geometry, visible);
   V3 f = reflectance<kSpecular>(hits, slot, n, direction, n_l);
   if (job.shading->plan->catchers) {
-    // On a catcher the sum is irradiance itself, twice: with the virtual
-    // objects and without.
+    // On a catcher the sum is irradiance itself, twice: with the virtual objects and without.
     const MF catcher = of_kind(hits, slot, HitKind::catcher);
     if (!hn::AllFalse(kF, catcher)) {
       const VF one = set(1.0f);

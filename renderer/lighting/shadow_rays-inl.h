@@ -1,6 +1,5 @@
-// Shadow rays: from hits of a batch to points of a light, compacted into dense
-// packets, traced for occlusion. Hits that face away are culled first; rays of
-// neighbouring hits to the same stratum share packets.
+// Shadow rays: from hits of a batch to points of a light, compacted into dense packets, traced for occlusion.
+// Hits that face away are culled first; rays of neighbouring hits to the same stratum share packets.
 #if defined(HERR_SHADOW_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HERR_SHADOW_RAYS_INL
 #undef HERR_SHADOW_RAYS_INL
@@ -24,9 +23,8 @@ HWY_INLINE int stratum_of(const LightRecord& light, int s) {
   return light.samples <= kMostOrderedSamples ? light.stratum_of[static_cast<std::size_t>(s)] : s;
 }
 
-// The way from each hit to the point that light sample `s` of it aims at, not
-// normalised: to the centre of the light, or to a jittered place in one
-// stratum. A sun's lies outside the scene.
+// The way from each hit to the point that light sample `s` of it aims at, not normalised: to the centre of
+// the light, or to a jittered place in one stratum. A sun's lies outside the scene.
 HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits, int slot) {
   if (light.kind == LightKind::sun) {
     return scale(set3(light.direction), set(-light.reach));
@@ -55,16 +53,14 @@ HWY_INLINE MF facing(const HitBatch& hits, int slot, const V3& to_light) {
   return hn::And(surface, hn::Gt(hn::Min(by_shading, by_geometry), hn::Zero(kF)));
 }
 
-// Where secondary rays of hits [slot, slot + kLanes) start, on the viewer's
-// side of the surface.
+// Where secondary rays of hits [slot, slot + kLanes) start, on the viewer's side of the surface.
 HWY_INLINE V3 ray_origin(const HitBatch& hits, int slot) {
   return mul_add(load(&hits.offset[slot]), load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]),
                  load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]));
 }
 
-// Appends `lanes` to the queue. Compressed in a register and stored whole: a
-// compressing store is microcoded on some CPUs. What the store writes beyond
-// the last ray is overwritten by the next.
+// Appends `lanes` to the queue. Compressed in a register and stored whole: a compressing store is microcoded
+// on some CPUs. What the store writes beyond the last ray is overwritten by the next.
 HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI hit, MF lanes) {
   const int at = queue.count;
   const auto put = [&](VF value, Lane<float>& lane)
@@ -96,8 +92,8 @@ HWY_INLINE void push_one(RayQueue& queue, const RayQueue& from, int i) {
   queue.hit[to] = from.hit[at];
 }
 
-// Traces the queue's rays over their whole length, t in [0, 1); calls
-// blocked(i) for each that meets something of `mask`.
+// Traces the queue's rays over their whole length, t in [0, 1); calls blocked(i) for each that meets
+// something of `mask`.
 template <typename Blocked>
 HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsigned mask, RayKind kind,
                                 const Blocked& blocked) {
@@ -126,10 +122,9 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
   }
 }
 
-// Traces the queue's rays against everything, and those of catchers that are
-// blocked against catchers alone: what blocks a catcher may be another catcher,
-// which is there without the virtual objects too. Calls blocked(hit) and
-// blocked_without(hit).
+// Traces the queue's rays against everything, and those of catchers that are blocked against catchers alone:
+// what blocks a catcher may be another catcher, which is there without the virtual objects too. Calls
+// blocked(hit) and blocked_without(hit).
 template <typename Blocked, typename BlockedWithout>
 HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKind kind, RayKind catcher_kind,
                                  const Blocked& blocked, const BlockedWithout& blocked_without) {

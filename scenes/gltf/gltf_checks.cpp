@@ -77,8 +77,7 @@ void check_buffers(const std::vector<JsonObject>& buffers, bool binary) {
   }
 }
 
-// One run of bytes [offset, offset + length) must lie within `available`. All
-// terms are below 2^41.
+// One run of bytes [offset, offset + length) must lie within `available`. All terms are below 2^41.
 void check_extent(const JsonObject& object, const char* key, std::int64_t end, std::int64_t available,
                   const std::string& of_what) {
   if (end <= available) return;
@@ -117,8 +116,8 @@ std::int64_t component_bytes(const JsonObject& object, const char* key) {
   }
 }
 
-// Bytes from one element to the next, and of the last one, which may go without
-// its padding: columns of matrices start at multiples of four bytes.
+// Bytes from one element to the next, and of the last one, which may go without its padding: columns of
+// matrices start at multiples of four bytes.
 struct ElementSize {
   std::int64_t step, last;
 };
@@ -136,8 +135,7 @@ ElementSize element_size(const JsonObject& accessor, std::int64_t component) {
   return {rows * column, (rows - 1) * column + rows * component};
 }
 
-// `count` elements at `offset` of the view that `object` names must lie within
-// that view.
+// `count` elements at `offset` of the view that `object` names must lie within that view.
 void check_run(const JsonObject& object, const std::vector<JsonObject>& views, std::int64_t count,
                const ElementSize& size, bool may_stride) {
   const std::int64_t index = object.integer("bufferView", 0, static_cast<std::int64_t>(views.size()) - 1);

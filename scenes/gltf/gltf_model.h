@@ -1,7 +1,6 @@
-// A glTF 2.0 file as plain structs: what the other stages of this folder read
-// instead of tinygltf's classes. Before: read_gltf fills it, after gltf_checks
-// has proved every index and extent. After: accessor_reader, material_builder,
-// mesh_builder, node_flattener.
+// A glTF 2.0 file as plain structs: what the other stages of this folder read instead of tinygltf's classes.
+// Before: read_gltf fills it, after gltf_checks has proved every index and extent. After: accessor_reader,
+// material_builder, mesh_builder, node_flattener.
 #pragma once
 
 #include <array>
@@ -76,8 +75,8 @@ struct GltfTexture {
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
 };
 
-// An image still encoded: in `view` when that is >= 0, else in `encoded`; when
-// that is empty, `failure` says why.
+// An image still encoded: in `view` when that is >= 0, else in `encoded`; when that is empty, `failure` says
+// why.
 struct GltfImage {
   std::string name;
   int view = -1;

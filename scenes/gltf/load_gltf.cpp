@@ -96,8 +96,8 @@ GltfContent append(const std::filesystem::path& file, Scene& scene) {
 }  // namespace
 
 GltfContent append_gltf(const std::filesystem::path& file, Scene& scene) {
-  // Whatever a library throws over this file is the file's fault, except a lack
-  // of memory within our own limits.
+  // Whatever a library throws over this file is the file's fault, except a lack of memory within our own
+  // limits.
   try {
     return append(file, scene);
   } catch (const InputError&) {

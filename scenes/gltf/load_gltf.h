@@ -1,6 +1,6 @@
-// Loads a glTF file into a scene: its meshes, materials and textures are
-// appended, its instances and lights returned, so that a scene document can
-// place the same file several times. Before: load_scene, scene_document.
+// Loads a glTF file into a scene: its meshes, materials and textures are appended, its instances and lights
+// returned, so that a scene document can place the same file several times. Before: load_scene,
+// scene_document.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,14 @@
 
 namespace herr {
 
-// What a file shows, relative to its root. `mesh` and `material` of the
-// instances are indices into the scene.
+// What a file shows, relative to its root. `mesh` and `material` of the instances are indices into the scene.
 struct GltfContent {
   std::vector<MeshInstance> instances;
   std::vector<AreaLight> lights;
 };
 
-// Throws InputError for anything that is wrong with the file; other exceptions
-// of the libraries become InputErrors.
+// Throws InputError for anything that is wrong with the file; other exceptions of the libraries become
+// InputErrors.
 GltfContent append_gltf(const std::filesystem::path& file, Scene& scene);
 
 }  // namespace herr

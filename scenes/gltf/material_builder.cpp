@@ -14,8 +14,7 @@ const GltfMaterial& material_of(const GltfModel& model, int index) {
   return index < 0 ? kDefault : model.materials[static_cast<std::size_t>(index)];
 }
 
-// The texture that decides which coordinates a material reads; others with
-// different ones are left out.
+// The texture that decides which coordinates a material reads; others with different ones are left out.
 int uv_set_of(const GltfMaterial& material) {
   if (material.base_colour_texture.texture >= 0) return material.base_colour_texture.uv_set;
   if (material.metallic_roughness_texture.texture >= 0) return material.metallic_roughness_texture.uv_set;
@@ -33,8 +32,7 @@ float channel_mean(const TextureImage& texture, std::size_t channel) {
 }  // namespace
 
 float mirror_of(float metallic, float roughness, float transmission) {
-  // At roughness 0.35 a GGX lobe is some 14 degrees wide: a single mirror ray
-  // no longer stands for it.
+  // At roughness 0.35 a GGX lobe is some 14 degrees wide: a single mirror ray no longer stands for it.
   constexpr float kRoughest = 0.35f;
   const float clear = std::max(metallic, (1.0f - metallic) * transmission);
   return std::clamp(clear, 0.0f, 1.0f) * std::clamp((kRoughest - roughness) / kRoughest, 0.0f, 1.0f);
@@ -69,8 +67,7 @@ Material MaterialBuilder::build(const GltfMaterial& from, bool textured) {
     to.metallic_roughness_texture = texture(from.metallic_roughness_texture, false, set, from.name);
   }
 
-  // The mirror share is one number per material: textures count with their
-  // mean.
+  // The mirror share is one number per material: textures count with their mean.
   float metallic = to.metallic, roughness = to.roughness;
   if (to.metallic_roughness_texture >= 0) {
     const TextureImage& image = scene_.textures[static_cast<std::size_t>(to.metallic_roughness_texture)];
@@ -79,8 +76,7 @@ Material MaterialBuilder::build(const GltfMaterial& from, bool textured) {
   }
   to.mirror = mirror_of(metallic, roughness, to.transmission);
 
-  // An unlit surface shows its colour whatever the light: that is emission.
-  // With a texture it stays lit.
+  // An unlit surface shows its colour whatever the light: that is emission. With a texture it stays lit.
   if (from.unlit && to.base_colour_texture < 0) {
     to.emission = to.base_colour;
     to.base_colour = glm::vec3(0.0f);

@@ -1,6 +1,5 @@
-// Maps glTF materials to ours, and decodes the textures that they use, each
-// once. Before: read_gltf. After: load_gltf. The mapping is explained in
-// scenes/README.md.
+// Maps glTF materials to ours, and decodes the textures that they use, each once.
+// Before: read_gltf. After: load_gltf. The mapping is explained in scenes/README.md.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +12,19 @@
 
 namespace herr {
 
-// Share of the mirror ray that a surface shows: smooth metals and smooth glass
-// mirror, rough surfaces and other dielectrics do not.
+// Share of the mirror ray that a surface shows: smooth metals and smooth glass mirror, rough surfaces and
+// other dielectrics do not.
 float mirror_of(float metallic, float roughness, float transmission);
 
-// Appends to scene.materials and scene.textures as materials are asked for. One
-// per glTF file.
+// Appends to scene.materials and scene.textures as materials are asked for. One per glTF file.
 class MaterialBuilder {
  public:
   MaterialBuilder(const GltfModel& model, Scene& scene) : model_(model), scene_(scene) {}
 
-  // Set of texture coordinates that a glTF material (-1 = the default one)
-  // reads, or -1 when it has no texture.
+  // Set of texture coordinates that a glTF material (-1 = the default one) reads, or -1 when it has no
+  // texture.
   int uv_set(int material) const;
-  // Index in scene.materials. Without `textured` the textures are left out: the
-  // primitive has no coordinates.
+  // Index in scene.materials. Without `textured` the textures are left out: the primitive has no coordinates.
   std::uint32_t material(int material, bool textured);
 
  private:

@@ -17,8 +17,7 @@ AreaLight placed_light(const glm::dmat4x3& world_from_light, AreaLight light) {
 }
 
 FlattenedNodes flatten_nodes(const GltfModel& model) {
-  // An explicit stack: a chain of 100,000 nodes must not overflow the program's
-  // own.
+  // An explicit stack: a chain of 100,000 nodes must not overflow the program's own.
   std::vector<std::pair<int, glm::dmat4x3>> open;  // node, gltf_from_parent
   for (auto root = model.roots.rbegin(); root != model.roots.rend(); ++root) open.emplace_back(*root, 1.0);
   FlattenedNodes placed;

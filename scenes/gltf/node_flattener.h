@@ -1,5 +1,5 @@
-// Flattens the node tree to one level: the ray tracer has exactly one level of
-// instances. Before: read_gltf (the nodes are a forest). After: load_gltf.
+// Flattens the node tree to one level: the ray tracer has exactly one level of instances.
+// Before: read_gltf (the nodes are a forest). After: load_gltf.
 #pragma once
 
 #include <glm/mat4x3.hpp>
@@ -22,12 +22,11 @@ struct FlattenedNodes {
   std::vector<AreaLight> lights;  // where their nodes put them
 };
 
-// Depth first, in the order of the file. Throws InputError for a transform that
-// cannot be rendered.
+// Depth first, in the order of the file. Throws InputError for a transform that cannot be rendered.
 FlattenedNodes flatten_nodes(const GltfModel& model);
 
-// A light moved along: its place, and its direction as a vector. Brightness and
-// range stay, as KHR_lights_punctual says of scaled nodes.
+// A light moved along: its place, and its direction as a vector. Brightness and range stay, as
+// KHR_lights_punctual says of scaled nodes.
 AreaLight placed_light(const glm::dmat4x3& world_from_light, AreaLight light);
 
 }  // namespace herr

@@ -24,20 +24,19 @@ std::string gltf_warning(const GltfModel& model, const std::string& text) {
 
 namespace {
 
-// What tinygltf's callbacks share: the folder, what is left of the byte budget,
-// and why a read failed.
+// What tinygltf's callbacks share: the folder, what is left of the byte budget, and why a read failed.
 struct Reading {
   explicit Reading(const std::filesystem::path& file) : gltf_file(file), folder(file) {}
   std::filesystem::path gltf_file;
   ContainedFolder folder;
   std::int64_t bytes_left = kMaxExternalBytes;
   std::set<std::filesystem::path> files;
-  std::vector<std::exception_ptr> failures;  // one for each file that could not be read, in the order of the
-                                             // document
+  std::vector<std::exception_ptr>
+      failures;  // one for each file that could not be read, in the order of the document
 };
 
-// tinygltf asks for existence in several folders; the first must be the answer,
-// so that reading reports the reason.
+// tinygltf asks for existence in several folders; the first must be the answer, so that reading reports the
+// reason.
 bool file_exists(const std::string&, void*) {
   return true;
 }
@@ -49,8 +48,7 @@ std::string keep_path(const std::string& path, void*) {
 bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path,
                      void* user) {
   auto& reading = *static_cast<Reading*>(user);
-  // An exception must not cross tinygltf, which holds no guards: it is kept and
-  // thrown again afterwards.
+  // An exception must not cross tinygltf, which holds no guards: it is kept and thrown again afterwards.
   try {
     if (path.rfind("data:", 0) == 0) {
       throw InputError(reading.gltf_file, 0, "embeds data as " + printable(path.substr(0, path.find(','))),
@@ -71,8 +69,7 @@ bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigne
   return false;
 }
 
-// Keeps the encoded bytes; images in buffer views are found there again, so
-// they are not copied.
+// Keeps the encoded bytes; images in buffer views are found there again, so they are not copied.
 bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
                   const unsigned char* bytes, int size, void*) {
   if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
@@ -118,8 +115,7 @@ tinygltf::Model parse(const std::vector<unsigned char>& bytes, const std::filesy
                       ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, "")
                       : parser.LoadASCIIFromString(&model, &error, &warning,
                                                    reinterpret_cast<const char*>(bytes.data()), size, "");
-  // Buffers are required, so tinygltf stops at the one that could not be read;
-  // images go on without.
+  // Buffers are required, so tinygltf stops at the one that could not be read; images go on without.
   if (!ok && !reading.failures.empty() && error.find("File read error") != std::string::npos) {
     std::rethrow_exception(reading.failures.back());
   }
@@ -212,8 +208,7 @@ GltfPrimitive convert(const tinygltf::Primitive& from) {
   return to;
 }
 
-// Content that this version draws differently than its author meant, said once
-// per file.
+// Content that this version draws differently than its author meant, said once per file.
 void warn_of_losses(const tinygltf::Model& from, GltfModel& to) {
   if (!from.animations.empty())
     to.warnings.push_back("animations are not played; nodes stand as the file has them");
@@ -256,9 +251,8 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
 }
 
 void convert_images(tinygltf::Model& from, const Reading& reading, GltfModel& to) {
-  // Images were read in order, and each that failed left one failure: the next
-  // one belongs to the next image without bytes. It is thrown only if a
-  // material uses the image.
+  // Images were read in order, and each that failed left one failure: the next one belongs to the next image
+  // without bytes. It is thrown only if a material uses the image.
   auto failure = reading.failures.begin();
   for (auto& image : from.images) {
     GltfImage converted{

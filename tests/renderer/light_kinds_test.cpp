@@ -73,10 +73,10 @@ TEST(LightKindsTest, ASunIsEquallyBrightEverywhereAndItsShadowsAreParallel) {
   const Material& floor = view.scene.materials[0];
   int lit = 0;
   view.each([&](const glm::dvec3& at, double radiance, const glm::dvec3& to_viewer) {
-    if (std::abs(at.x) < 1.001) return;  // the plate covers |x| < 1 of the floor, seen from 2 m; its shadow lies there
+    if (std::abs(at.x) < 1.001)
+      return;  // the plate covers |x| < 1 of the floor, seen from 2 m; its shadow lies there
     const glm::dvec3 to_sun = -sun.direction;
-    const double expected =
-        test::brdf(floor, {at, {0, 1, 0}, to_viewer}, to_sun).x * 2 * to_sun.y;
+    const double expected = test::brdf(floor, {at, {0, 1, 0}, to_viewer}, to_sun).x * 2 * to_sun.y;
     ++lit;
     ASSERT_NEAR(radiance, expected, slack(expected)) << at.x << ", " << at.z;
   });

@@ -15,8 +15,9 @@ RenderSettings settings() {
   return settings;
 }
 
-// Every kind as often as a plan with everything allows: 8 shadow rays a hit, half of the hits reflect, light passes 8
-// interfaces everywhere, and every shadow and short ray of a catcher is asked again without the virtual objects.
+// Every kind as often as a plan with everything allows: 8 shadow rays a hit, half of the hits reflect, light
+// passes 8 interfaces everywhere, and every shadow and short ray of a catcher is asked again without the
+// virtual objects.
 BenchResult fullest() {
   BenchResult result;
   result.kinds = {{"primary", 1000, 1.0, 0, 0},
