@@ -126,8 +126,9 @@ TEST(LightSources, WrongLightsOfAGltfAreRefused) {
        {json{{"type", "area"}}, json{{"type", "point"}, {"intensity", -1}}, json{{"type", "spot"}},
         json{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.4}}}},
         json{{"type", "point"}, {"color", {1, 1}}}}) {
-    EXPECT_TRUE(contains(error_of(write_model(folder, document_with_gltf_light(light))), "lights[0]"))
-        << light.dump();
+    const std::string error = error_of(write_model(folder, document_with_gltf_light(light)));
+    // tinygltf itself refuses a spot without its cone.
+    EXPECT_TRUE(contains(error, "lights[0]") || contains(error, "Spot light")) << light.dump() << error;
   }
   json dangling = document_with_gltf_light({{"type", "point"}});
   dangling["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 1;
