@@ -39,7 +39,10 @@ HWY_INLINE Refraction refract(const V3& v, const V3& n, const V3& g, VF eta, VF 
   through = select(hn::Lt(dot(through, g), zero), through, scale(v, set(-1.0f)));
   out.direction = select(out.total, mirrored(v, n, g), normalise(through));
   // Schlick's angle is the one in the thinner medium.
-  const VF grazing = schlick_weight(hn::IfThenElse(hn::Gt(eta, one), below, cosine));
+  const VF angle = schlick_weight(hn::IfThenElse(hn::Gt(eta, one), below, cosine));
+  // What has (nearly) no step of the index reflects nothing at grazing angles either, as Schlick's curve
+  // would.
+  const VF grazing = hn::Mul(angle, hn::Min(hn::Mul(f0, set(1e4f)), one));
   out.passes = hn::IfThenElse(out.total, one, hn::NegMulAdd(hn::Sub(one, f0), grazing, hn::Sub(one, f0)));
   return out;
 }

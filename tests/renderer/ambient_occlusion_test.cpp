@@ -44,14 +44,14 @@ double open_share(double distance_m) {
 TEST(AmbientOcclusionTest, AFloorBesideAWallIsDarkenedByTheSegmentOfTheDisc) {
   const Scene scene = floor_beside_wall();
   const double eye_height_m = 1.5;
-  // 128 columns over 0.7 m beside the wall, 32 rows along it: the mean of a column takes 2048 rays,
-  // stratified over 64 per hit. Its deviation is below sqrt(0.25 / 2048) = 0.011 were they independent; the
-  // radii's strata make it less than half of that.
+  // 128 columns over 0.7 m beside the wall, 256 rows along it. A block of 4x4 hits shares its 64 directions,
+  // so the mean of a column takes 64 * 64 independent rays: its deviation is below sqrt(0.25 / 4096) = 0.008
+  // were they not stratified; the radii's strata make it less than half of that.
   const DisplayProfile profile = [&] {
     DisplayProfile p;
     p.name = "beside the wall";
     const double right_deg = std::atan2(0.7, eye_height_m) * kDegreesPerRadian;
-    p.viewports = {test::viewport_deg(Eye::left, 128, 32, 0.01, right_deg, -8, 8)};
+    p.viewports = {test::viewport_deg(Eye::left, 128, 256, 0.01, right_deg, -8, 8)};
     return p;
   }();
   const RenderedFrame frame =
@@ -60,17 +60,17 @@ TEST(AmbientOcclusionTest, AFloorBesideAWallIsDarkenedByTheSegmentOfTheDisc) {
   double worst = 0;
   int columns = 0;
   for (int x = 2; x < 128; ++x) {
-    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, 16);
+    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, 128);
     const double distance = 0.001 + eye_height_m * d.x / -d.z;
     double sum = 0;
-    for (int y = 0; y < 32; ++y) sum += test::pixel_at(frame.viewports[0], x, y)[0];
-    const double measured = sum / 32 / unoccluded;
+    for (int y = 0; y < 256; ++y) sum += test::pixel_at(frame.viewports[0], x, y)[0];
+    const double measured = sum / 256 / unoccluded;
     worst = std::max(worst, std::abs(measured - open_share(distance)));
     ASSERT_NEAR(measured, open_share(distance), 0.01) << "at " << distance << " m";
     ++columns;
   }
   std::cout << "worst error of " << columns << " columns: " << worst << "\n";
-  EXPECT_EQ(frame.counters.rays[RayKind::occlusion], 64 * 128 * 32);
+  EXPECT_EQ(frame.counters.rays[RayKind::occlusion], 64 * 128 * 256);
 }
 
 TEST(AmbientOcclusionTest, AnOpenFloorStaysAsItIsBitForBit) {

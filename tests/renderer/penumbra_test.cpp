@@ -135,9 +135,10 @@ TEST(AdaptiveLightTest, APenumbraKeepsItsErrorAndTheRestOfTheFloorTracesFewerRay
       static_cast<double>(all.rays[RayKind::shadow]) / static_cast<double>(adaptive.rays[RayKind::shadow]);
   std::cout << "mean error " << error_all << " and " << error_adaptive << " with " << saved
             << " times fewer rays\n";
-  // The penumbra of a light of 0.3 m is 0.3 m of 1.2 m wide: 8 rays in three quarters, 64 in the rest and in
-  // the blocks around it, is 64 / (0.25 * 64 + 0.75 * 8) = 2.9 less the blocks.
-  EXPECT_GT(saved, 2.0);
+  // The penumbra of a light of 0.3 m is a quarter of the floor that is seen: were every hit of it to trace 64
+  // rays and the others 4, that would be 64 / (0.25 * 64 + 0.75 * 4) = 3.4 times fewer; foretold strata make
+  // it more.
+  EXPECT_GT(saved, 3.4);
   EXPECT_LE(error_adaptive, error_all + 1e-3);
 }
 
@@ -164,7 +165,11 @@ TEST(AdaptiveLightTest, WithoutAnythingInTheWayThePictureIsTheSameBitForBit) {
   const RenderedFrame adaptive =
       test::render(scene, test::small_profile(), settings, test::looking_down({0, 1, 0}));
   test::expect_same_bits(plain, adaptive);
-  EXPECT_EQ(plain.counters.rays[RayKind::shadow], 16 * adaptive.counters.rays[RayKind::shadow]);
+  // 4 of 64 samples, and neighbours share them: 2 rays of 64 for all but the few hits without a neighbour.
+  const double saved = static_cast<double>(plain.counters.rays[RayKind::shadow]) /
+                       static_cast<double>(adaptive.counters.rays[RayKind::shadow]);
+  EXPECT_GT(saved, 24);
+  EXPECT_LE(saved, 32);
 }
 
 TEST(AdaptiveLightTest, AnyFewFirstStrataLieFarApart) {

@@ -82,7 +82,7 @@ TEST(RefractionTest, ASlabShiftsWhatLiesBehindItAsSnellSays) {
     }
   });
   std::cout << bright << " bright, " << dark << " dark, the nearest " << narrowest << " m from the edge\n";
-  EXPECT_GT(bright, 1000);
+  EXPECT_GT(bright, 700);
   EXPECT_GT(dark, 1000);
   // A pixel is 5 * 2 tan(8 deg) / 1201 = 1.2 mm wide at the edge: at most one column of three lies within 0.1
   // mm.
@@ -129,7 +129,8 @@ TEST(RefractionTest, LightIsReflectedTotallyAboveTheCriticalIndex) {
     const double passes = 1 - schlick(index, 1);
     EXPECT_NEAR(seen_through_prism(index), 2 * passes * passes, 2e-4 + test::half_rounding(2)) << index;
   }
-  // Below: in head on, out at 45 degrees inside, sin b = n sin 45.
+  // Near the critical index Fresnel's curve is steep (d cos / d index = 9 at 1.41), so 1e-4 needs exact
+  // normals. Below: in head on, out at 45 degrees inside, sin b = n sin 45.
   for (const float index : {1.1f, 1.3f, 1.41f}) {
     const double outside = std::sqrt(1 - 0.5 * index * index);
     const double passes = (1 - schlick(index, 1)) * (1 - schlick(index, outside));
