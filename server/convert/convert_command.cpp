@@ -9,6 +9,7 @@
 
 #include "server/cli/exit_code.h"
 #include "server/cli/flag_values.h"
+#include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/cli/version.h"
 #include "server/convert/convert_report.h"
@@ -48,6 +49,13 @@ SessionHeader header_for(const ConvertOptions& options, const NewSessionFolder& 
   return header;
 }
 
+// Thrown where rows and pictures pass by once a signal has asked for the end.
+struct Stopped {};
+
+void stop_on_signal() {
+  if (stop_signal() != 0) throw Stopped{};
+}
+
 struct Feed {
   CameraPictures pictures;
   SessionHeader::Camera camera;
@@ -72,6 +80,7 @@ std::int64_t write_feed(const ConvertOptions& options, const Feed& feed, const I
   std::vector<std::string> names;
   std::int64_t rows = 0;
   for (;; ++rows) {
+    stop_on_signal();
     const auto offset_ns =
         static_cast<TimeNs>(std::llround(static_cast<double>(rows) * 1e9 / options.camera_hz));
     const auto index = static_cast<std::size_t>(rows);
@@ -99,21 +108,36 @@ SessionFindings check_result(const ConvertOptions& options, const NewSessionFold
   }
 }
 
-void check_options(const ConvertOptions& options) {
-  if (!options.camera.empty() && options.camera_hfov_deg == 0 && options.camera_calibration.empty())
+// A flag that would change nothing is a mistake of whoever gave it.
+void check_camera_options(const ConvertOptions& options) {
+  const ConvertOptions unset;
+  const bool has_lens = options.camera_hfov_deg != 0, has_calibration = !options.camera_calibration.empty();
+  if (options.camera.empty()) {
+    for (const auto& [given, flag] :
+         {std::pair{options.camera_hz != unset.camera_hz, "--camera-hz"},
+          std::pair{options.camera_loop, "--camera-loop"}, std::pair{has_lens, "--camera-hfov"},
+          std::pair{has_calibration, "--camera-calibration"},
+          std::pair{options.camera_label != unset.camera_label, "--camera-label"}}) {
+      if (given) throw UsageError(std::string(flag) + ": there are no pictures; give --camera DIR too");
+    }
+    return;
+  }
+  if (!has_lens && !has_calibration)
     throw UsageError(
         "--camera: the lens is unknown; give --camera-hfov DEGREES or --camera-calibration FILE");
+  if (has_lens && has_calibration)
+    throw UsageError("--camera-hfov: the calibration has a lens of its own; give one of the two");
+  if (!has_calibration && options.camera_label != unset.camera_label)
+    throw UsageError("--camera-label: names a camera of a calibration; give --camera-calibration FILE");
+}
+
+void check_options(const ConvertOptions& options) {
+  check_camera_options(options);
+  check_scene_name("--scene", options.scene);
   if (options.head == options.out) throw UsageError("OUT: is the recording itself; choose another folder");
 }
 
-}  // namespace
-
-int run_convert(const ConvertOptions& options) {
-  if (options.show_map) {
-    print_result(std::string(built_in(options.preset).json));
-    return kExitDone;
-  }
-  check_options(options);
+int convert(const ConvertOptions& options) {
   const ColumnMap map = chosen_map(options);
   DisplayProfile profile = load_display_profile(options.profile);
   const ImportRequest request{options.head, options.gaze, &map, options.keep_going};
@@ -124,8 +148,14 @@ int run_convert(const ConvertOptions& options) {
   NewSessionFolder folder(options.out, options.overwrite);
   SessionHeader header = header_for(options, folder, map, std::move(profile));
   SessionRecorder recorder(folder.path());
-  report.rows = import_rows(request, {[&](const PoseRow& row) { recorder.add_pose(row); },
-                                      [&](const GazeRow& row) { recorder.add_gaze(row); }});
+  report.rows = import_rows(request, {[&](const PoseRow& row) {
+                                        stop_on_signal();
+                                        recorder.add_pose(row);
+                                      },
+                                      [&](const GazeRow& row) {
+                                        stop_on_signal();
+                                        recorder.add_gaze(row);
+                                      }});
   if (!options.camera.empty()) {
     header.cameras.push_back(feed.camera);
     report.camera_rows = write_feed(options, feed, report.rows.poses, recorder);
@@ -138,9 +168,26 @@ int run_convert(const ConvertOptions& options) {
   recorder.write_header(header);
   recorder.finish();
   report.findings = check_result(options, folder);
+  stop_on_signal();
   folder.keep();
   print_result(options.json ? convert_json(report) : convert_text(report));
   return report.rows.poses.bad_rows + report.rows.gaze.bad_rows > 0 ? kExitPartial : kExitDone;
+}
+
+}  // namespace
+
+int run_convert(const ConvertOptions& options) {
+  if (options.show_map) {
+    print_result(std::string(built_in(options.preset).json));
+    return kExitDone;
+  }
+  check_options(options);
+  try {
+    return convert(options);
+  } catch (const Stopped&) {
+    print_message("stopped: nothing was written");
+    return kExitSignalBase + stop_signal();
+  }
 }
 
 }  // namespace herr

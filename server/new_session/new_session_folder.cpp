@@ -2,7 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -27,6 +31,47 @@ void rename_folder(const fs::path& from, const fs::path& to) {
   if (error) throw WriteError(to, "rename", error.value());
 }
 
+// What a session of format version 1 consists of; the pictures in camN/data are told by no name.
+constexpr std::array<std::string_view, 12> kSessionEntries{
+    "session.json", "events.jsonl",  "pose",      "pose/data.csv", "gaze",          "gaze/data.csv",
+    "cam0",         "cam0/data.csv", "cam0/data", "cam1",          "cam1/data.csv", "cam1/data"};
+
+// The first thing in a session's folder that is no part of the session.
+std::optional<fs::path> foreign_entry(const fs::path& session) {
+  for (auto entry = fs::recursive_directory_iterator(session); entry != fs::recursive_directory_iterator();
+       ++entry) {
+    const std::string name = entry->path().lexically_relative(session).generic_string();
+    if (std::find(kSessionEntries.begin(), kSessionEntries.end(), name) == kSessionEntries.end())
+      return entry->path();
+    if (entry->path().filename() == "data") entry.disable_recursion_pending();
+  }
+  return std::nullopt;
+}
+
+void check_overwritable(const fs::path& out) {
+  const std::string shown = printable(out.string());
+  std::error_code error;
+  if (!fs::exists(out / "session.json", error))
+    throw UsageError("OUT: " + shown + " is not empty and no session; only a session is overwritten");
+  try {
+    if (const auto foreign = foreign_entry(out))
+      throw UsageError("OUT: " + printable(foreign->string()) +
+                       " is no part of the session and would be lost; move it away or choose another folder");
+  } catch (const fs::filesystem_error& problem) {
+    throw UsageError("OUT: cannot look into " + shown + ": " + problem.code().message() +
+                     "; choose another folder");
+  }
+}
+
+// Folders above `path` that do not exist, innermost first.
+std::vector<fs::path> missing_folders(fs::path path) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (; !path.empty() && !fs::exists(fs::symlink_status(path, error)); path = path.parent_path())
+    missing.push_back(path);
+  return missing;
+}
+
 }  // namespace
 
 NewSessionFolder::NewSessionFolder(fs::path out, bool overwrite) : out_(std::move(out)) {
@@ -36,29 +81,41 @@ NewSessionFolder::NewSessionFolder(fs::path out, bool overwrite) : out_(std::mov
     throw UsageError("OUT: is no name of a folder; write one, for example sessions/walk");
   const std::string shown = printable(out_.string());
   std::error_code error;
+  if (fs::is_symlink(out_, error))
+    throw UsageError("OUT: " + shown + " is a link; name the folder that it leads to");
   const fs::file_status status = fs::status(out_, error);
   if (fs::exists(status)) {
     if (!fs::is_directory(status))
       throw UsageError("OUT: " + shown + " exists and is no folder; choose another name");
     const bool empty = fs::is_empty(out_, error);
-    if (error) throw UsageError("OUT: cannot look into " + shown + ": " + error.message());
+    if (error)
+      throw UsageError("OUT: cannot look into " + shown + ": " + error.message() + "; choose another folder");
     if (!empty && !overwrite)
       throw UsageError("OUT: " + shown + " is not empty; give --overwrite to replace it");
-    if (!empty && !fs::exists(out_ / "session.json", error))
-      throw UsageError("OUT: " + shown + " is not empty and no session; only a session is overwritten");
+    if (!empty) check_overwritable(out_);
   }
   const fs::path parent = out_.has_parent_path() ? out_.parent_path() : fs::path(".");
-  fs::create_directories(parent, error);
-  if (error) throw UsageError("OUT: cannot make " + printable(parent.string()) + ": " + error.message());
+  made_parents_ = missing_folders(parent);
   temporary_ = beside(out_, ".tmp.");
-  if (!fs::create_directory(temporary_, error))
-    throw UsageError("OUT: cannot make " + printable(temporary_.string()) + ": " +
-                     (error ? error.message() : "it exists") + "; choose another folder");
+  fs::create_directories(parent, error);
+  const fs::path& wanted = error ? parent : temporary_;
+  if (!error && fs::create_directory(temporary_, error)) return;
+  remove_made_parents();
+  throw UsageError("OUT: cannot make " + printable(wanted.string()) + ": " +
+                   (error ? error.message() : "it exists") + "; choose another folder");
+}
+
+void NewSessionFolder::remove_made_parents() const {
+  std::error_code ignored_because_the_first_error_counts;
+  for (const fs::path& folder : made_parents_)
+    fs::remove(folder, ignored_because_the_first_error_counts);  // only when it is empty
 }
 
 NewSessionFolder::~NewSessionFolder() {
   std::error_code ignored_because_the_first_error_counts;
-  if (!kept_) fs::remove_all(temporary_, ignored_because_the_first_error_counts);
+  if (kept_) return;
+  fs::remove_all(temporary_, ignored_because_the_first_error_counts);
+  remove_made_parents();
 }
 
 void NewSessionFolder::keep() {
@@ -94,6 +151,11 @@ SessionHeader new_session_header(const NewSessionFolder& folder) {
   header.head_from_eye[0].position = {-kHalfIpdM, 0, 0};
   header.head_from_eye[1].position = {kHalfIpdM, 0, 0};
   return header;
+}
+
+void check_scene_name(const std::string& flag, const std::string& scene) {
+  if (fs::path(scene).is_absolute())
+    throw UsageError(flag + ": is an absolute path; write it relative to OUT");
 }
 
 std::string numbered_picture(std::size_t index, const std::string& extension) {

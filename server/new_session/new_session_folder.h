@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sessions/session.h"
 
@@ -14,9 +15,10 @@ namespace herr {
 // Not thread-safe.
 class NewSessionFolder {
  public:
-  // Throws UsageError when `out` exists and is not empty, unless it is a session and may be overwritten.
+  // Throws UsageError when `out` is a link, or exists and is not empty, unless it may be overwritten and
+  // holds a session and nothing else: whatever else lies there would be lost.
   NewSessionFolder(std::filesystem::path out, bool overwrite);
-  // Removes what was written unless it was kept.
+  // Removes what was made, the folders above it too, unless it was kept.
   ~NewSessionFolder();
   NewSessionFolder(const NewSessionFolder&) = delete;
   NewSessionFolder& operator=(const NewSessionFolder&) = delete;
@@ -31,12 +33,19 @@ class NewSessionFolder {
   void keep();
 
  private:
+  void remove_made_parents() const;
+
   std::filesystem::path out_, temporary_;
+  std::vector<std::filesystem::path> made_parents_;  // innermost first
   bool kept_ = false;
 };
 
 // Named after the folder, eyes 63 mm apart.
 SessionHeader new_session_header(const NewSessionFolder& folder);
+
+// Throws UsageError when `scene`, the value of `flag`, is an absolute path: it would not move with the
+// session.
+void check_scene_name(const std::string& flag, const std::string& scene);
 
 // "000012.png": pictures sort by name.
 std::string numbered_picture(std::size_t index, const std::string& extension);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "server/cli/stop_signal.h"
+
 namespace herr {
 namespace {
 
@@ -43,11 +45,11 @@ CameraRenderer::CameraRenderer(const Scene& room, const CameraModel& camera, int
       profile_(profile_of(camera)),
       renderer_(std::make_unique<Renderer>(room_, profile_, settings_of_camera(threads), false)) {}
 
-void CameraRenderer::render(const Pose& world_from_camera, double time_s, Srgb8Image& out) {
+bool CameraRenderer::render(const Pose& world_from_camera, double time_s, Srgb8Image& out) {
   FrameSample sample;
   sample.head.world_from_head = world_from_camera;  // the eye is the camera
   scene_state_at(room_, time_s, state_);
-  renderer_->render_frame(sample, state_, frame_);
+  if (!renderer_->render_frame(sample, state_, frame_, &stop_flag())) return false;
 
   // Mean of kRaysPerAxis squared rays, in linear light.
   const ViewportImage& image = frame_.viewports.front();
@@ -70,6 +72,7 @@ void CameraRenderer::render(const Pose& world_from_camera, double time_s, Srgb8I
       }
     }
   });
+  return true;
 }
 
 }  // namespace herr

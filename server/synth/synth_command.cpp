@@ -62,10 +62,9 @@ void check_times(const SynthOptions& options) {
                      std::to_string(kLastStampNs) + "; start earlier");
 }
 
-void check_scene_name(const SynthOptions& options) {
+void check_replay_scene_name(const SynthOptions& options) {
   if (options.scene.empty()) return;
-  if (options.scene.front() == '/')
-    throw UsageError("--replay-scene: is an absolute path; write it relative to OUT");
+  check_scene_name("--replay-scene", options.scene);
   if (options.origin != glm::dvec3(0.0))
     throw UsageError(
         "--replay-scene: --origin moves the session away from it; replay with a --scene whose "
@@ -144,7 +143,7 @@ SessionFindings check_result(const NewSessionFolder& folder) {
 void check_synth_options(const SynthOptions& options) {
   check_camera(options);
   check_times(options);
-  check_scene_name(options);
+  check_replay_scene_name(options);
 }
 
 int run_synth(const SynthOptions& options) {

@@ -105,7 +105,7 @@ SynthCounts write_camera(const SynthOptions& options, const HeadMotion& head, co
   std::size_t pictures = 0;
   // Rendered before the origin is added: the room stands where the scene file has it.
   const auto take = [&](TimeNs stamp_ns, double time_s) {
-    renderer.render(head.at(time_s) * camera.head_from_camera, time_s, picture);
+    if (!renderer.render(head.at(time_s) * camera.head_from_camera, time_s, picture)) return;
     encode_png(picture, png, kSmallPngLevel);
     const std::string name = numbered_picture(pictures++, ".png");
     recorder.add_image(0, name, png);

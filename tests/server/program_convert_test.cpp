@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "child_program.h"
 #include "program_runner.h"
 #include "server/output/atomic_file.h"
 #include "server/output/png_encoder.h"
@@ -88,6 +92,13 @@ TEST_F(ConvertProgram, RefusesWrongUsage) {
       {"--preset tum", "HEAD: missing"},
       {"walk.txt s --preset tum --camera pictures", "--camera: the lens is unknown"},
       {"walk.txt s --preset tum --camera-hfov 180", "--camera-hfov"},
+      {"walk.txt s --preset tum --camera-hfov 66", "--camera-hfov: there are no pictures"},
+      {"walk.txt s --preset tum --camera-loop", "--camera-loop: there are no pictures"},
+      {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-calibration c.json",
+       "--camera-hfov: the calibration has a lens"},
+      {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-label left",
+       "--camera-label: names a camera of a calibration"},
+      {"walk.txt s --preset tum --scene /room.scene.json", "--scene: is an absolute path"},
       {"walk.txt pictures --preset tum", "is not empty; give --overwrite"},
       {"walk.txt pictures --preset tum --overwrite", "only a session is overwritten"},
       {"walk.txt walk.txt --preset tum", "OUT:"}};
@@ -108,6 +119,8 @@ TEST_F(ConvertProgram, LeavesNothingBehindBadInput) {
   EXPECT_NE(got.err.find("bad.txt:2: column 4 is 'O'"), std::string::npos) << got.err;
   EXPECT_TRUE(made().empty());
   EXPECT_EQ(convert("missing.txt s --preset tum").exit_code, 3);
+  EXPECT_EQ(convert("bad.txt far/below/s --preset tum").exit_code, 3);
+  EXPECT_FALSE(fs::exists(root() / "far")) << "folders above OUT were made for nothing";
   // Nanoseconds taken for seconds: rows a nanosecond apart are no recording.
   write_whole_file(root() / "bad.txt",
                    std::string_view("1e-9 0 0 0 0 0 0 1\n2e-9 0 0 0 0 0 0 1\n3e-9 0 0 0 0 0 0 1\n"));
@@ -144,6 +157,36 @@ TEST_F(ConvertProgram, ReplacesASessionOnlyAsAWhole) {
   ASSERT_EQ(convert("bad.txt s --preset tum --overwrite").exit_code, 0);
   EXPECT_EQ(Session::open(root() / "s").findings().pose_rows, 300);
   EXPECT_EQ(made(), std::vector<std::string>{"s"});
+}
+
+TEST_F(ConvertProgram, OverwritesNothingThatIsNoPartOfASession) {
+  ASSERT_EQ(convert("walk.txt s --preset tum --camera pictures --camera-hfov 90").exit_code, 0);
+  for (const char* own : {"s/notes.txt", "s/pose/raw.csv"}) {
+    write_whole_file(root() / own, std::string_view("mine"));
+    const Outcome got = convert("walk.txt s --preset tum --overwrite");
+    EXPECT_EQ(got.exit_code, 2) << own;
+    EXPECT_NE(got.err.find(std::string(own) + " is no part of the session"), std::string::npos) << got.err;
+    EXPECT_EQ(content_of(root() / own), "mine");
+    fs::remove(root() / own);
+  }
+  fs::create_directory_symlink("s", root() / "link");
+  EXPECT_EQ(convert("walk.txt link --preset tum --overwrite").exit_code, 2);
+  EXPECT_TRUE(fs::is_symlink(root() / "link"));
+  EXPECT_EQ(convert("walk.txt s --preset tum --overwrite").exit_code, 0);
+}
+
+TEST_F(ConvertProgram, ASignalLeavesNothing) {
+  std::string rows;  // a second or more of work
+  for (int i = 100'000; i < 600'000; ++i) rows += std::to_string(i) + " 0 0 0 0 0 0 1\n";
+  write_whole_file(root() / "long.txt", rows);
+  const auto before = made();
+  ChildProgram child(root(), {HERR_PROGRAM, "convert", "long.txt", "s", "--preset", "tum"});
+  // It writes: so its handler of the signal is in place.
+  while (child.runs() && made() == before) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  child.send(SIGTERM);
+  EXPECT_EQ(child.finish(), 128 + SIGTERM);
+  EXPECT_EQ(content_of(root() / "stderr.txt"), "herr: stopped: nothing was written\n");
+  EXPECT_EQ(made(), before);
 }
 
 TEST_F(ConvertProgram, PrintsMapsThatItReadsBack) {
