@@ -16,7 +16,7 @@ bool has_extension(const JsonObject& object) {
   return object.has("extensions") && object.object("extensions").has(kExtension);
 }
 
-AreaLight read_light(const JsonObject& object) {
+AreaLight read_light(const JsonObject& object, std::vector<std::string>& warnings) {
   AreaLight light;
   light.name = object.text_or("name", "");
   const std::string type = object.text("type");
@@ -25,7 +25,9 @@ AreaLight read_light(const JsonObject& object) {
   } else if (type == "directional") {
     light.kind = LightKind::sun;
   } else if (type != "point") {
-    object.fail("type", "is \"" + printable(type) + "\"", "write point, spot or directional");
+    warnings.push_back("light \"" + printable(light.name) + "\" is of the unknown type \"" + printable(type) +
+                       "\"; it does not shine");
+    return light;
   }
   const auto intensity = static_cast<float>(object.number_or("intensity", 0, kBrightest, 1));
   light.intensity_w_sr = glm::vec3(object.vec3_or("color", 0, kBrightest, glm::dvec3(1.0))) * intensity;
@@ -46,15 +48,16 @@ void read_gltf_lights(const nlohmann::json& document, const std::filesystem::pat
   const JsonObject root(document, file, "");
   if (has_extension(root)) {
     for (const JsonObject& light : root.object("extensions").object(kExtension).objects("lights")) {
-      model.lights.push_back(read_light(light));
+      model.lights.push_back(read_light(light, model.warnings));
     }
   }
   const std::vector<JsonObject> nodes = root.objects("nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!has_extension(nodes[i])) continue;
-    const auto last = static_cast<std::int64_t>(model.lights.size()) - 1;
-    model.nodes[i].light =
-        static_cast<int>(nodes[i].object("extensions").object(kExtension).integer("light", 0, last));
+    const JsonObject use = nodes[i].object("extensions").object(kExtension);
+    const auto lights = static_cast<std::int64_t>(model.lights.size());
+    if (lights == 0) use.fail("light", "names a light, and the file has none", "export the model again");
+    model.nodes[i].light = static_cast<int>(use.integer("light", 0, lights - 1));
   }
 }
 

@@ -120,10 +120,17 @@ TEST(LightSources, AGltfsLightsMoveWithTheEntryOfADocument) {
   EXPECT_EQ(scene.lights[0].kind, LightKind::box);
 }
 
+TEST(LightSources, AnUnknownTypeOfLightInAGltfDoesNotShineAndIsToldOf) {
+  const TemporaryFolder folder;
+  const Scene scene = load_scene(write_model(folder, document_with_gltf_light({{"type", "area"}})));
+  EXPECT_TRUE(any_contains(scene.warnings, "\"area\""));
+  EXPECT_EQ(scene.lights.at(0).intensity_w_sr, glm::vec3(0.0f));
+}
+
 TEST(LightSources, WrongLightsOfAGltfAreRefused) {
   const TemporaryFolder folder;
   for (const json& light :
-       {json{{"type", "area"}}, json{{"type", "point"}, {"intensity", -1}}, json{{"type", "spot"}},
+       {json{{"type", "point"}, {"intensity", -1}}, json{{"type", "spot"}},
         json{{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.4}}}},
         json{{"type", "point"}, {"color", {1, 1}}}}) {
     const std::string error = error_of(write_model(folder, document_with_gltf_light(light)));
