@@ -9,6 +9,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,17 @@ struct EnvironmentImage {
                             // fourth is unused
 };
 
+struct Bounds {
+  glm::dvec3 lower{0.0}, upper{0.0};
+};
+
+// A regular grid of light probes over a box: the scene's bounds where the document names none.
+inline constexpr int kMostProbes = 65536;
+struct ProbeGridSpec {
+  std::array<int, 3> counts{16, 8, 16};  // >= 1 each, kMostProbes together
+  std::optional<Bounds> box;
+};
+
 struct Scene {
   std::string name;
   std::vector<TriangleMesh> meshes;
@@ -95,9 +107,10 @@ struct Scene {
   std::vector<TextureImage> textures;
   std::vector<MeshInstance> instances;
   std::vector<AreaLight> lights;
-  glm::vec3 ambient{0.0f};                   // radiance of the constant ambient term
-  glm::vec3 environment{0.0f};               // radiance that a ray sees which leaves the scene
-  EnvironmentImage environment_map;          // instead of `environment` where it has pixels
+  glm::vec3 ambient{0.0f};           // radiance of the constant ambient term
+  glm::vec3 environment{0.0f};       // radiance that a ray sees which leaves the scene
+  EnvironmentImage environment_map;  // instead of `environment` where it has pixels
+  ProbeGridSpec probes;
   Pose world_from_session;                   // where the recording stands in the scene
   std::vector<std::string> warnings;         // one line each
   std::vector<std::filesystem::path> files;  // every file that was read
@@ -116,9 +129,6 @@ Scene load_scene(const std::filesystem::path& file);
 void scene_state_at(const Scene& scene, double time_s, SceneState& out);
 
 // Box around every instance that is not a catcher (of all instances if there are only catchers).
-struct Bounds {
-  glm::dvec3 lower{0.0}, upper{0.0};
-};
 Bounds scene_bounds(const Scene& scene);
 // Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance.
 std::int64_t triangle_count(const Scene& scene, bool catchers);

@@ -102,7 +102,7 @@ Scene read_scene_document(const std::filesystem::path& file) {
   const nlohmann::json document = parse_json_file(file);
   const JsonObject root(document, file, "");
   root.allow_only({"format_version", "name", "gltf", "catchers", "lights", "ambient", "environment",
-                   "environment_map", "world_from_session"});
+                   "environment_map", "world_from_session", "probes"});
   root.integer("format_version", 1, 1);
   Scene scene;
   scene.files.push_back(file);
@@ -115,6 +115,7 @@ Scene read_scene_document(const std::filesystem::path& file) {
     }
     read_environment(root.object("environment_map"), scene);
   }
+  if (root.has("probes")) scene.probes = parse_probes(root.object("probes"));
   if (root.has("world_from_session"))
     scene.world_from_session = parse_pose(root.object("world_from_session"));
   for (const JsonObject& light : root.objects("lights")) scene.lights.push_back(parse_light(light));

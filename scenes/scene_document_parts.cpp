@@ -187,6 +187,38 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   scene.instances.push_back(std::move(instance));
 }
 
+ProbeGridSpec parse_probes(const JsonObject& object) {
+  object.allow_only({"counts", "min", "max"});
+  ProbeGridSpec probes;
+  if (object.has("counts")) {
+    const std::vector<double> counts = object.numbers("counts", 3, 1, kMostProbes);
+    double product = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (counts[axis] != std::floor(counts[axis])) {
+        object.fail("counts", "is not three whole numbers", "write for example [16, 8, 16]");
+      }
+      probes.counts[axis] = static_cast<int>(counts[axis]);
+      product *= counts[axis];
+    }
+    if (product > kMostProbes) {
+      object.fail("counts", "makes more than " + std::to_string(kMostProbes) + " probes",
+                  "write smaller numbers");
+    }
+  }
+  if (object.has("min") != object.has("max")) {
+    object.fail(nullptr, "has only one of min and max", "write both, or neither for the scene's bounds");
+  }
+  if (!object.has("min")) return probes;
+  probes.box = Bounds{object.vec3("min", -kFarthestPlace_m, kFarthestPlace_m),
+                      object.vec3("max", -kFarthestPlace_m, kFarthestPlace_m)};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (probes.box->upper[axis] < probes.box->lower[axis]) {
+      object.fail("max", "is below min on an axis", "swap the two numbers");
+    }
+  }
+  return probes;
+}
+
 AreaLight parse_light(const JsonObject& object) {
   object.allow_only({"name", "kind", "centre", "size", "intensity_w_sr", "irradiance_w_m2", "direction",
                      "inner_cone_deg", "outer_cone_deg", "range_m", "path"});

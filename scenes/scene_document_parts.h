@@ -29,6 +29,8 @@ MaterialOverride parse_material_override(const JsonObject& object);
 
 // Appends the mesh, material and instance of a box or quad.
 void append_catcher(const JsonObject& object, Scene& scene);
+// probes: {"counts", "min", "max"}.
+ProbeGridSpec parse_probes(const JsonObject& object);
 AreaLight parse_light(const JsonObject& object);
 
 }  // namespace herr

@@ -19,6 +19,7 @@ json document() {
                  {"name": "wall", "quad": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]}],
     "lights": [{"name": "sun", "centre": [0, 3, 0], "size": [1, 0, 1], "intensity_w_sr": [10, 20, 30],
                 "path": {"circle_radius_m": 2, "period_s": 8, "phase_deg": 90}}],
+    "probes": {"counts": [4, 2, 8], "min": [-1, 0, -2], "max": [1, 2, 2]},
     "ambient": [0.1, 0.2, 0.3], "environment": [0.4, 0.5, 0.6],
     "world_from_session": {"position": [1, 0, 2], "orientation_xyzw": [0, 0, 0, 1]}})");
 }
@@ -36,6 +37,10 @@ TEST(SceneDocument, EveryFieldArrives) {
   EXPECT_EQ(scene.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
   EXPECT_EQ(scene.environment, glm::vec3(0.4f, 0.5f, 0.6f));
   EXPECT_EQ(scene.world_from_session.position, glm::dvec3(1, 0, 2));
+  EXPECT_EQ(scene.probes.counts, (std::array{4, 2, 8}));
+  ASSERT_TRUE(scene.probes.box);
+  EXPECT_EQ(scene.probes.box->lower, glm::dvec3(-1, 0, -2));
+  EXPECT_EQ(scene.probes.box->upper, glm::dvec3(1, 2, 2));
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.lights[0].intensity_w_sr, glm::vec3(10, 20, 30));
   EXPECT_EQ(scene.lights[0].size, glm::vec3(1, 0, 1));
@@ -67,6 +72,12 @@ TEST(SceneDocument, EveryFaultIsAnInputErrorThatNamesTheField) {
   const std::vector<Fault> faults{
       {"unknown key", [](json& d) { set(d, "/lihgts", 1); }, "lights"},
       {"unknown key in a light", [](json& d) { set(d, "/lights/0/center", 1); }, "centre"},
+      {"unknown key in probes", [](json& d) { set(d, "/probes/count", 1); }, "counts"},
+      {"probes on an axis: none", [](json& d) { set(d, "/probes/counts/1", 0); }, "probes.counts"},
+      {"probes on an axis: half", [](json& d) { set(d, "/probes/counts/1", 1.5); }, "probes.counts"},
+      {"too many probes", [](json& d) { set(d, "/probes/counts/1", 65536); }, "probes.counts"},
+      {"probes with half a box", [](json& d) { d["probes"].erase("max"); }, "probes"},
+      {"probes inside out", [](json& d) { set(d, "/probes/max/2", -3); }, "probes.max"},
       {"unknown key in a path", [](json& d) { set(d, "/lights/0/path/radius", 1); }, "lights[0].path"},
       {"unknown key in an override", [](json& d) { set(d, "/gltf/0/material/metalic", 1); }, "metallic"},
       {"newer format", [](json& d) { set(d, "/format_version", 2); }, "format_version"},
