@@ -13,6 +13,9 @@
 namespace herr {
 namespace {
 
+// Of the jobs of 16 probes one in four is recorded: there are 128 of them in the default grid.
+constexpr int kProbeJobStride = 4;
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -34,6 +37,10 @@ class RawSide {
     const int stride = frame.settings.light_samples >= 64 ? 256 : 16;
     for (int tile = stride / 2; tile < frame.tile_count(); tile += stride)
       frame.run_tile(tile, 0, &recorder_);
+    // Traced only: what the probes have gathered stays as it was.
+    for (int job = 0; frame.plan.probes && job < frame.probe_job_count(); job += kProbeJobStride) {
+      frame.probe_kernels.trace(frame.probe_job(job, 0, &recorder_));
+    }
     for (std::size_t k = 0; k < kRayKinds; ++k) dense_[k] = recorder_.rays[k].dense();
     constexpr int kStripStride = 16;
     const PrecomputePixels precompute = precompute_pixels_for(frame.settings.isa);
@@ -154,6 +161,11 @@ Stage stage_of(std::size_t kind) {
     case RayKind::mirror_shadow:
     case RayKind::refraction_shadow:
       return Stage::second_light;
+    case RayKind::probe:
+    case RayKind::probe_shadow:
+    case RayKind::catcher_probe:
+    case RayKind::catcher_probe_shadow:
+      return Stage::probe_rays;
     case RayKind::occlusion:
     case RayKind::catcher_occlusion:
       return Stage::occlusion;
@@ -174,7 +186,10 @@ BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inpu
     renderer.render_frame(input.sample, input.state, out);
     RawSide raw(frame, out.counters);
     for (int repeat = 0; repeat < repeats; ++repeat) {
-      renderer.render_frame(input.sample, input.state, out);
+      // Another moment, or probes would take it for the same frame once more.
+      FrameSample sample = input.sample;
+      sample.t_ns += repeat + 1;
+      renderer.render_frame(sample, input.state, out);
       std::array<double, kRayKinds> kinds_ms{};
       for (std::size_t k = 0; k < kRayKinds; ++k) kinds_ms[k] = raw.rays_ms(k);
       measured.add(out.times, kinds_ms, raw.pixels_ms());
@@ -206,6 +221,7 @@ BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inpu
                             millions_per_second(per_frame, result.median_times[stage_of(k)])});
   }
   result.counters = out.counters;
+  if (frame.probes) result.most_probe_rays = frame.probes->most_rays();
   return result;
 }
 

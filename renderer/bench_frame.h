@@ -32,7 +32,8 @@ struct BenchResult {
   std::vector<Kind> kinds;
   double ns_per_pixel = 0, raw_ns_per_pixel = 0;
   StageTimes median_times;
-  FrameCounters counters;  // of the last frame
+  FrameCounters counters;            // of the last frame
+  std::int64_t most_probe_rays = 0;  // of a frame that updates every probe its budget allows, each set
 };
 
 // Renders each input once to warm up and to record 1/16 of its tiles (1/256 from 64 light samples on), then

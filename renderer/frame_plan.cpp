@@ -92,7 +92,7 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "adaptive light samples",
          std::to_string(settings.first_light_samples) + " strata first, the rest where they disagree",
          many ? "all strata for every hit" : "one sample");
-  const bool has_ambient = scene.ambient != glm::vec3{0.0f};
+  const bool has_ambient = scene.ambient != glm::vec3{0.0f} || (settings.probes.on && t.instances > 0);
   decide(plan.occlusion, settings.occlusion_rays > 0 && has_ambient, "ambient occlusion",
          std::to_string(settings.occlusion_rays) + " short rays per hit",
          settings.occlusion_rays == 0 ? "not asked for" : "no indirect light to occlude");
@@ -115,8 +115,17 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.catchers_occlude, plan.catchers && t.catchers_may_occlude, "catcher shadow rays",
          "catchers can shadow one another",
          plan.catchers ? "one flat catcher cannot shadow itself" : "no catcher");
-  decide(plan.coloured_ratio, plan.catchers && hues_differ(scene), "coloured catcher ratio",
-         "lights and ambient differ in hue", plan.catchers ? "all light has one hue" : "no catcher");
+  const auto& n = scene.probes.counts;
+  decide(plan.probes, settings.probes.on && t.instances > 0, "probes",
+         std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
+             std::to_string(settings.probes.rays) + " rays each",
+         t.instances == 0 ? "no surface to light" : "switched off by settings");
+  decide(plan.catcher_probes, plan.probes && plan.catchers, "probes of catchers alone",
+         "indirect light changes the feed on catchers", plan.catchers ? "probes are off" : "no catcher");
+  const bool coloured = plan.catcher_probes || hues_differ(scene);
+  decide(plan.coloured_ratio, plan.catchers && coloured, "coloured catcher ratio",
+         plan.catcher_probes ? "surfaces colour the light between them" : "lights and ambient differ in hue",
+         plan.catchers ? "all light has one hue" : "no catcher");
   decide(plan.camera, settings.camera && session_has_camera, "camera composite",
          "the session has a camera feed",
          session_has_camera ? "switched off by settings" : "the session has no camera feed");

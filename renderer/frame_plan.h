@@ -35,7 +35,9 @@ struct FramePlan {
   bool coloured_ratio = false;  // lights and ambient differ in hue: the catcher ratio needs three channels
   bool many_light_samples = false;
   bool adaptive_light_samples = false;
-  bool specular = false;  // some material has a specular lobe
+  bool probes = false;          // light that came by other surfaces
+  bool catcher_probes = false;  // a second set of probes that sees catchers alone
+  bool specular = false;        // some material has a specular lobe
   bool camera = false;
   bool gaze_marker = false;
   std::vector<PlanEntry> entries;  // all of the above, for people

@@ -22,6 +22,14 @@ const char* name_of(RayKind kind) {
       return "occlusion";
     case RayKind::catcher_occlusion:
       return "catcher_occlusion";
+    case RayKind::probe:
+      return "probe";
+    case RayKind::probe_shadow:
+      return "probe_shadow";
+    case RayKind::catcher_probe:
+      return "catcher_probe";
+    case RayKind::catcher_probe_shadow:
+      return "catcher_probe_shadow";
   }
   return "unknown";
 }

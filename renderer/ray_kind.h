@@ -18,8 +18,12 @@ enum class RayKind : std::uint8_t {
   refraction_shadow,  // from what they show to lights
   occlusion,          // short rays of ambient occlusion
   catcher_occlusion,  // the same from catchers, past virtual objects
+  probe,              // from probes
+  probe_shadow,       // from what probes see to lights
+  catcher_probe,      // the same for the probes of catchers alone, past virtual objects
+  catcher_probe_shadow,
 };
-inline constexpr std::size_t kRayKinds = 9;
+inline constexpr std::size_t kRayKinds = 13;
 // Without "rays": "primary", "catcher_shadow", ...
 const char* name_of(RayKind kind);
 

@@ -1,6 +1,6 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
-// sample of the session -> acceleration structures follow the head -> lights -> polar rays -> first hits,
-// light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
+// sample of the session -> acceleration structures follow the head -> lights -> probes -> polar rays -> first
+// hits, light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
 // allocation, no lock.
 #include <algorithm>
 #include <chrono>
@@ -61,11 +61,13 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   }
   out.times = {};
   out.counters = {};
+  std::fill(frame.counters.begin(), frame.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
 
   out.counters.commits =
       timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample); });
   timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, quality); });
+  if (frame.plan.probes) frame.update_probes(sample, state, out);
   timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample); });
   if (!frame.trace_tiles(out.times, abandon)) return false;
   timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
@@ -80,9 +82,13 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   return true;
 }
 
-void Renderer::pass_over(const FrameSample& sample) {
+void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   require_usable(sample.head.world_from_head);
   impl_->update_acceleration(sample);
+  if (!impl_->plan.probes) return;
+  RenderedFrame nobodys;
+  impl_->update_scene(state, {impl_->settings.light_samples});
+  impl_->update_probes(sample, state, nobodys);
 }
 
 int Renderer::Impl::update_acceleration(const FrameSample& sample) {
@@ -157,7 +163,6 @@ void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
 }
 
 bool Renderer::Impl::trace_tiles(StageTimes& times, const std::atomic<bool>* abandon) {
-  std::fill(counters.begin(), counters.end(), TileCounters{});
   const PhaseClock clock(cycles);
   const auto trace = [this](int job, int worker) { run_tile(job, worker, nullptr); };
   const bool whole = threads.run(tile_count(), trace, abandon);

@@ -11,6 +11,17 @@ inline constexpr int kMostLightSamples = 4096;
 enum class Foveation : std::uint8_t { log_polar, off };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
+// Light that bounces between surfaces, gathered by a grid of probes over time.
+struct ProbeSettings {
+  bool on = false;
+  int rays = 64;                    // per probe and update, 8 ... 512
+  int budget = 0;                   // probes updated in a frame, in turn; 0 = all
+  double hysteresis_tau_s = 0.365;  // time constant of what probes remember, 0 ... 1e6; 0 = nothing
+  bool react = true;                // forget faster where light changes by more than a quarter
+  double normal_bias = 0.1;  // look-ups see from this share of the smallest spacing off the surface, 0 ... 1
+  double view_bias = 0.0;    // and from this share of it towards the viewer, 0 ... 1
+};
+
 struct RenderSettings {
   Foveation foveation = Foveation::log_polar;  // off: one ray per viewport pixel, the reference
   int polar_width = 788;   // radial samples per eye, 1 ... 8192 (the paper's "1576x768" counts both eyes)
@@ -28,8 +39,9 @@ struct RenderSettings {
   bool gaze_marker = false;         // red circle around the gaze direction in every viewport
   bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
   double feed_distance_m = 2.0;     // the camera feed is re-projected as if it lay on a sphere of this radius
-  int threads = 0;                  // 1 ... 512; 0 = all that this process may use
-  Isa isa = Isa::best;              // instruction set of kernels and Embree
+  ProbeSettings probes;
+  int threads = 0;      // 1 ... 512; 0 = all that this process may use
+  Isa isa = Isa::best;  // instruction set of kernels and Embree
 };
 
 // "sse4", "avx2", "avx512". The one that runs: best resolved against this CPU.

@@ -25,6 +25,15 @@ RenderSettings resolved(RenderSettings settings) {
     throw std::invalid_argument("occlusion radius must lie in [0.001, 1000] m");
   }
   within("threads", settings.threads, 0, 512);
+  within("probe rays", settings.probes.rays, kFewestProbeRays, kMostProbeRays);
+  within("probe budget", settings.probes.budget, 0, kMostProbes);
+  const ProbeSettings& probes = settings.probes;
+  if (!(probes.hysteresis_tau_s >= 0 && probes.hysteresis_tau_s <= 1e6)) {
+    throw std::invalid_argument("time constant of probes must lie in [0, 1e6] s");
+  }
+  for (const double bias : {probes.normal_bias, probes.view_bias}) {
+    if (!(bias >= 0 && bias <= 1)) throw std::invalid_argument("bias of probes must lie in [0, 1]");
+  }
   if (!(settings.feed_distance_m > 0.01)) throw std::invalid_argument("feed distance must exceed 0.01 m");
   if (settings.threads == 0) settings.threads = available_threads();
   settings.isa = resolve_isa(settings.isa);
@@ -91,6 +100,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
     if (settings.first_light_samples > 0) tile_scratch.back()->adaptive = std::make_unique<AdaptiveLight>();
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
+  if (plan.probes) build_probes();
   counters.resize(workers);
   cycles.resize(workers);
 }
@@ -107,8 +117,9 @@ const FramePlan& Renderer::plan() const {
 const RenderSettings& Renderer::settings() const {
   return impl_->settings;
 }
-RendererState Renderer::state() const {
+RendererState Renderer::state(bool with_probes) const {
   RendererState state;
+  if (with_probes && impl_->probes) state.probes = impl_->probes->save();
   if (impl_->geometry->placed()) state.anchor = impl_->geometry->anchor();
   return state;
 }
@@ -117,6 +128,11 @@ void Renderer::restore(const RendererState& state) {
   if (!state.anchor) return;
   const auto place = [&] { impl_->geometry->place_at(*state.anchor); };
   impl_->threads.inside(place);
+  if (impl_->plan.probes != !state.probes.empty()) {
+    throw std::invalid_argument(
+        "the state has probes where the renderer has none, or has none where it does");
+  }
+  if (impl_->plan.probes) impl_->restore_probes(state.probes);
 }
 
 int Renderer::threads() const {

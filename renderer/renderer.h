@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "renderer/frame_plan.h"
+#include "renderer/probes/probe_counts.h"
 #include "renderer/render_settings.h"
 #include "renderer/stage_times.h"
 #include "renderer/viewport_image.h"
@@ -25,6 +27,7 @@ struct RenderedFrame {
   std::vector<ViewportImage> viewports;  // in the order of DisplayProfile::viewports
   StageTimes times;
   FrameCounters counters;
+  ProbeCounts probes;                     // all 0 without probes
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
 };
 
@@ -32,6 +35,7 @@ struct RenderedFrame {
 // in the middle as if it had come from the start. Stages that carry state keep it here.
 struct RendererState {
   std::optional<glm::dvec3> anchor;  // metres, multiples of 16; none before the first frame
+  std::vector<std::byte> probes;     // what probes have gathered; empty without probes
 };
 
 // What may change from frame to frame.
@@ -64,9 +68,12 @@ class Renderer {
                     RenderedFrame& out, const std::atomic<bool>* abandon = nullptr);
 
   // Takes up what a frame changes in the renderer's state without rendering it.
-  void pass_over(const FrameSample& sample);
+  void pass_over(const FrameSample& sample, const SceneState& state);
   // After the last frame, whole or passed over. An abandoned frame has changed it too.
-  RendererState state() const;
+  // `with_probes`: megabytes; without them the rest, which costs nothing to ask for after each frame.
+  RendererState state(bool with_probes = true) const;
+  // Throws std::invalid_argument when the probes' bytes belong to another version, scene or grid; then this
+  // renderer is of no use any more.
   void restore(const RendererState& state);
 
   // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).

@@ -8,6 +8,7 @@
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/lighting/tile_job.h"
+#include "renderer/probes/probe_job.h"
 #include "renderer/render_threads.h"
 #include "renderer/renderer.h"
 #include "renderer/viewports/viewport_job.h"
@@ -42,6 +43,15 @@ struct Renderer::Impl {
   std::vector<int> first_strip;               // of each viewport, then the total
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
+  // With probes only.
+  std::unique_ptr<ProbeVolume> probes;
+  ProbeKernels probe_kernels{};
+  FramePlan probe_plan;                        // of what probe rays hit: one light sample, nothing invisible
+  std::array<ProbeView, 2> probe_views;        // all geometry; catchers alone
+  std::array<ShadingInputs, 2> probe_shading;  // likewise
+  std::vector<LightRecord> probe_lights;       // one sample each
+  std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
+
   // Per worker.
   std::vector<std::unique_ptr<TileScratch>> tile_scratch;
   std::vector<std::unique_ptr<StripScratch>> strip_scratch;
@@ -51,6 +61,7 @@ struct Renderer::Impl {
   // The stages of a frame, in order (render_frame.cpp).
   void update_scene(const SceneState& state, const FrameQuality& quality);
   int update_acceleration(const FrameSample& sample);
+  void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
   void aim_rays(const FrameSample& sample);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
   void aim_viewports(const FrameSample& sample, RenderedFrame& out);
@@ -59,6 +70,12 @@ struct Renderer::Impl {
   void collect_counters(RenderedFrame& out) const;
 
   void run_tile(int job, int worker, RayRecorder* recorder);
+  void build_probes();
+  void publish_probes();
+  void restore_probes(std::span<const std::byte> bytes);
+  void aim_probes(const FrameSample& sample, const SceneState& state);
+  int probe_job_count() const { return probes->job_count() * static_cast<int>(probes->sets.size()); }
+  ProbeJob probe_job(int job, int worker, RayRecorder* recorder);
   int tile_count() const { return first_tile.back(); }
   int buffer_of(std::size_t viewport) const {
     return plan.polar ? static_cast<int>(profile.viewports[viewport].eye) : static_cast<int>(viewport);

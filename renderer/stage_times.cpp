@@ -8,6 +8,10 @@ const char* name_of(Stage stage) {
       return "scene_update";
     case Stage::acceleration:
       return "acceleration";
+    case Stage::probe_rays:
+      return "probe_rays";
+    case Stage::probe_update:
+      return "probe_update";
     case Stage::polar_rays:
       return "polar_rays";
     case Stage::first_hits:
@@ -18,6 +22,8 @@ const char* name_of(Stage stage) {
       return "light_rays";
     case Stage::occlusion:
       return "occlusion";
+    case Stage::indirect_light:
+      return "indirect_light";
     case Stage::second_hits:
       return "second_hits";
     case Stage::second_light:

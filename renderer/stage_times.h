@@ -10,22 +10,25 @@
 namespace herr {
 
 enum class Stage : std::uint8_t {
-  scene_update,  // lights of this frame
-  acceleration,  // Embree commits (only what changed)
-  polar_rays,    // ray generation, visibility of samples
-  first_hits,    // primary rays through Embree
-  surfaces,      // hit -> position, normal, material
-  light_rays,    // shadow rays and direct light at first hits
-  occlusion,     // short rays of ambient occlusion at first hits
-  second_hits,   // mirrored and refracted rays through Embree and their surfaces
-  second_light,  // shadow rays and direct light at second hits
-  resolve,       // shaded samples -> polar buffer texels
-  viewports,     // polar buffer -> viewports, composite over the camera feed
-  overlays,      // gaze marker
-  idle,          // threads waiting at the end of a parallel phase
-  other,         // frame time that no other row covers
+  scene_update,    // lights of this frame
+  acceleration,    // Embree commits (only what changed)
+  probe_rays,      // rays of probes through Embree, their surfaces and light
+  probe_update,    // radiance of probe rays -> light that probes have gathered
+  polar_rays,      // ray generation, visibility of samples
+  first_hits,      // primary rays through Embree
+  surfaces,        // hit -> position, normal, material
+  light_rays,      // shadow rays and direct light at first hits
+  occlusion,       // short rays of ambient occlusion at first hits
+  indirect_light,  // look-ups of probes at first and second hits
+  second_hits,     // mirrored and refracted rays through Embree and their surfaces
+  second_light,    // shadow rays and direct light at second hits
+  resolve,         // shaded samples -> polar buffer texels
+  viewports,       // polar buffer -> viewports, composite over the camera feed
+  overlays,        // gaze marker
+  idle,            // threads waiting at the end of a parallel phase
+  other,           // frame time that no other row covers
 };
-inline constexpr std::size_t kStageCount = 14;
+inline constexpr std::size_t kStageCount = 17;
 // Column name without unit: "scene_update", ...
 const char* name_of(Stage stage);
 

@@ -29,8 +29,11 @@ void fill(const RecordedRays& rays, std::size_t first, std::size_t count, float 
 template <int kRays>
 std::size_t trace_packets(RTCScene scene, RayKind kind, const RecordedRays& rays, std::size_t first,
                           std::size_t count) {
-  const bool closest = kind == RayKind::primary || kind == RayKind::mirror || kind == RayKind::refraction;
-  const bool past_objects = kind == RayKind::catcher_shadow || kind == RayKind::catcher_occlusion;
+  const bool probe = kind == RayKind::probe || kind == RayKind::catcher_probe;
+  const bool closest =
+      probe || kind == RayKind::primary || kind == RayKind::mirror || kind == RayKind::refraction;
+  const bool past_objects = kind == RayKind::catcher_shadow || kind == RayKind::catcher_occlusion ||
+                            kind == RayKind::catcher_probe || kind == RayKind::catcher_probe_shadow;
   const unsigned mask = past_objects ? kCatcherMask : kAllMask;
   alignas(64) typename RayPacket<kRays>::RayHit packet;
   alignas(64) int valid[16];
@@ -41,7 +44,7 @@ std::size_t trace_packets(RTCScene scene, RayKind kind, const RecordedRays& rays
       fill<kRays>(rays, at, lanes, std::numeric_limits<float>::infinity(), mask, packet.ray, valid);
       std::fill_n(packet.hit.geomID, kRays, RTC_INVALID_GEOMETRY_ID);
       std::fill_n(packet.hit.instID[0], kRays, RTC_INVALID_GEOMETRY_ID);
-      intersect_packet<kRays>(valid, scene, true, &packet);
+      intersect_packet<kRays>(valid, scene, !probe, &packet);
       for (std::size_t i = 0; i < lanes; ++i) hits += packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
     } else {
       fill<kRays>(rays, at, lanes, kShadowRayEnd, mask, packet.ray, valid);

@@ -14,23 +14,32 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Radiance that hits [slot, slot + kLanes) send back: emission, ambient and direct light. The mirror ray
+// Share of the light from all sides that a surface scatters back. Constant ambient light meets diffuse and
+// specular reflectance in full; light from probes never leaves stronger than it came.
+HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, bool probes) {
+  const VF specular = probes ? hn::Mul(f0, hn::Sub(set(1.0f), diffuse)) : f0;
+  return hn::MulAdd(specular, rough_share, diffuse);
+}
+
+// Radiance that hits [slot, slot + kLanes) send back: emission, direct light, and light from all sides
+// (constant, or from probes). The mirror ray
 // stands for the mirror's share of the specular ambient light, where one is traced; ambient light reaches the
 // `open` share of a hit where short rays were traced.
 HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced,
                        bool occlusion_traced) {
   const VF one = set(1.0f);
+  const bool probes = shading.probes != nullptr;
   const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
   const VF open = occlusion_traced ? hn::Max(load(&hits.open[slot]), hn::Zero(kF)) : one;
   const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
-                           const Lane<float>& direct, float ambient) HWY_ATTR {
-    const VF scattered = hn::MulAdd(load(&f0[slot]), rough_share, load(&diffuse[slot]));
-    return hn::Add(load(&emission[slot]),
-                   hn::MulAdd(scattered, hn::Mul(open, set(ambient)), load(&direct[slot])));
+                           const Lane<float>& direct, const Lane<float>& indirect, float ambient) HWY_ATTR {
+    const VF around = probes ? load(&indirect[slot]) : set(ambient);
+    const VF scattered = scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, probes);
+    return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
   };
-  return {channel(hits.er, hits.dr, hits.fr, hits.lr, shading.ambient[0]),
-          channel(hits.eg, hits.dg, hits.fg, hits.lg, shading.ambient[1]),
-          channel(hits.eb, hits.db, hits.fb, hits.lb, shading.ambient[2])};
+  return {channel(hits.er, hits.dr, hits.fr, hits.lr, hits.ir, shading.ambient[0]),
+          channel(hits.eg, hits.dg, hits.fg, hits.lg, hits.ig, shading.ambient[1]),
+          channel(hits.eb, hits.db, hits.fb, hits.lb, hits.ib, shading.ambient[2])};
 }
 
 }  // namespace HWY_NAMESPACE

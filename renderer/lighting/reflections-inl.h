@@ -72,6 +72,7 @@ HWY_INLINE void reflect_light(const TileJob& job, int count) {
   trace_second_rays<kTextures>(job, RayKind::mirror, 0x517cc1b7u);
   job.cycles->lap(Stage::second_hits);
   direct_light<kSpecular>(job, scratch.second, rays, RayKind::mirror_shadow);
+  light_indirectly(job, rays);
   gather_second_light(job, rays);
   job.cycles->lap(Stage::second_light);
 }

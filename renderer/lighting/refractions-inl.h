@@ -114,6 +114,7 @@ HWY_INLINE void refract_light(const TileJob& job, int count) {
     }
     job.cycles->lap(Stage::second_hits);
     direct_light<kSpecular>(job, scratch.second, rays, RayKind::refraction_shadow);
+    light_indirectly(job, rays);
     gather_second_light(job, rays);
     job.cycles->lap(Stage::second_light);
   }

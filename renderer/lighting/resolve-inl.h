@@ -76,14 +76,20 @@ HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
     const bool occlusion = shading.plan->occlusion;
     const VF open = occlusion ? hn::Max(load(&hits.open[slot]), zero) : one;
     const VF open_without = occlusion ? hn::Max(load(&hits.open_without[slot]), zero) : one;
-    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without, std::size_t channel)
-                           HWY_ATTR {
-                             const VF ambient = set(kPi * shading.ambient[channel]);
-                             return catcher_ratio(hn::MulAdd(ambient, open, load(&with_objects[slot])),
-                                                  hn::MulAdd(ambient, open_without, load(&without[slot])),
-                                                  shading.smallest_irradiance[channel]);
-                           };
-    const V3 ratios{ratio(hits.lr, hits.wr, 0), ratio(hits.lg, hits.wg, 1), ratio(hits.lb, hits.wb, 2)};
+    const bool probes = shading.catcher_probes != nullptr;
+    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without,
+                           const Lane<float>& around, const Lane<float>& around_without,
+                           std::size_t channel) HWY_ATTR {
+      const VF pi = set(kPi), ambient = set(kPi * shading.ambient[channel]);
+      const VF all = probes ? hn::Mul(pi, load(&around[slot])) : ambient;
+      const VF all_without = probes ? hn::Mul(pi, load(&around_without[slot])) : ambient;
+      return catcher_ratio(hn::MulAdd(all, open, load(&with_objects[slot])),
+                           hn::MulAdd(all_without, open_without, load(&without[slot])),
+                           shading.smallest_irradiance[channel]);
+    };
+    const V3 ratios{ratio(hits.lr, hits.wr, hits.ir, hits.jr, 0),
+                    ratio(hits.lg, hits.wg, hits.ig, hits.jg, 1),
+                    ratio(hits.lb, hits.wb, hits.ib, hits.jb, 2)};
     texel.ratio = select(catcher, ratios, texel.ratio);
     if (shading.plan->catcher_mirrors) {
       texel.light = select(catcher, load3(&hits.sr[slot], &hits.sg[slot], &hits.sb[slot]), texel.light);

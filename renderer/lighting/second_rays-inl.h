@@ -11,6 +11,7 @@
 #include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/surfaces-inl.h"
+#include "renderer/probes/probe_lookup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -67,6 +68,14 @@ HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_
   for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
     scratch.second.block[i] = scratch.first.block[static_cast<std::size_t>(scratch.sender[i])];
   }
+}
+
+// With probes: what second hits [0, rays) receive from other surfaces.
+HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
+  if (job.shading->probes == nullptr) return;
+  job.cycles->lap(Stage::second_light);
+  indirect_light(job, job.scratch->second, rays);
+  job.cycles->lap(Stage::indirect_light);
 }
 
 // Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to all, what

@@ -131,7 +131,9 @@ HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKi
   TileScratch& scratch = *job.scratch;
   const bool catchers_occlude = job.shading->plan->catchers_occlude;
   scratch.blocked.count = 0;
-  trace_occlusion(job, scratch.queue, kAllMask, kind, [&](int i) HWY_ATTR {
+  // Probes of catchers alone know no virtual object.
+  const unsigned mask = kind == RayKind::catcher_probe_shadow ? kCatcherMask : kAllMask;
+  trace_occlusion(job, scratch.queue, mask, kind, [&](int i) HWY_ATTR {
     const auto hit = static_cast<std::size_t>(scratch.queue.hit[static_cast<std::size_t>(i)]);
     blocked(hit);
     if (!catchers_occlude || hits.kind[hit] != static_cast<int>(HitKind::catcher)) return;

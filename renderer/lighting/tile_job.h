@@ -14,6 +14,7 @@
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/lighting/environment_record.h"
 #include "renderer/lighting/ray_recorder.h"
+#include "renderer/probes/probe_view.h"
 #include "renderer/stage_clock.h"
 #include "renderer/stage_times.h"
 
@@ -56,6 +57,10 @@ struct alignas(64) HitBatch {
   Lane<float> lr, lg, lb;
   // Catchers: irradiance without the virtual objects.
   Lane<float> wr, wg, wb;
+  // With probes: mean radiance from all sides (irradiance / pi) of light that came by other surfaces.
+  Lane<float> ir, ig, ib;
+  // Catchers: the same without the virtual objects.
+  Lane<float> jr, jg, jb;
   // Share of short rays that meet nothing; of catchers also without the virtual objects.
   Lane<float> open, open_without;
   // Catchers: reflection of virtual objects, added to the feed.
@@ -104,7 +109,9 @@ struct ShadingInputs {
   RTCScene scene = nullptr;
   std::span<const InstanceRecord> instances;
   std::span<const LightRecord> lights;
-  int first_light_samples = 0;  // adaptive: strata traced for every hit; 0: all of them
+  int first_light_samples = 0;                // adaptive: strata traced for every hit; 0: all of them
+  const ProbeView* probes = nullptr;          // null without probes
+  const ProbeView* catcher_probes = nullptr;  // what catchers alone send to one another; null without
   float ambient[3] = {};
   int occlusion_rays = 0;
   float occlusion_radius_m = 0;

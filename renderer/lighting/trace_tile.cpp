@@ -51,6 +51,10 @@ void trace_tile_with(const TileJob& job) {
     ambient_occlusion(job, packet_count);
     cycles.lap(Stage::occlusion);
   }
+  if (plan.probes) {
+    indirect_light(job, scratch.first, count);
+    cycles.lap(Stage::indirect_light);
+  }
   if (plan.mirror_rays) reflect_light<kTextures, kSpecular>(job, count);
   if (plan.refraction) refract_light<kTextures, kSpecular>(job, count);
   resolve(job, packet_count);

@@ -41,6 +41,9 @@ double polar_samples_of(const BenchResult& result) {
 
 StageItems items_of(Stage stage, const BenchResult& result) {
   switch (stage) {
+    case Stage::probe_rays:
+      return {"probe ray", rays_of(result, "probe") + rays_of(result, "catcher_probe")};
+    case Stage::indirect_light:
     case Stage::polar_rays:
     case Stage::first_hits:
     case Stage::surfaces:

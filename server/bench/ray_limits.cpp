@@ -17,6 +17,13 @@ double per_sample(const BenchResult& result, const std::string& name) {
   return 0;
 }
 
+double polar_samples(const BenchResult& result) {
+  for (const BenchResult::Kind& kind : result.kinds) {
+    if (kind.name == "primary") return static_cast<double>(kind.rays) / kind.rays_per_sample;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, std::size_t lights,
@@ -27,6 +34,9 @@ std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, s
   const double refraction = per_sample(result, "refraction");
   const double refraction_shadow = per_sample(result, "refraction_shadow");
   const double occlusion = per_sample(result, "occlusion");
+  // Every probe that is updated traces the rays that settings state; each hit asks for each light once.
+  const double samples = polar_samples(result);
+  const double probe_limit = samples > 0 ? static_cast<double>(result.most_probe_rays) / samples : 0.0;
   struct Limit {
     std::string name;
     double most;
@@ -41,7 +51,11 @@ std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, s
       {"refraction", plan.refraction ? kMostInterfaces : 0.0},
       {"refraction_shadow", refraction * per_hit},
       {"occlusion", plan.occlusion ? settings.occlusion_rays : 0.0},
-      {"catcher_occlusion", plan.catchers_occlude ? occlusion : 0.0}};
+      {"catcher_occlusion", plan.catchers_occlude ? occlusion : 0.0},
+      {"probe", plan.probes ? probe_limit : 0.0},
+      {"probe_shadow", per_sample(result, "probe") * static_cast<double>(lights)},
+      {"catcher_probe", plan.catcher_probes ? probe_limit : 0.0},
+      {"catcher_probe_shadow", per_sample(result, "catcher_probe") * static_cast<double>(lights)}};
   for (const Limit& limit : limits) {
     const double traced = per_sample(result, limit.name);
     if (traced <= limit.most * (1 + kRoundingSlack)) continue;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scenes/scene.h"
 #include "server/cli/flag_values.h"
 #include "sessions/input_error.h"
 
@@ -31,6 +32,22 @@ void read_polar_size(const std::string& text, RenderSettings& render) {
   }
   render.polar_width = size.width / 2;
   render.polar_height = size.height;
+}
+
+// Light that bounces between surfaces.
+void add_probe_flags(CLI::App& app, ProbeSettings& probes) {
+  app.add_flag_callback(
+      "--probes", [&] { probes.on = true; }, "light that bounces between surfaces, gathered by probes");
+  app.add_flag_callback(
+      "--no-probes", [&] { probes.on = false; }, "constant ambient light instead (the default)");
+  value_flag(app, "--probe-budget", "N", "probes updated in a frame, in turn (default 0: all)",
+             [&](const std::string& text) {
+               probes.budget = static_cast<int>(parse_whole_number("--probe-budget", text, 0, kMostProbes));
+             });
+  value_flag(app, "--probe-rays", "N", "rays of a probe and update, 8 ... 512 (default 64)",
+             [&](const std::string& text) {
+               probes.rays = static_cast<int>(parse_whole_number("--probe-rays", text, 8, 512));
+             });
 }
 
 // Which files are written.
@@ -184,6 +201,7 @@ void add_plan_flags(CLI::App& app, RenderSettings& render) {
 
 void add_render_flags(CLI::App& app, RenderSettings& render) {
   add_plan_flags(app, render);
+  add_probe_flags(app, render.probes);
   value_flag(app, "--threads", "N", "render threads, 1 ... 512 (default: all this process may use)",
              [&render](const std::string& text) {
                render.threads = static_cast<int>(parse_whole_number("--threads", text, 1, 512));

@@ -44,6 +44,12 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("nonfinite_values", counters.nonfinite_values);
   visit("nonfinite_picture_values", record.nonfinite_pictures);
   visit("commits", counters.commits);
+  visit("active_probes", record.probes.active);
+  visit("relocated_probes", record.probes.relocated);
+  visit("inactive_probes", record.probes.inactive);
+  visit("updated_probes", record.probes.updated);
+  visit("reacting_probes", record.probes.reacting);
+  visit("probe_change_share", record.probes.variability);
   visit("dropped_frames", record.dropped_frames);
   visit("repeated_ticks", record.repeated_ticks);
 }

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
 
+#include "server/replay/base64.h"
 #include "server/replay/summary_json.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
@@ -17,6 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::int64_t kFormatVersion = 1;
 constexpr std::int64_t kMostCounted = std::int64_t{1} << 53;
 constexpr double kFarthestAnchor_m = 2e9;
+constexpr std::int64_t kMostBytes = std::int64_t{1} << 28;          // 65536 probes of two kinds: 160 MB
 constexpr const char* kRemedy = "give --overwrite to start again";  // nobody repairs such a file by hand
 
 Json entries_json(const Fingerprint::Entries& entries) {
@@ -38,6 +42,11 @@ Fingerprint::Entries read_entries(const JsonObject& document, const char* key) {
 
 RendererState read_renderer_state(const JsonObject& document) {
   RendererState state;
+  if (document.has("probes")) {
+    const std::optional<std::vector<std::byte>> bytes = bytes_from_base64(document.text("probes"));
+    if (!bytes) document.fail("probes", "is no base64", kRemedy);
+    state.probes = *bytes;
+  }
   if (!document.has("anchor_m")) return state;
   state.anchor = document.vec3("anchor_m", -kFarthestAnchor_m, kFarthestAnchor_m);
   for (int axis = 0; axis < 3; ++axis) {
@@ -58,13 +67,16 @@ std::vector<std::string> read_texts(const JsonObject& document, const char* key)
 }
 
 Checkpoint parse_checkpoint(const std::filesystem::path& file) {
-  const nlohmann::json json = parse_json_file(file);
+  JsonLimits limits;
+  limits.max_bytes = kMostBytes;
+  const nlohmann::json json = parse_json_file(file, limits);
   const JsonObject document(json, file, "");
   if (document.integer("format_version", 1, kMostCounted) != kFormatVersion) {
     document.fail("format_version", "is of a later version of this program", kRemedy);
   }
-  document.allow_only({"format_version", "next_frame", "anchor_m", "left_camera_ns", "right_camera_ns",
-                       "sanitised_camera_values", "skipped_images", "warnings", "settings", "inputs"});
+  document.allow_only({"format_version", "next_frame", "anchor_m", "probes", "left_camera_ns",
+                       "right_camera_ns", "sanitised_camera_values", "skipped_images", "warnings", "settings",
+                       "inputs"});
   Checkpoint checkpoint;
   checkpoint.fingerprint = {read_entries(document, "settings"), read_entries(document, "inputs")};
   RunState& state = checkpoint.state;
@@ -90,6 +102,7 @@ std::string checkpoint_text(const Fingerprint& fingerprint, const RunState& stat
   if (const auto& anchor = state.renderer.anchor) json["anchor_m"] = {anchor->x, anchor->y, anchor->z};
   if (state.camera_stamps_ns[0]) json["left_camera_ns"] = *state.camera_stamps_ns[0];
   if (state.camera_stamps_ns[1]) json["right_camera_ns"] = *state.camera_stamps_ns[1];
+  if (!state.renderer.probes.empty()) json["probes"] = base64_text(state.renderer.probes);
   json["sanitised_camera_values"] = state.sanitised_camera_values;
   json["skipped_images"] = state.skipped_images;
   json["warnings"] = state.warnings;

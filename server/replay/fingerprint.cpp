@@ -91,6 +91,11 @@ std::string sheet_text(const ReplayOptions& options) {
   return "unknown";
 }
 
+std::string probes_text(const ProbeSettings& probes) {
+  if (!probes.on) return "not given";
+  return std::to_string(probes.rays) + " rays, budget " + std::to_string(probes.budget);
+}
+
 // Threads are left out: they change no picture. So are --keep-going and --strict: what they let pass or
 // refuse is found by the check of the session, before the first frame, or ends the run.
 Fingerprint::Entries settings_of(const SessionReport& report, const ReplayOptions& options) {
@@ -107,6 +112,7 @@ Fingerprint::Entries settings_of(const SessionReport& report, const ReplayOption
       {"--first-light-samples", std::to_string(render.first_light_samples)},
       {"--occlusion-rays", std::to_string(render.occlusion_rays)},
       {"--occlusion-radius", shortest_text(render.occlusion_radius_m)},
+      {"--probes", probes_text(render.probes)},
       {"--no-reflections", given(!render.reflections)},
       {"--no-refraction", given(!render.refraction)},
       {"--no-camera", given(!render.camera)},

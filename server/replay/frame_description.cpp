@@ -33,6 +33,7 @@ FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const 
   record.t_ns = sample.t_ns;
   record.times = rendered.times;
   record.counters = rendered.counters;
+  record.probes = rendered.probes;
   record.theta_max_deg = rendered.theta_max_deg;
   record.pose_source = sample.head.source;
   record.gaze_source = sample.gaze.source;

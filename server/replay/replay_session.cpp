@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -80,6 +81,8 @@ class SessionReplay {
   bool render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
   void checkpoint_if_due();
   void save_checkpoint();
+  void set_scene_to(TimeNs t_ns);
+  void restore(const RunState& state, std::optional<TimeNs> last_frame_ns);
   void close_output();
   void describe_run();
   void note_failure();
@@ -143,7 +146,7 @@ void SessionReplay::start_output() {
     if (report_.nothing_to_do) return;
   } else if (can_resume()) {
     // Before frames.csv: a folder with results has a checkpoint.
-    write_whole_file(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->state()));
+    write_whole_file(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->whole_state()));
   }
   open_writer(earlier);
   pass_over_frames_before(earlier.next_frame);
@@ -151,6 +154,15 @@ void SessionReplay::start_output() {
 
 EarlierFrames SessionReplay::earlier_frames() const {
   return read_earlier_frames(folder_.frames_csv(), *files_, report_.range);
+}
+
+void SessionReplay::restore(const RunState& state, std::optional<TimeNs> last_frame_ns) {
+  try {
+    tracker_->restore(state, last_frame_ns);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(folder_.checkpoint_json(), 0, std::string("is damaged: ") + error.what(),
+                     "give --overwrite to start again");
+  }
 }
 
 // Session, renderer and report as they were when the interrupted run ended; nothing is written.
@@ -166,7 +178,7 @@ void SessionReplay::go_on_from(const EarlierFrames& earlier) {
   if (state.next_frame <= earlier.next_frame) {
     std::optional<TimeNs> last_frame_ns;
     if (state.next_frame > report_.range.first) last_frame_ns = report_.range.time_ns(state.next_frame - 1);
-    tracker_->restore(state, last_frame_ns);
+    restore(state, last_frame_ns);
   }
   report_.remark = earlier.remark;
   report_.kept_frames = earlier.statistics.frames;
@@ -214,9 +226,11 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
 void SessionReplay::pass_over_frames_before(std::int64_t frame) {
   while (tracker_->state().next_frame < frame) {
     if (stopped()) return;
-    const FrameSample sample = opened_.session->sample(report_.range.time_ns(tracker_->state().next_frame));
+    const TimeNs t_ns = report_.range.time_ns(tracker_->state().next_frame);
+    const FrameSample sample = opened_.session->sample(t_ns);
+    set_scene_to(t_ns);
     tracker_->sampled(sample);
-    opened_.renderer->pass_over(sample);
+    opened_.renderer->pass_over(sample, state_);
     tracker_->frame_done();
   }
 }
@@ -244,9 +258,14 @@ void SessionReplay::checkpoint_if_due() {
   save_checkpoint();
 }
 
+void SessionReplay::set_scene_to(TimeNs t_ns) {
+  const TimeNs since_start_ns = t_ns - opened_.session->start_ns();
+  scene_state_at(opened_.scene, static_cast<double>(since_start_ns) * kSecondsPerNs, state_);
+}
+
 void SessionReplay::save_checkpoint() {
   if (can_resume()) {
-    writer_->checkpoint(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->state()));
+    writer_->checkpoint(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->whole_state()));
   }
 }
 
@@ -278,8 +297,7 @@ bool SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64
   const FrameSample sample = opened_.session->sample(t_ns);
   const TimeNs sampled_ns = steady_now_ns();
 
-  scene_state_at(opened_.scene, static_cast<double>(t_ns - opened_.session->start_ns()) * kSecondsPerNs,
-                 state_);
+  set_scene_to(t_ns);
   tracker_->sampled(sample);
   if (!opened_.renderer->render_frame(sample, state_, rendered_, &stop_flag())) return !stopped();
 

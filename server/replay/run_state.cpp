@@ -52,7 +52,7 @@ void RunTracker::sampled(const FrameSample& sample) {
 
 void RunTracker::frame_done() {
   ++state_.next_frame;
-  state_.renderer = renderer_.state();
+  state_.renderer = renderer_.state(false);
   state_.camera_stamps_ns = shown_stamps_ns_;
   state_.sanitised_camera_values = sanitised_values_;
   const SessionFindings& found = session_.findings();
@@ -61,6 +61,12 @@ void RunTracker::frame_done() {
   for (; warnings_before_ < found.warnings.size(); ++warnings_before_) {
     state_.warnings.push_back(found.warnings[warnings_before_]);
   }
+}
+
+RunState RunTracker::whole_state() const {
+  RunState state = state_;
+  state.renderer.probes = renderer_.state().probes;
+  return state;
 }
 
 SessionFindings RunTracker::findings() const {

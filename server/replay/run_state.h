@@ -40,7 +40,10 @@ class RunTracker {
   void sampled(const FrameSample& sample);
   void frame_done();
 
-  const RunState& state() const { return state_; }
+  const RunState& state() const { return state_; }  // without what probes have gathered
+  // With it, for checkpoints. (A frame that was given up has updated the probes; when it is rendered again it
+  // does not do so twice.)
+  RunState whole_state() const;
   SessionFindings findings() const;  // on opening and since
 
  private:

@@ -34,6 +34,11 @@ Json settings_json(const RenderSettings& settings, const ReplayOptions& options)
           {"occlusion_rays", settings.occlusion_rays},
           {"occlusion_radius_m", settings.occlusion_radius_m},
           {"reflections", settings.reflections},
+          {"probes", settings.probes.on},
+          {"probe_rays", settings.probes.rays},
+          {"probe_budget", settings.probes.budget},
+          {"probe_hysteresis_tau_s", settings.probes.hysteresis_tau_s},
+          {"probe_reaction", settings.probes.react},
           {"refraction", settings.refraction},
           {"camera", settings.camera},
           {"gaze_marker", settings.gaze_marker},
@@ -87,6 +92,12 @@ const char* name_of(ReplayState state) {
   return "unknown";
 }
 
+Json probes_json(const ProbeCounts& probes) {
+  return {{"active", probes.active},     {"relocated", probes.relocated},
+          {"inactive", probes.inactive}, {"updated_per_frame", probes.updated},
+          {"reacting", probes.reacting}, {"variability", probes.variability}};
+}
+
 Json plan_json(const FramePlan& plan) {
   Json entries = Json::array();
   for (const PlanEntry& entry : plan.entries) {
@@ -124,6 +135,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   json["definitions"] = definitions_json(options.clock);
   json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
   json["plan"] = plan_json(report.plan);
+  if (report.plan.probes) json["probes"] = probes_json(report.statistics.probes);
   json["output"] = {{"folder", report.out_folder.string()},
                     {"picture_files", report.files_written},
                     {"picture_bytes", report.bytes_written},
@@ -162,6 +174,10 @@ std::string settings_text(const RenderSettings& settings) {
   text += ", light samples " + std::to_string(settings.light_samples);
   text += settings.reflections ? ", reflections" : ", no reflections";
   text += settings.camera ? ", camera" : ", no camera";
+  if (settings.probes.on) text += ", probes with " + std::to_string(settings.probes.rays) + " rays";
+  if (settings.probes.on && settings.probes.budget > 0) {
+    text += ", " + std::to_string(settings.probes.budget) + " a frame";
+  }
   if (settings.gaze_marker) text += ", gaze marker";
   if (settings.debug_tiles) text += ", debug tiles";
   return text;

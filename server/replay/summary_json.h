@@ -15,6 +15,7 @@ nlohmann::ordered_json summary_json(const SessionReport& report, const ReplayOpt
 // What is replayed and how: {"session", "scene", "profile", "settings"}.
 nlohmann::ordered_json subject_json(const SessionReport& report, const ReplayOptions& options);
 // [{"name", "runs", "reason"}, ...]
+nlohmann::ordered_json probes_json(const ProbeCounts& probes);
 nlohmann::ordered_json plan_json(const FramePlan& plan);
 // {"sessions": [...], "total": {...}, "exit_code": N} of a whole run.
 nlohmann::ordered_json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options,

@@ -124,7 +124,10 @@ Json frames_json(const ServeSnapshot& snapshot, std::int64_t since) {
 Json plan_reply_json(const ServeSnapshot& snapshot) {
   return {{"format_version", 1},
           {"session", snapshot.subject ? Json(snapshot.subject->name) : Json(nullptr)},
-          {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()}};
+          {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()},
+          {"probes", snapshot.run.frames > 0 && snapshot.subject && snapshot.subject->plan.probes
+                         ? probes_json(snapshot.run.probes)
+                         : Json()}};
 }
 
 }  // namespace herr

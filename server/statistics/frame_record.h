@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "renderer/probes/probe_counts.h"
 #include "renderer/stage_times.h"
 #include "sessions/pose.h"
 
@@ -16,6 +17,7 @@ struct FrameRecord {
   TimeNs t_ns = 0;         // stamp of the frame on the session's clock
   StageTimes times;
   FrameCounters counters;
+  ProbeCounts probes;
   double sample_ms = 0;  // sampling the session, decoding a camera image included; before the frame time
   double write_ms = 0;   // encoding, on the render threads, outside the frame time
   double wait_ms = 0;    // waiting for room in the writer's queue

@@ -22,6 +22,7 @@ void RunStatistics::add(const FrameRecord& record) {
   add_if(camera_age, record.camera_age_ms);
   add_if(motion_to_photon, record.motion_to_photon_ms);
   counters += record.counters;
+  probes = record.probes;
   ++frames;
   missed_frames += record.missed ? 1 : 0;
   nonfinite_pictures += record.nonfinite_pictures;
@@ -40,6 +41,7 @@ void RunStatistics::merge(const RunStatistics& other) {
   camera_age.merge(other.camera_age);
   motion_to_photon.merge(other.motion_to_photon);
   counters += other.counters;
+  if (other.frames > 0) probes = other.probes;
   frames += other.frames;
   missed_frames += other.missed_frames;
   nonfinite_pictures += other.nonfinite_pictures;

@@ -16,6 +16,7 @@ struct RunStatistics {
   LatencyHistogram frame, sample, write, wait;
   LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
   FrameCounters counters;  // totals
+  ProbeCounts probes;      // of the last frame
   std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
   std::int64_t dropped_frames = 0, repeated_ticks = 0;  // realtime only
 

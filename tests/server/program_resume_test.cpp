@@ -55,6 +55,25 @@ TEST_F(Resume, APictureWithoutItsRowIsRenderedAgain) {
   EXPECT_EQ(summary("rowless")["frames"]["kept"], 13);
 }
 
+// Probes gather light from frame to frame: from the checkpoint, or from the start where that is too late.
+TEST_F(Resume, WhatProbesHaveGatheredIsThereAgain) {
+  const std::string probes = kFlags + "--probes --probe-budget 300 ";
+  ASSERT_EQ(replay(probes + "--out with_probes").exit_code, 5);
+  for (const int kept : {5, kFrames}) {
+    const fs::path folder = root() / ("probes_" + std::to_string(kept));
+    fs::create_directories(folder);
+    copy_with_rows(root() / "with_probes/walk", folder / "walk", kept);
+    fs::remove(folder / "walk/frames/frame_000015.left_focus.png");
+    const Outcome outcome = replay(probes + "--resume --out " + folder.string());
+    ASSERT_EQ(outcome.exit_code, 5) << outcome.err;
+    for (const std::string& file : files_below(folder / "walk/frames")) {
+      EXPECT_TRUE(content_of(folder / "walk/frames" / file) ==
+                  content_of(root() / "with_probes/walk/frames" / file))
+          << file;
+    }
+  }
+}
+
 TEST_F(Resume, FramesCsvCutOffOrGarbledKeepsTheRowsBefore) {
   const std::string text = content_of(root() / "whole/walk/frames.csv");
   const std::size_t tenth = row_begin(text, 9);

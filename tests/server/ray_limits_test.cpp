@@ -28,13 +28,19 @@ BenchResult fullest() {
                   {"refraction", 8000, 8.0, 0, 0},
                   {"refraction_shadow", 64000, 64.0, 0, 0},
                   {"occlusion", 2000, 2.0, 0, 0},
-                  {"catcher_occlusion", 2000, 2.0, 0, 0}};
+                  {"catcher_occlusion", 2000, 2.0, 0, 0},
+                  {"probe", 2000, 2.0, 0, 0},
+                  {"probe_shadow", 4000, 4.0, 0, 0},
+                  {"catcher_probe", 2000, 2.0, 0, 0},
+                  {"catcher_probe_shadow", 4000, 4.0, 0, 0}};
+  result.most_probe_rays = 2000;
   return result;
 }
 
 FramePlan everything() {
   FramePlan plan;
   plan.mirror_rays = plan.refraction = plan.occlusion = plan.catchers = plan.catchers_occlude = true;
+  plan.probes = plan.catcher_probes = true;
   return plan;
 }
 

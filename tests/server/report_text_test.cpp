@@ -69,7 +69,8 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
     const bool unit = name.ends_with("_ms") || name.ends_with("_ns") || name.ends_with("_deg");
     const bool count = name == "frame" || name == "missed" || name == "commits" || name.ends_with("_rays") ||
                        name.ends_with("_samples") || name.ends_with("_pixels") || name.ends_with("_values") ||
-                       name.ends_with("_frames") || name.ends_with("_ticks");
+                       name.ends_with("_frames") || name.ends_with("_ticks") || name.ends_with("_probes") ||
+                       name.ends_with("_share");
     const bool word = name.find("_source") != std::string::npos;
     EXPECT_TRUE(unit || count || word) << name;
   }

@@ -1,0 +1,137 @@
+#include "renderer/probes/probe_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace herr {
+namespace {
+
+constexpr double kThinnestShare = 1.0 / 16.0;  // of the longest edge
+constexpr double kSmallestExtent_m = 1e-3;     // a scene that is a single point
+constexpr int kBlockSide = 4;
+
+// The cells of a grid along one axis: n - 1 between probes, at least one.
+int cells_along(int probes) {
+  return std::max(probes - 1, 1);
+}
+
+// Marks the cells that a triangle may reach into: those of its bounding box that its plane cuts.
+class CellMarks {
+ public:
+  explicit CellMarks(const ProbeGrid& grid) : grid_(grid) {
+    for (int axis = 0; axis < 3; ++axis) cells_[axis] = cells_along(grid.counts[axis]);
+    marked_.assign(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
+                       static_cast<std::size_t>(cells_.z),
+                   false);
+  }
+
+  void add(const std::array<glm::dvec3, 3>& corners) {
+    constexpr double kSlack = 1e-3;  // of a cell: look-ups round in float
+    const glm::dvec3 lower = glm::min(corners[0], glm::min(corners[1], corners[2])),
+                     upper = glm::max(corners[0], glm::max(corners[1], corners[2]));
+    glm::ivec3 first, last;
+    for (int axis = 0; axis < 3; ++axis) {
+      first[axis] = cell_of(lower[axis] - kSlack * grid_.spacing[axis], axis);
+      last[axis] = cell_of(upper[axis] + kSlack * grid_.spacing[axis], axis);
+    }
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double reach = (0.5 + kSlack) * glm::dot(glm::abs(normal), grid_.spacing);
+    for (int z = first.z; z <= last.z; ++z) {
+      for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+          const glm::dvec3 middle = (glm::dvec3{x, y, z} + 1.0) * grid_.spacing;
+          const bool outer = is_outer({x, y, z});
+          if (!outer && std::abs(glm::dot(normal, middle - corners[0])) > reach) continue;
+          marked_[index(x, y, z)] = true;
+        }
+      }
+    }
+  }
+
+  // Is one of the cells that have this probe at a corner marked?
+  bool any_around(const glm::ivec3& probe) const {
+    for (int corner = 0; corner < 8; ++corner) {
+      const glm::ivec3 cell = probe - glm::ivec3{corner & 1, corner >> 1 & 1, corner >> 2};
+      glm::ivec3 clamped;
+      for (int axis = 0; axis < 3; ++axis) clamped[axis] = std::clamp(cell[axis], 0, cells_[axis] - 1);
+      if (marked_[index(clamped.x, clamped.y, clamped.z)]) return true;
+    }
+    return false;
+  }
+
+ private:
+  int cell_of(double x, int axis) const {
+    const double cell = std::floor(x / grid_.spacing[axis] - 0.5);
+    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cells_[axis] - 1)));
+  }
+  // Outer cells go on beyond the grid: the plane test of a cell of one spacing does not hold there.
+  bool is_outer(const glm::ivec3& cell) const {
+    return glm::any(glm::equal(cell, glm::ivec3{0})) || glm::any(glm::equal(cell, cells_ - 1));
+  }
+  std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(cells_.x) +
+           static_cast<std::size_t>(x);
+  }
+
+  const ProbeGrid& grid_;
+  glm::ivec3 cells_{1};
+  std::vector<bool> marked_;
+};
+
+}  // namespace
+
+ProbeGrid grid_over(const Bounds& box, const glm::ivec3& counts) {
+  ProbeGrid grid;
+  grid.counts = counts;
+  glm::dvec3 extent = box.upper - box.lower;
+  const glm::dvec3 middle = 0.5 * (box.lower + box.upper);
+  const double longest = std::max({extent.x, extent.y, extent.z, kSmallestExtent_m});
+  extent = glm::max(extent, glm::dvec3{kThinnestShare * longest});
+  grid.lower = middle - 0.5 * extent;
+  grid.spacing = extent / glm::dvec3(counts);
+  return grid;
+}
+
+ProbeGrid probe_grid_of(const Scene& scene) {
+  const auto& n = scene.probes.counts;
+  return grid_over(scene.probes.box ? *scene.probes.box : scene_bounds(scene), {n[0], n[1], n[2]});
+}
+
+std::vector<std::int32_t> block_order(const ProbeGrid& grid) {
+  std::vector<std::int32_t> order;
+  order.reserve(static_cast<std::size_t>(grid.size()));
+  for (int z = 0; z < grid.counts.z; ++z) {
+    for (int y0 = 0; y0 < grid.counts.y; y0 += kBlockSide) {
+      for (int x0 = 0; x0 < grid.counts.x; x0 += kBlockSide) {
+        for (int y = y0; y < std::min(y0 + kBlockSide, grid.counts.y); ++y) {
+          for (int x = x0; x < std::min(x0 + kBlockSide, grid.counts.x); ++x) {
+            order.push_back(grid.index({x, y, z}));
+          }
+        }
+      }
+    }
+  }
+  return order;
+}
+
+std::vector<bool> probes_near_geometry(const ProbeGrid& grid, const Scene& scene) {
+  CellMarks marks(grid);
+  std::vector<glm::dvec3> positions;
+  for (const MeshInstance& instance : scene.instances) {
+    const TriangleMesh& mesh = scene.meshes[instance.mesh];
+    positions.clear();
+    for (const glm::vec3& p : mesh.positions) {
+      positions.push_back(glm::dvec3(instance.world_from_object * glm::dvec4(glm::dvec3(p), 1.0)) -
+                          grid.lower);
+    }
+    for (const auto& t : mesh.triangles) marks.add({positions[t[0]], positions[t[1]], positions[t[2]]});
+  }
+  std::vector<bool> near(static_cast<std::size_t>(grid.size()));
+  for (int i = 0; i < grid.size(); ++i) near[static_cast<std::size_t>(i)] = marks.any_around(grid.place(i));
+  return near;
+}
+
+}  // namespace herr

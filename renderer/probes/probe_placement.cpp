@@ -1,0 +1,113 @@
+#include "renderer/probes/probe_placement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "renderer/probes/probe_distances.h"
+
+namespace herr {
+namespace {
+
+constexpr double kFarthestMove = 0.45;  // of the spacing
+constexpr double kClearance = 0.1;      // of the smallest spacing: what a probe must have around it
+constexpr int kClearanceRays = 64;
+
+// Moves to try, of the spacing, the shortest first.
+std::vector<glm::dvec3> moves() {
+  constexpr std::array<double, 5> kSteps{-kFarthestMove, -0.5 * kFarthestMove, 0.0, 0.5 * kFarthestMove,
+                                         kFarthestMove};
+  std::vector<glm::dvec3> all;
+  for (const double x : kSteps) {
+    for (const double y : kSteps) {
+      for (const double z : kSteps) {
+        if (x != 0 || y != 0 || z != 0) all.push_back({x, y, z});
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return glm::dot(a, a) < glm::dot(b, b); });
+  return all;
+}
+
+std::vector<glm::vec3> clearance_directions() {
+  std::vector<glm::vec3> all;
+  for (int i = 0; i < kClearanceRays; ++i) all.emplace_back(fibonacci_direction(i, kClearanceRays));
+  return all;
+}
+
+// Looks around in the geometry of one set.
+class Surveyor {
+ public:
+  Surveyor(RTCScene scene, const glm::dvec3& lower_from_anchor, double clearance_m)
+      : scene_(scene), lower_(lower_from_anchor), clearance_m_(clearance_m) {}
+
+  const std::vector<float>& all_around(const glm::dvec3& place, unsigned mask) {
+    trace_distances(scene_, lower_ + place, mask, distance_directions(), fine_);
+    return fine_;
+  }
+  bool has_room(const glm::dvec3& place) {
+    trace_distances(scene_, lower_ + place, kAllMask, kAround, few_);
+    return *std::min_element(few_.begin(), few_.end()) >= clearance_m_;
+  }
+  bool sees(const glm::dvec3& from, const glm::dvec3& to) {
+    const glm::vec3 direction(glm::normalize(to - from));
+    trace_distances(scene_, lower_ + from, kAllMask, std::span(&direction, 1), few_);
+    return few_.front() > glm::distance(from, to);
+  }
+  // The nearest place with room that can be reached without passing through a surface; if there is none, as
+  // within a thin wall, the nearest with room; none where all is tight.
+  std::optional<glm::dvec3> better_place(const glm::dvec3& place, const glm::dvec3& spacing) {
+    static const std::vector<glm::dvec3> kMoves = moves();
+    std::optional<glm::dvec3> behind;
+    for (const glm::dvec3& move : kMoves) {
+      const glm::dvec3 candidate = place + move * spacing;
+      if (!has_room(candidate)) continue;
+      if (sees(place, candidate)) return candidate;
+      if (!behind) behind = candidate;
+    }
+    return behind;
+  }
+
+ private:
+  inline static const std::vector<glm::vec3> kAround = clearance_directions();
+  RTCScene scene_;
+  glm::dvec3 lower_;
+  double clearance_m_;
+  std::vector<float> fine_, few_;
+};
+
+}  // namespace
+
+void ProbePlacement::settle(ProbeVolume& volume, const Scene& scene, const EmbreeScene& geometry,
+                            RenderThreads& threads) {
+  const ProbeGrid& grid = volume.grid;
+  volume.near_ = probes_near_geometry(grid, scene);
+  const double smallest = grid.smallest_spacing();
+  const double nearest_m = double{volume.view(0, geometry.anchor()).nearest};
+  std::vector<std::uint8_t> moved(volume.near_.size());
+  threads.run(grid.size(), [&](int probe, int) {
+    const auto i = static_cast<std::size_t>(probe);
+    if (!volume.near_[i]) return;
+    Surveyor surveyor(geometry.top(), grid.lower - geometry.anchor(), kClearance * smallest);
+    glm::dvec3 place = grid.position(grid.place(probe));
+    const std::vector<float>& around = surveyor.all_around(place, kAllMask);
+    if (*std::min_element(around.begin(), around.end()) < kClearance * smallest) {
+      if (const auto better = surveyor.better_place(place, grid.spacing)) {
+        place = *better;
+        moved[i] = 1;
+      }
+    }
+    for (ProbeSet& set : volume.sets) {
+      for (int axis = 0; axis < 3; ++axis)
+        set.places[4 * i + static_cast<std::size_t>(axis)] = static_cast<float>(place[axis]);
+      pack_distances(surveyor.all_around(place, set.mask), nearest_m,
+                     &set.distances[i * DistanceNodes::kCount]);
+    }
+  });
+  for (std::size_t i = 0; i < moved.size(); ++i) volume.relocated_[i] = moved[i] != 0;
+}
+
+}  // namespace herr

@@ -1,0 +1,241 @@
+#include "renderer/probes/probe_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace herr {
+namespace {
+
+constexpr double kSecondsPerNanosecond = 1e-9;
+constexpr std::int64_t kLookAgain = 64;   // frames between two looks of a sleeping probe
+constexpr double kMorePower = 2;          // lights that grow by more than this factor wake sleeping probes
+constexpr double kNearestShare = 0.1;     // of the smallest spacing: nearer geometry is taken to be there
+constexpr double kToleranceShare = 0.01;  // of the smallest spacing
+constexpr std::uint32_t kStateVersion = 1;
+constexpr char kStateMark[8] = {'H', 'E', 'R', 'R', 'P', 'R', 'O', 'B'};
+
+// Appends and takes plain values and arrays of them, in one order for both directions.
+class ByteSink {
+ public:
+  explicit ByteSink(std::vector<std::byte>& bytes) : bytes_(bytes) {}
+  template <typename T>
+  void value(const T& x) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto* from = reinterpret_cast<const std::byte*>(&x);
+    bytes_.insert(bytes_.end(), from, from + sizeof(T));
+  }
+  template <typename T>
+  void array(const std::vector<T>& x) {
+    const auto* from = reinterpret_cast<const std::byte*>(x.data());
+    bytes_.insert(bytes_.end(), from, from + sizeof(T) * x.size());
+  }
+
+ private:
+  std::vector<std::byte>& bytes_;
+};
+
+class ByteSource {
+ public:
+  explicit ByteSource(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  template <typename T>
+  void value(T& x) {
+    take(&x, sizeof(T));
+  }
+  template <typename T>
+  void array(std::vector<T>& x) {
+    take(x.data(), sizeof(T) * x.size());
+  }
+  bool at_end() const { return bytes_.empty(); }
+
+ private:
+  void take(void* to, std::size_t size) {
+    if (size > bytes_.size()) throw std::invalid_argument("probe state is cut off");
+    std::memcpy(to, bytes_.data(), size);
+    bytes_ = bytes_.subspan(size);
+  }
+  std::span<const std::byte> bytes_;
+};
+
+// exp(-dt / tau), the exact solution of exponential forgetting for any dt; 0 for a probe's first time.
+float kept_share(std::int64_t updated_ns, std::int64_t t_ns, double tau_s) {
+  if (updated_ns == kNeverUpdated || tau_s <= 0) return 0.0f;
+  const double age_s = (static_cast<double>(t_ns) - static_cast<double>(updated_ns)) * kSecondsPerNanosecond;
+  return static_cast<float>(std::exp(-age_s / tau_s));
+}
+
+}  // namespace
+
+ProbeVolume::ProbeVolume(const ProbeGrid& grid_in, const ProbeSettings& settings_in, int set_count)
+    : grid(grid_in),
+      settings(settings_in),
+      sets(static_cast<std::size_t>(set_count)),
+      order_(block_order(grid)) {
+  const auto n = static_cast<std::size_t>(grid.size());
+  for (int node = 0; node < LightNodes::kCount; ++node) {
+    if (LightNodes::first_of(node) == node) node_directions.push_back(LightNodes::direction(node));
+  }
+  directions.allocate(settings.rays, static_cast<int>(node_directions.size()));
+  for (ProbeSet& set : sets) {
+    set.distances.resize(n * DistanceNodes::kCount);
+    set.places.resize(n * 4);
+    set.light.resize(n * LightNodes::kCount * kLightWords);
+    set.gathered.resize(n * kLightFloats);
+    set.mean.resize(n), set.square.resize(n);
+    set.dark_updates.resize(n);
+  }
+  near_.resize(n), relocated_.resize(n);
+  updated_ns_.assign(n, kNeverUpdated);
+  selected_.reserve(n), keeps_.reserve(n);
+  results.resize(sets.size() * ((n + kProbeLanes - 1) / kProbeLanes));
+}
+
+bool ProbeVolume::asleep(int probe) const {
+  const auto i = static_cast<std::size_t>(probe);
+  return std::all_of(sets.begin(), sets.end(),
+                     [i](const ProbeSet& set) { return set.dark_updates[i] >= kUpdatesToSleep; });
+}
+
+void ProbeVolume::wake() {
+  for (ProbeSet& set : sets) std::fill(set.dark_updates.begin(), set.dark_updates.end(), std::uint8_t{0});
+}
+
+void ProbeVolume::forget() {
+  wake();
+  std::fill(updated_ns_.begin(), updated_ns_.end(), kNeverUpdated);
+  for (ProbeSet& set : sets) {
+    for (std::size_t i = 3; i < set.places.size(); i += 4) set.places[i] = 0.0f;
+  }
+  frame_ = 0;
+  cursor_ = 0;
+  power_ = 0;
+}
+
+void ProbeVolume::begin_frame(std::int64_t t_ns, double power) {
+  selected_.clear();
+  keeps_.clear();
+  if (t_ns == last_ns_) return;
+  // Time that runs backwards is another run: nothing of it has been gathered.
+  if (last_ns_ != kNeverUpdated && t_ns < last_ns_) forget();
+  if (power > kMorePower * power_) wake();
+  last_ns_ = t_ns;
+  power_ = power;
+  select(t_ns);
+  ++frame_;
+}
+
+void ProbeVolume::select(std::int64_t t_ns) {
+  counts_ = {};
+  const auto n = static_cast<std::int32_t>(order_.size());
+  const std::int32_t most = settings.budget > 0 ? std::min(settings.budget, n) : n;
+  std::int32_t next = cursor_;
+  for (std::int32_t step = 0; step < n; ++step) {
+    const std::int32_t position = (cursor_ + step) % n;
+    const std::int32_t probe = order_[static_cast<std::size_t>(position)];
+    const auto i = static_cast<std::size_t>(probe);
+    if (relocated_[i]) ++counts_.relocated;
+    const bool awake = near_[i] && !asleep(probe);
+    ++(awake ? counts_.active : counts_.inactive);
+    const bool looks = awake || (near_[i] && (frame_ + probe) % kLookAgain == 0);
+    if (!looks || static_cast<std::int32_t>(selected_.size()) == most) continue;
+    selected_.push_back(probe);
+    keeps_.push_back(kept_share(updated_ns_[i], t_ns, settings.hysteresis_tau_s));
+    updated_ns_[i] = t_ns;
+    next = position + 1;
+  }
+  cursor_ = settings.budget > 0 ? next % std::max(n, 1) : 0;
+}
+
+void ProbeVolume::end_frame() {
+  counts_.updated = static_cast<std::int64_t>(selected_.size());
+  counts_.reacting = 0;
+  double change = 0;
+  for (int job = 0; job < job_count(); ++job) {
+    const ProbeJobResult& result = results[static_cast<std::size_t>(job) * sets.size()];
+    change += result.change;
+    counts_.reacting += result.reacting;
+  }
+  counts_.variability = counts_.updated > 0 ? change / static_cast<double>(counts_.updated) : 0.0;
+}
+
+std::int64_t ProbeVolume::most_rays() const {
+  const int probes = settings.budget > 0 ? std::min(settings.budget, grid.size()) : grid.size();
+  return std::int64_t{probes} * settings.rays;
+}
+
+std::span<const std::int32_t> ProbeVolume::job_probes(int job) const {
+  const auto first = static_cast<std::size_t>(job) * kProbeLanes;
+  return selected().subspan(first, std::min<std::size_t>(kProbeLanes, selected_.size() - first));
+}
+
+std::span<const float> ProbeVolume::job_keeps(int job) const {
+  const auto first = static_cast<std::size_t>(job) * kProbeLanes;
+  return std::span(keeps_).subspan(first, std::min<std::size_t>(kProbeLanes, keeps_.size() - first));
+}
+
+ProbeView ProbeVolume::view(int set, const glm::dvec3& anchor) const {
+  const ProbeSet& from = sets[static_cast<std::size_t>(set)];
+  ProbeView view;
+  const double smallest = grid.smallest_spacing();
+  for (int axis = 0; axis < 3; ++axis) {
+    view.lower[axis] = static_cast<float>(grid.lower[axis] - anchor[axis]);
+    view.inverse_spacing[axis] = static_cast<float>(1 / grid.spacing[axis]);
+    view.counts[axis] = grid.counts[axis];
+  }
+  view.nearest = static_cast<float>(kNearestShare * smallest);
+  view.normal_bias_m = static_cast<float>(settings.normal_bias * smallest);
+  view.view_bias_m = static_cast<float>(settings.view_bias * smallest);
+  view.tolerance_m = static_cast<float>(kToleranceShare * smallest);
+  view.places = from.places.data();
+  view.distances = from.distances.data();
+  view.light = from.light.data();
+  return view;
+}
+
+std::vector<std::byte> ProbeVolume::save() const {
+  std::vector<std::byte> bytes;
+  ByteSink out(bytes);
+  out.value(kStateMark), out.value(kStateVersion), out.value(static_cast<std::uint32_t>(sets.size()));
+  out.value(grid.counts), out.value(grid.lower), out.value(grid.spacing);
+  out.value(frame_), out.value(last_ns_), out.value(cursor_), out.value(power_);
+  out.array(updated_ns_);
+  for (const ProbeSet& set : sets) {
+    out.array(set.places), out.array(set.gathered);
+    out.array(set.mean), out.array(set.square), out.array(set.dark_updates);
+  }
+  return bytes;
+}
+
+void ProbeVolume::restore(std::span<const std::byte> bytes) {
+  ByteSource in(bytes);
+  char mark[8];
+  std::uint32_t version = 0, set_count = 0;
+  glm::ivec3 counts{0};
+  glm::dvec3 lower{0.0}, spacing{0.0};
+  in.value(mark), in.value(version), in.value(set_count);
+  in.value(counts), in.value(lower), in.value(spacing);
+  const bool same = std::memcmp(mark, kStateMark, sizeof mark) == 0 && version == kStateVersion &&
+                    set_count == sets.size() && counts == grid.counts && lower == grid.lower &&
+                    spacing == grid.spacing;
+  if (!same) throw std::invalid_argument("probe state belongs to another version, scene or grid");
+  in.value(frame_), in.value(last_ns_), in.value(cursor_), in.value(power_);
+  in.array(updated_ns_);
+  for (ProbeSet& set : sets) {
+    in.array(set.places), in.array(set.gathered);
+    in.array(set.mean), in.array(set.square), in.array(set.dark_updates);
+  }
+  if (!in.at_end()) throw std::invalid_argument("probe state is longer than expected");
+  if (cursor_ < 0 || cursor_ >= std::max(grid.size(), 1))
+    throw std::invalid_argument("probe state is damaged");
+  selected_.clear();
+  keeps_.clear();
+  for (const std::int32_t probe : order_) {
+    if (updated_ns_[static_cast<std::size_t>(probe)] == kNeverUpdated) continue;
+    selected_.push_back(probe);
+    keeps_.push_back(1.0f);
+  }
+}
+
+}  // namespace herr
