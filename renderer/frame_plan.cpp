@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "renderer/geometry/shading_scene.h"
+
 namespace herr {
 namespace {
 
@@ -88,10 +90,14 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "one sample: the light's centre");
   const bool many = plan.many_light_samples;
   decide(plan.adaptive_light_samples,
-         many && settings.first_light_samples > 0 && settings.first_light_samples < settings.light_samples,
+         many && settings.first_light_samples > 0 && settings.first_light_samples < settings.light_samples &&
+             settings.light_samples <= kMostOrderedSamples,
          "adaptive light samples",
          std::to_string(settings.first_light_samples) + " strata first, the rest where they disagree",
-         many ? "all strata for every hit" : "one sample");
+         settings.first_light_samples > 0 && settings.light_samples > kMostOrderedSamples
+             ? "more than " + std::to_string(kMostOrderedSamples) + " samples are all traced"
+         : many ? "all strata for every hit"
+                : "one sample");
   const bool has_ambient = scene.ambient != glm::vec3{0.0f} || (settings.probes.on && t.instances > 0);
   decide(plan.occlusion, settings.occlusion_rays > 0 && has_ambient, "ambient occlusion",
          std::to_string(settings.occlusion_rays) + " short rays per hit",

@@ -1,5 +1,5 @@
 // Lit surfaces -> the radiance that they send back along their rays. After: direct_light and what lights
-// indirectly; before: resolve (first hits), mirror_rays (second hits).
+// indirectly; before: resolve (first hits), second_rays (second hits).
 #if defined(HERR_OUTGOING_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HERR_OUTGOING_INL
 #undef HERR_OUTGOING_INL

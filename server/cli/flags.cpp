@@ -176,12 +176,13 @@ void add_plan_flags(CLI::App& app, RenderSettings& render) {
                constexpr std::array<int, 3> kSamples{1, 64, 256};
                render.light_samples = kSamples.at(parse_word("--quality", text, {"hard", "soft", "ultra"}));
              });
-  value_flag(app, "--first-light-samples", "N",
-             "adaptive: trace N light samples, the rest only where they disagree; 0: all (default 0)",
-             [&render](const std::string& text) {
-               render.first_light_samples =
-                   static_cast<int>(parse_whole_number("--first-light-samples", text, 0, kMostLightSamples));
-             });
+  value_flag(
+      app, "--first-light-samples", "N",
+      "adaptive, up to 256 light samples: trace N, the rest only where they disagree; 0: all (default 0)",
+      [&render](const std::string& text) {
+        render.first_light_samples =
+            static_cast<int>(parse_whole_number("--first-light-samples", text, 0, kMostLightSamples));
+      });
   value_flag(app, "--occlusion-rays", "N",
              "short rays of ambient occlusion per hit, 0 ... 64 (default 0: none)",
              [&render](const std::string& text) {

@@ -193,6 +193,41 @@ TEST(AdaptiveLightTest, AnyFewFirstStrataLieFarApart) {
   }
 }
 
+TEST(AdaptiveLightTest, SamplesTakeEveryStratumOnceAndTheEvenLatticeFirst) {
+  for (const glm::vec3& size : {glm::vec3{1, 0, 1}, glm::vec3{1, 1, 1}, glm::vec3{0, 2, 0}}) {
+    for (const int samples : {2, 12, 64, 256}) {
+      LightRecord light;
+      light.samples = samples;
+      const auto strata = strata_for(size, samples);
+      std::copy(strata.begin(), strata.end(), light.strata);
+      order_strata(light);
+      bool lattice = true;
+      std::vector<int> taken(static_cast<std::size_t>(samples));
+      for (std::size_t s = 0; s < static_cast<std::size_t>(samples); ++s) {
+        const int stratum = light.stratum_of[s];
+        ++taken.at(static_cast<std::size_t>(stratum));
+        EXPECT_EQ(light.sample_of.at(static_cast<std::size_t>(stratum)), s);
+        const int x = stratum % strata[0], y = stratum / strata[0] % strata[1],
+                  z = stratum / (strata[0] * strata[1]);
+        const bool even = x % 2 == 0 && y % 2 == 0 && z % 2 == 0;
+        EXPECT_TRUE(lattice || !even) << samples << ": sample " << s << " goes back to the lattice";
+        lattice = even;
+      }
+      EXPECT_EQ(std::count(taken.begin(), taken.end(), 1), samples);
+    }
+  }
+}
+
+TEST(AdaptiveLightTest, ThePlanSaysWhenTooManySamplesAreAllTraced) {
+  const Scene scene = edge_scene({1, 0, 1});
+  RenderSettings settings = test::small_settings();
+  settings.first_light_samples = 8;
+  settings.light_samples = 256;
+  EXPECT_TRUE(plan_frame(scene, settings, false).adaptive_light_samples);
+  settings.light_samples = 257;
+  EXPECT_FALSE(plan_frame(scene, settings, false).adaptive_light_samples);
+}
+
 TEST(LightSamplesTest, MayChangeFromFrameToFrame) {
   const Scene scene = edge_scene({1, 0, 1});
   const RenderSettings settings = test::small_settings();
