@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/output/atomic_file.h"
+#include "tests/paths.h"
 #include "tests/server/program_runner.h"
 
 namespace herr {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 fs::path real_data() {
   const char* given = std::getenv("HERR_TEST_DATA");
   const fs::path folder =
-      given != nullptr ? fs::path(given) : fs::path(HERR_SOURCE_DIR) / ".." / "shared" / "data";
+      given != nullptr ? fs::path(given) : fs::path(test::source_dir()) / ".." / "shared" / "data";
   return fs::is_directory(folder / "sessions") ? fs::weakly_canonical(folder) : fs::path();
 }
 
@@ -50,7 +51,7 @@ class Recordings : public ::testing::Test {
   }
   // The scanned room with the bunny and the teapot on its table.
   std::string office_scene() const {
-    const std::string line = "python3 '" HERR_SOURCE_DIR "/tests/recordings/make_office_scene.py' '" +
+    const std::string line = "python3 '" + test::source_dir() + "/tests/recordings/make_office_scene.py' '" +
                              (real_data() / "models").string() + "' '" + (root() / "office").string() +
                              "' >/dev/null";
     EXPECT_EQ(std::system(line.c_str()), 0);
@@ -109,8 +110,7 @@ TEST_F(Recordings, EveryTrialIsInspectedAndItsHitchesAndLostPupilsAreNamed) {
       EXPECT_NE(lost.find("one or both in 84.5 %"), std::string::npos) << lost;
     }
     const nlohmann::json run =
-        herr_json("replay " + std::string(t.name) +
-                  " --scene '" HERR_SOURCE_DIR
+        herr_json("replay " + std::string(t.name) + " --scene '" + test::source_dir() +
                   "/scenes/samples/room.scene.json' --profile tiny.json --polar 64x32 --format none"
                   " --contact-sheet none --frames 120 --overwrite");
     EXPECT_EQ(run.at("total").at("frames").at("rendered"), 120) << t.name;
@@ -132,8 +132,7 @@ TEST_F(Recordings, OneCommandImportsEachOtherKindOfRecording) {
     const Outcome made = herr("convert " + arguments);
     ASSERT_EQ(made.exit_code, 0) << name << ": " << made.err;
     EXPECT_EQ(herr("inspect " + name).exit_code, 0) << name;
-    const nlohmann::json run = herr_json("replay " + name +
-                                         " --scene '" HERR_SOURCE_DIR
+    const nlohmann::json run = herr_json("replay " + name + " --scene '" + test::source_dir() +
                                          "/scenes/samples/room.scene.json' --profile tiny.json --polar 64x32"
                                          " --format none --contact-sheet none --frames 30");
     EXPECT_EQ(run.at("total").at("frames").at("rendered"), 30) << name;

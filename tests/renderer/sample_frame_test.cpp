@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "renderer/renderer_impl.h"
+#include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -16,7 +17,7 @@ namespace {
 class SampleFrameTest : public testing::Test {
  protected:
   void SetUp() override {
-    const std::filesystem::path samples = std::filesystem::path(HERR_SOURCE_DIR) / "scenes" / "samples";
+    const std::filesystem::path samples = std::filesystem::path(test::source_dir()) / "scenes" / "samples";
     if (!std::filesystem::exists(samples / "generated" / "teapot.glb")) {
       GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
     }
@@ -130,7 +131,7 @@ TEST_F(SampleFrameTest, InAMirrorFinerThanAPixelBothPicturesAlias) {
 TEST_F(SampleFrameTest, AtTheRecordedGazesTheFoveatedPictureIsTheFullOneOverTheFeed) {
   GazeComparison compare(scene_, true);
   Session session =
-      Session::open(std::filesystem::path(HERR_SOURCE_DIR) / "sessions" / "samples" / "desk-walk");
+      Session::open(std::filesystem::path(test::source_dir()) / "sessions" / "samples" / "desk-walk");
   for (const double at_s : {0.1, 1.0, 1.5}) {
     const FrameSample sample = session.sample(session.start_ns() + static_cast<TimeNs>(at_s * 1e9));
     EXPECT_GE(compare.share_at(sample, "desk-walk at " + std::to_string(at_s) + " s"), 0.95);

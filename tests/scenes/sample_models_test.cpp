@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "tests/paths.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {
@@ -13,7 +14,7 @@ namespace {
 
 std::filesystem::path data_folder() {
   if (const char* folder = std::getenv("HERR_TEST_DATA")) return folder;
-  return std::filesystem::path(HERR_SOURCE_DIR) / "../shared/data";
+  return std::filesystem::path(test::source_dir()) / "../shared/data";
 }
 
 std::vector<std::filesystem::path> models_in(const std::string& folder) {

@@ -14,6 +14,7 @@
 #include "child_program.h"
 #include "small_session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -73,16 +74,16 @@ class LongReplay : public ::testing::Test {
  "down_deg": -45, "up_deg": 45, "edge_blend_deg": 0},
 {"name": "right", "eye": "right", "kind": "context", "width_px": 8, "height_px": 8, "left_deg": -45,
  "right_deg": 45, "down_deg": -45, "up_deg": 45, "edge_blend_deg": 0}]})");
-    ChildProgram synth(
-        root(), {HERR_PROGRAM, "synth", "hour", "--duration", "3600", "--motion", "walking", "--profile",
-                 "tiny.json", "--replay-scene", "../scene/small.scene.json", "--hitches-per-minute", "2"});
+    ChildProgram synth(root(), {test::program_path(), "synth", "hour", "--duration", "3600", "--motion",
+                                "walking", "--profile", "tiny.json", "--replay-scene",
+                                "../scene/small.scene.json", "--hitches-per-minute", "2"});
     ASSERT_EQ(synth.finish(), 0) << content_of(root() / "stderr.txt");
   }
 
   Memory replay(const std::string& format, std::int64_t frames) {
-    ChildProgram child(
-        root(), {HERR_PROGRAM, "replay", "hour", "--polar", "16x8", "--format", format, "--contact-sheet",
-                 "none", "--frames", std::to_string(frames), "--out", "o", "--threads", "2"});
+    ChildProgram child(root(), {test::program_path(), "replay", "hour", "--polar", "16x8", "--format", format,
+                                "--contact-sheet", "none", "--frames", std::to_string(frames), "--out", "o",
+                                "--threads", "2"});
     Memory memory;
     RowCounter rows;
     // Its result waits in a full pipe: the process is still there after its last frame.

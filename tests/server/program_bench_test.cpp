@@ -10,6 +10,7 @@
 
 #include "renderer/render_settings.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -25,12 +26,12 @@ bool cpu_has(Isa isa) {
 
 void measure_one_frame_on(Isa isa) {
   if (!cpu_has(isa)) GTEST_SKIP() << "this CPU lacks " << name_of(isa);
-  const std::filesystem::path source = HERR_SOURCE_DIR;
+  const std::filesystem::path source = test::source_dir();
   if (!std::filesystem::exists(source / "scenes/samples/generated/teapot.glb")) {
     GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
   }
   const TemporaryFolder folder;
-  const std::string line = "cd '" + source.string() + "' && " + HERR_PROGRAM +
+  const std::string line = "cd '" + source.string() + "' && " + test::program_path() +
                            " bench --json --frames 1 --repeats 1 --polar 64x32 --profile xr1-half --isa " +
                            name_of(isa) + " >'" + folder.path().string() + "/out' 2>'" +
                            folder.path().string() + "/err'";

@@ -18,6 +18,7 @@
 #include "server/output/png_encoder.h"
 #include "sessions/session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -180,7 +181,7 @@ TEST_F(ConvertProgram, ASignalLeavesNothing) {
   for (int i = 100'000; i < 600'000; ++i) rows += std::to_string(i) + " 0 0 0 0 0 0 1\n";
   write_whole_file(root() / "long.txt", rows);
   const auto before = made();
-  ChildProgram child(root(), {HERR_PROGRAM, "convert", "long.txt", "s", "--preset", "tum"});
+  ChildProgram child(root(), {test::program_path(), "convert", "long.txt", "s", "--preset", "tum"});
   // It writes: so its handler of the signal is in place.
   while (child.runs() && made() == before) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   child.send(SIGTERM);

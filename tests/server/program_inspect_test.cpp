@@ -11,6 +11,7 @@
 #include "server/output/atomic_file.h"
 #include "small_session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -31,8 +32,8 @@ class InspectProgram : public ::testing::Test {
   const fs::path& root() const { return folder_.path(); }
 
   Outcome herr(const std::string& arguments) const {
-    const std::string line =
-        "cd '" + root().string() + "' && " + HERR_PROGRAM + " " + arguments + " >stdout.txt 2>stderr.txt";
+    const std::string line = "cd '" + root().string() + "' && " + test::program_path() + " " + arguments +
+                             " >stdout.txt 2>stderr.txt";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
             content_of(root() / "stderr.txt")};

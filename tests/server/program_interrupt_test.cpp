@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "resumed_replay.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -70,9 +71,9 @@ TEST_F(Interrupted, AfterSigkillAtAnyInstantAllIsAsIfNothingHadHappened) {
 
 TEST_F(Interrupted, ASignalInTheMiddleOfALongFrameEndsItWithoutAPicture) {
   // 4096 shadow rays for each of some hundred thousand samples: minutes.
-  std::vector<std::string> words{HERR_PROGRAM,      "replay",   "--out",     "long",
-                                 "--light-samples", "4096",     "--profile", "small.profile.json",
-                                 "--polar",         "1576x768", "walk"};
+  std::vector<std::string> words{
+      test::program_path(), "replay",  "--out",    "long", "--light-samples", "4096", "--profile",
+      "small.profile.json", "--polar", "1576x768", "walk"};
   ChildProgram herr(root(), words);
   while (!fs::exists(root() / "long/walk/frames.csv") && herr.runs()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -9,6 +9,7 @@
 #include "program_runner.h"
 #include "small_session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -159,7 +160,7 @@ TEST_F(Program, UsageErrorsAreOneLineAndExitCodeTwo) {
 TEST_F(Program, ALostReaderIsNoErrorAndAFullStdoutIsOne) {
   EXPECT_EQ(herr("--help").exit_code, 0);
   EXPECT_EQ(herr("--version").out.find("herr "), 0u);
-  const std::string program = HERR_PROGRAM;
+  const std::string program = test::program_path();
   EXPECT_EQ(std::system((program + " --help >/dev/full 2>/dev/null").c_str()), 75 << 8);
   // The pipe's reader is gone before the program starts to write.
   EXPECT_EQ(std::system(("bash -c 'set -o pipefail; (sleep 0.2; " + program + " --help) | true'").c_str()),

@@ -15,6 +15,7 @@
 #include "http_client.h"
 #include "small_session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -35,8 +36,8 @@ class ServeProgram : public ::testing::Test {
   const fs::path& root() const { return folder_.path(); }
 
   void start(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {HERR_PROGRAM, "serve", "walk", "--profile", "small.profile.json",
-                                         "--polar", "128x64", "--threads", "2"});
+    arguments.insert(arguments.begin(), {test::program_path(), "serve", "walk", "--profile",
+                                         "small.profile.json", "--polar", "128x64", "--threads", "2"});
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -47,7 +48,7 @@ class ServeProgram : public ::testing::Test {
     if (::chdir(root().c_str()) != 0) ::_exit(126);
     ::dup2(::open(out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644), STDOUT_FILENO);
     ::dup2(::open(err.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644), STDERR_FILENO);
-    ::execv(HERR_PROGRAM, argv.data());
+    ::execv(argv[0], argv.data());
     ::_exit(127);
   }
   // The port that the program printed; 0 after ten seconds without one.
@@ -123,8 +124,8 @@ TEST_F(ServeProgram, APortInUseIsOneClearLineAndExitCode75) {
   start({"--port", "0"});
   const int port = this->port();
   ASSERT_NE(port, 0);
-  const std::string second = "cd '" + root().string() + "' && " + HERR_PROGRAM + " serve walk --port " +
-                             std::to_string(port) + " >second.txt 2>&1";
+  const std::string second = "cd '" + root().string() + "' && " + test::program_path() +
+                             " serve walk --port " + std::to_string(port) + " >second.txt 2>&1";
   const int status = std::system(second.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 75);
   const std::string message = content_of(root() / "second.txt");
@@ -144,7 +145,7 @@ TEST_F(ServeProgram, ABadSessionEndsItWithExitCode3) {
 // 0.25 s at 60 Hz are frames 0 ... 14: each is rendered or dropped.
 TEST_F(ServeProgram, ReplayInRealTimeAccountsForEveryFrame) {
   const std::string line =
-      "cd '" + root().string() + "' && " + HERR_PROGRAM +
+      "cd '" + root().string() + "' && " + test::program_path() +
       " replay walk --profile small.profile.json --polar 128x64 --clock realtime --format none "
       "--contact-sheet none --out o >/dev/null 2>&1";
   EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 0);

@@ -9,6 +9,7 @@
 #include "child_program.h"
 #include "small_session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -35,8 +36,8 @@ class Signals : public ::testing::Test {
 };
 
 TEST_F(Signals, AfterTheLastFrameOfOneSessionTheOthersAreNotPassedOverInSilence) {
-  ChildProgram herr(root(), {HERR_PROGRAM, "replay", "first", "second", "--profile", "small.profile.json",
-                             "--polar", "64x64", "--format", "none", "--out", "o"});
+  ChildProgram herr(root(), {test::program_path(), "replay", "first", "second", "--profile",
+                             "small.profile.json", "--polar", "64x64", "--format", "none", "--out", "o"});
   // All is written of the first session; the child now waits for somebody to read its table.
   wait_until(herr, [&] { return fs::exists(root() / "o/first/summary.json"); });
   herr.send(SIGINT);
@@ -46,8 +47,8 @@ TEST_F(Signals, AfterTheLastFrameOfOneSessionTheOthersAreNotPassedOverInSilence)
 
 TEST_F(Signals, BenchEndsWithTheSignalsNumberAndWithoutAResult) {
   // 1024 frames of 4 x 48 x 40 pixels: some seconds, long after the signal.
-  ChildProgram herr(root(), {HERR_PROGRAM, "bench", "first", "--profile", "small.profile.json", "--polar",
-                             "64x64", "--frames", "1024"});
+  ChildProgram herr(root(), {test::program_path(), "bench", "first", "--profile", "small.profile.json",
+                             "--polar", "64x64", "--frames", "1024"});
   wait_until(herr, [&] { return herr.catches(SIGTERM); });
   herr.send(SIGTERM);
   EXPECT_EQ(herr.finish(), 143);

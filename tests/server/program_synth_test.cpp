@@ -17,6 +17,7 @@
 #include "child_program.h"
 #include "small_session.h"
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 namespace {
@@ -38,7 +39,7 @@ class SynthProgram : public ::testing::Test {
 
   // `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
   Outcome herr(const std::string& arguments, const std::string& before = "") const {
-    const std::string line = "cd '" + root().string() + "' && " + before + " " + HERR_PROGRAM + " " +
+    const std::string line = "cd '" + root().string() + "' && " + before + " " + test::program_path() + " " +
                              arguments + " >stdout.txt 2>stderr.txt";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
@@ -236,7 +237,8 @@ TEST_F(SynthProgram, ReplacesASessionOnlyAsAWhole) {
 }
 
 TEST_F(SynthProgram, ASignalLeavesNothing) {
-  ChildProgram child(root(), {HERR_PROGRAM, "synth", "s", "--duration", "80000", "--pose-hz", "1000"});
+  ChildProgram child(root(),
+                     {test::program_path(), "synth", "s", "--duration", "80000", "--pose-hz", "1000"});
   // It writes: so its handler of the signal is in place.
   while (child.runs() && made().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   child.send(SIGTERM);

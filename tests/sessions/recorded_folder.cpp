@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "sessions/input_error.h"
+#include "tests/paths.h"
 
 namespace herr::test {
 
@@ -107,7 +108,7 @@ std::filesystem::path real_data() {
   const char* given = std::getenv("HERR_TEST_DATA");
   const std::filesystem::path folder =
       given != nullptr ? std::filesystem::path(given)
-                       : std::filesystem::path(HERR_SOURCE_DIR).parent_path() / "shared" / "data";
+                       : std::filesystem::path(test::source_dir()).parent_path() / "shared" / "data";
   return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
 }
 

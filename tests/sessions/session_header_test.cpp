@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/paths.h"
 #include "tests/sessions/recorded_folder.h"
 
 namespace herr {
@@ -16,7 +17,7 @@ using test::RecordedFolder;
 
 // The complete example of sessions/README.md: what users copy must work.
 nlohmann::json example() {
-  std::ifstream file(std::filesystem::path(HERR_SOURCE_DIR) / "sessions" / "README.md");
+  std::ifstream file(std::filesystem::path(test::source_dir()) / "sessions" / "README.md");
   std::stringstream text;
   text << file.rdbuf();
   const std::string page = text.str(), fence = "```json\n";
