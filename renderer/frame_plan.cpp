@@ -29,15 +29,17 @@ bool lies_flat(const TriangleMesh& mesh) {
 Traits traits_of(const Scene& scene) {
   Traits traits;
   traits.instances = scene.instances.size();
-  for (const MeshInstance& instance : scene.instances) {
+  for (const Instance& instance : scene.instances) {
     const Material& material = scene.materials[instance.material];
-    const bool has_uvs = !scene.meshes[instance.mesh].uvs.empty();
+    const bool is_mesh = instance.kind == ShapeKind::mesh;
+    const bool has_uvs = is_mesh && !scene.meshes[instance.mesh].uvs.empty();
     if (has_uvs && (material.base_colour_texture >= 0 || material.metallic_roughness_texture >= 0))
       ++traits.textured;
     if (instance.catcher) {
       ++traits.catchers;
       if (material.mirror > 0) ++traits.reflecting_catchers;
-      traits.catchers_may_occlude |= traits.catchers > 1 || !lies_flat(scene.meshes[instance.mesh]);
+      traits.catchers_may_occlude |=
+          traits.catchers > 1 || !is_mesh || !lies_flat(scene.meshes[instance.mesh]);
       continue;
     }
     ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular lobe

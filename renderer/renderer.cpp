@@ -40,16 +40,6 @@ RenderSettings resolved(RenderSettings settings) {
   return settings;
 }
 
-Bounds world_box(const Scene& scene, const MeshInstance& instance) {
-  Bounds box{glm::dvec3{1e300}, glm::dvec3{-1e300}};
-  for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
-    const glm::dvec3 world = instance.world_from_object * glm::dvec4(p, 1.0);
-    box.lower = glm::min(box.lower, world);
-    box.upper = glm::max(box.upper, world);
-  }
-  return box;
-}
-
 }  // namespace
 
 Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
@@ -63,8 +53,8 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
       composite_strip(composite_strip_for(settings.isa)) {
   threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
   Bounds all{glm::dvec3{1e300}, glm::dvec3{-1e300}};
-  for (const MeshInstance& instance : scene.instances) {
-    const Bounds box = world_box(scene, instance);
+  for (const Instance& instance : scene.instances) {
+    const Bounds box = instance_bounds(scene, instance);
     if (instance.catcher) catcher_boxes.push_back(box);
     all.lower = glm::min(all.lower, box.lower);
     all.upper = glm::max(all.upper, box.upper);

@@ -53,12 +53,17 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
 };
 
-struct MeshInstance {
+// What an instance shows. A sphere has radius 1 about the origin of object space, a box is [-1, 1]^3; both
+// are met analytically, and a matrix makes them balls, ellipsoids, AABBs and OBBs.
+enum class ShapeKind : std::uint8_t { mesh, sphere, box };
+
+struct Instance {
   std::string name;
-  std::uint32_t mesh = 0;               // index into Scene::meshes
+  std::uint32_t mesh = 0;               // of kind mesh: index into Scene::meshes
   std::uint32_t material = 0;           // index into Scene::materials
   glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
+  ShapeKind kind = ShapeKind::mesh;
 };
 
 // box: radiates uniformly over its volume, into all directions. spot: from a point into a cone. sun: parallel
@@ -105,7 +110,7 @@ struct Scene {
   std::vector<TriangleMesh> meshes;
   std::vector<Material> materials;
   std::vector<TextureImage> textures;
-  std::vector<MeshInstance> instances;
+  std::vector<Instance> instances;
   std::vector<AreaLight> lights;
   glm::vec3 ambient{0.0f};           // radiance of the constant ambient term
   glm::vec3 environment{0.0f};       // radiance that a ray sees which leaves the scene
@@ -128,9 +133,12 @@ Scene load_scene(const std::filesystem::path& file);
 // State at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage.
 void scene_state_at(const Scene& scene, double time_s, SceneState& out);
 
+// Box around one instance, in the world. Of a mesh without vertices: inverted (lower > upper).
+Bounds instance_bounds(const Scene& scene, const Instance& instance);
 // Box around every instance that is not a catcher (of all instances if there are only catchers).
 Bounds scene_bounds(const Scene& scene);
-// Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance.
+// Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance, an
+// analytic shape not at all.
 std::int64_t triangle_count(const Scene& scene, bool catchers);
 
 }  // namespace herr

@@ -68,7 +68,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   for (const AreaLight& light : known->second.lights) {
     scene.lights.push_back(placed_light(world_from_gltf, light));
   }
-  for (MeshInstance instance : known->second.instances) {
+  for (Instance instance : known->second.instances) {
     instance.world_from_object = compose(world_from_gltf, instance.world_from_object);
     if (const auto problem = transform_problem(instance.world_from_object)) {
       entry.fail("scale", "together with the nodes of the model " + *problem, "write a larger scale");

@@ -176,7 +176,7 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   material.roughness = static_cast<float>(object.number_or("roughness", 0, 1, 0.8));
   material.mirror = static_cast<float>(object.number_or("mirror", 0, 1, 0));
 
-  MeshInstance instance;
+  Instance instance;
   instance.name = material.name;
   instance.mesh = static_cast<std::uint32_t>(scene.meshes.size());
   instance.material = static_cast<std::uint32_t>(scene.materials.size());

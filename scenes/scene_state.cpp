@@ -1,8 +1,5 @@
 // The scene at a time, and what can be counted about it.
-#include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <limits>
 
 #include "scenes/scene.h"
 
@@ -28,27 +25,11 @@ void scene_state_at(const Scene& scene, double time_s, SceneState& out) {
   for (AreaLight& light : out.lights) light.centre = centre_at(light, time_s);
 }
 
-Bounds scene_bounds(const Scene& scene) {
-  const bool only_catchers = std::all_of(scene.instances.begin(), scene.instances.end(),
-                                         [](const MeshInstance& instance) { return instance.catcher; });
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
-  for (const MeshInstance& instance : scene.instances) {
-    if (instance.catcher && !only_catchers) continue;
-    for (const glm::vec3& position : scene.meshes[instance.mesh].positions) {
-      const glm::dvec3 world = instance.world_from_object * glm::dvec4(glm::dvec3(position), 1.0);
-      bounds.lower = glm::min(bounds.lower, world);
-      bounds.upper = glm::max(bounds.upper, world);
-    }
-  }
-  // Nothing to show: a box of no size at the origin.
-  return bounds.lower.x <= bounds.upper.x ? bounds : Bounds{};
-}
-
 std::int64_t triangle_count(const Scene& scene, bool catchers) {
   std::int64_t count = 0;
-  for (const MeshInstance& instance : scene.instances) {
+  for (const Instance& instance : scene.instances) {
     if (instance.catcher && !catchers) continue;
+    if (instance.kind != ShapeKind::mesh) continue;
     count += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());
   }
   return count;

@@ -7,9 +7,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "renderer/geometry/embree_api.h"
+#include "renderer/geometry/embree_device.h"
+#include "renderer/geometry/instance_records.h"
+#include "renderer/geometry/mesh_geometry.h"
 #include "renderer/geometry/shading_scene.h"
-#include "renderer/geometry/triangle_records.h"
 #include "renderer/render_settings.h"
 #include "scenes/scene.h"
 
@@ -33,21 +34,20 @@ class EmbreeScene {
   const glm::dvec3& anchor() const { return anchor_; }
   bool placed() const { return placed_; }  // false until the first follow() or place_at()
 
-  RTCScene top() const { return top_; }
+  RTCScene top() const { return top_.get(); }
   const std::vector<InstanceRecord>& instances() const { return instances_; }
 
  private:
-  void build_meshes();
+  void build_textures();
   void build_instances();
   void place_instances();
-  void commit(RTCScene scene) const;
+  RTCScene bottom_of(const Instance& instance) const;
 
   const Scene& scene_;
-  RTCDevice device_ = nullptr;
-  RTCScene top_ = nullptr;
-  std::vector<RTCScene> bottom_;
+  EmbreeDevice device_;
+  std::vector<MeshGeometry> meshes_;
+  EmbreeSceneHandle top_;
   std::vector<RTCGeometry> instance_geometries_;
-  std::vector<BakedMesh> baked_;
   std::vector<std::vector<std::uint32_t>> texture_texels_;
   std::vector<TextureRecord> textures_;
   std::vector<InstanceRecord> instances_;

@@ -27,9 +27,9 @@ struct TextureRecord {
 };
 
 struct InstanceRecord {
-  const TriangleRecord* triangles = nullptr;
-  float normal_from_object[9] = {};          // rows of the inverse transpose of the object's matrix
-  float uv_lower[2] = {}, uv_scale[2] = {};  // uv = lower + scale * unorm
+  const TriangleRecord* triangles = nullptr;  // null unless of kind mesh
+  float normal_from_object[9] = {};           // rows of the inverse transpose of the object's matrix
+  float uv_lower[2] = {}, uv_scale[2] = {};   // uv = lower + scale * unorm
   float base_colour[3] = {};
   float metallic = 0, roughness = 1, mirror = 0;
   float transmission = 0, refractive_index = 1.5f;
@@ -38,6 +38,7 @@ struct InstanceRecord {
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
   bool catcher = false;
+  ShapeKind kind = ShapeKind::mesh;
 };
 
 inline constexpr int kMostOrderedSamples = 256;

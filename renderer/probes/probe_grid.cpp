@@ -28,7 +28,6 @@ class CellMarks {
   }
 
   void add(const std::array<glm::dvec3, 3>& corners) {
-    constexpr double kSlack = 1e-3;  // of a cell: look-ups round in float
     const glm::dvec3 lower = glm::min(corners[0], glm::min(corners[1], corners[2])),
                      upper = glm::max(corners[0], glm::max(corners[1], corners[2]));
     glm::ivec3 first, last;
@@ -50,6 +49,20 @@ class CellMarks {
     }
   }
 
+  // Every cell that a box reaches into; corners relative to the grid.
+  void add_box(const glm::dvec3& lower, const glm::dvec3& upper) {
+    glm::ivec3 first, last;
+    for (int axis = 0; axis < 3; ++axis) {
+      first[axis] = cell_of(lower[axis] - kSlack * grid_.spacing[axis], axis);
+      last[axis] = cell_of(upper[axis] + kSlack * grid_.spacing[axis], axis);
+    }
+    for (int z = first.z; z <= last.z; ++z) {
+      for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) marked_[index(x, y, z)] = true;
+      }
+    }
+  }
+
   // Is one of the cells that have this probe at a corner marked?
   bool any_around(const glm::ivec3& probe) const {
     for (int corner = 0; corner < 8; ++corner) {
@@ -62,6 +75,8 @@ class CellMarks {
   }
 
  private:
+  static constexpr double kSlack = 1e-3;  // of a cell: look-ups round in float
+
   int cell_of(double x, int axis) const {
     const double cell = std::floor(x / grid_.spacing[axis] - 0.5);
     return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cells_[axis] - 1)));
@@ -120,7 +135,12 @@ std::vector<std::int32_t> block_order(const ProbeGrid& grid) {
 std::vector<bool> probes_near_geometry(const ProbeGrid& grid, const Scene& scene) {
   CellMarks marks(grid);
   std::vector<glm::dvec3> positions;
-  for (const MeshInstance& instance : scene.instances) {
+  for (const Instance& instance : scene.instances) {
+    if (instance.kind != ShapeKind::mesh) {
+      const Bounds box = instance_bounds(scene, instance);
+      marks.add_box(box.lower - grid.lower, box.upper - grid.lower);
+      continue;
+    }
     const TriangleMesh& mesh = scene.meshes[instance.mesh];
     positions.clear();
     for (const glm::vec3& p : mesh.positions) {

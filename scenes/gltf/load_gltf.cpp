@@ -79,7 +79,7 @@ GltfContent append(const std::filesystem::path& file, Scene& scene) {
   PrimitiveCache cache(model, scene);
   FlattenedNodes nodes = flatten_nodes(model);
   GltfContent content{{}, std::move(nodes.lights)};
-  std::vector<MeshInstance>& instances = content.instances;
+  std::vector<Instance>& instances = content.instances;
   for (const PlacedMesh& placed : nodes.meshes) {
     for (const BuiltPrimitive& primitive : cache.primitives(placed.mesh)) {
       instances.push_back({placed.name, primitive.mesh, primitive.material, placed.gltf_from_mesh, false});

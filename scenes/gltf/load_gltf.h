@@ -12,7 +12,7 @@ namespace herr {
 
 // What a file shows, relative to its root. `mesh` and `material` of the instances are indices into the scene.
 struct GltfContent {
-  std::vector<MeshInstance> instances;
+  std::vector<Instance> instances;
   std::vector<AreaLight> lights;
 };
 

@@ -27,7 +27,7 @@ void add_meshes(const Scene& scene, SceneFacts& facts) {
 
 void add_objects(const Scene& scene, SceneFacts& facts) {
   std::map<std::string, SceneObject> objects;
-  for (const MeshInstance& instance : scene.instances) {
+  for (const Instance& instance : scene.instances) {
     SceneObject& object = objects[instance.name.substr(0, instance.name.find('/'))];
     ++object.instances;
     object.triangles += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());

@@ -187,7 +187,7 @@ TEST(ExtremeCasesTest, AMillionMetresAwayIsByteForByteLikeTheOrigin) {
        {glm::dvec3{1e6, 0, 0}, {-1e6, 1e6, 1e6}, {16, -16, 160}, {0, 0, 16.0 * 4194304}}) {
     SCOPED_TRACE(testing::Message() << away.x << " " << away.y << " " << away.z);
     Scene far = near;
-    for (MeshInstance& instance : far.instances) instance.world_from_object[3] += away;
+    for (Instance& instance : far.instances) instance.world_from_object[3] += away;
     for (AreaLight& light : far.lights) light.centre += away;
     FrameSample sample = near_sample;
     sample.head.world_from_head.position += away;

@@ -69,7 +69,7 @@ TEST(ProbeCatcherTest, TheSecondSetExistsForCatchersAndProbesOnly) {
   settings.probes.on = false;
   EXPECT_FALSE(plan_frame(scene, settings, true).catcher_probes);
   settings.probes.on = true;
-  for (MeshInstance& instance : scene.instances) instance.catcher = false;
+  for (Instance& instance : scene.instances) instance.catcher = false;
   EXPECT_FALSE(plan_frame(scene, settings, true).catcher_probes);
   EXPECT_TRUE(plan_frame(scene, settings, true).probes);
 }

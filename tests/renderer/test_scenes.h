@@ -76,7 +76,7 @@ inline TriangleMesh sphere(const glm::vec3& centre, float radius, int rings = 24
 
 inline void add(Scene& scene, TriangleMesh mesh, const Material& material, bool catcher = false,
                 const glm::dmat4x3& place = glm::dmat4x3{1.0}) {
-  MeshInstance instance;
+  Instance instance;
   instance.name = "instance " + std::to_string(scene.instances.size());
   instance.mesh = static_cast<std::uint32_t>(scene.meshes.size());
   instance.material = static_cast<std::uint32_t>(scene.materials.size());

@@ -42,7 +42,7 @@ void expect_sound(const Scene& scene, const std::string& name) {
     // A unit vector rounded to float has a length within 1e-7 * sqrt(3) of 1.
     for (const glm::vec3& normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0, 5e-7) << name;
   }
-  for (const MeshInstance& instance : scene.instances) {
+  for (const Instance& instance : scene.instances) {
     ASSERT_LT(instance.mesh, scene.meshes.size()) << name;
     ASSERT_LT(instance.material, scene.materials.size()) << name;
   }

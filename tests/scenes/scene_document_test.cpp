@@ -48,7 +48,7 @@ TEST(SceneDocument, EveryFieldArrives) {
   ASSERT_EQ(scene.instances.size(), 3u);
   EXPECT_TRUE(scene.instances[0].catcher);
   EXPECT_TRUE(scene.instances[1].catcher);
-  const MeshInstance& lamp = scene.instances[2];
+  const Instance& lamp = scene.instances[2];
   EXPECT_FALSE(lamp.catcher);
   EXPECT_EQ(lamp.name, "lamp/node");
   EXPECT_EQ(lamp.world_from_object[0], glm::dvec3(2, 0, 0));

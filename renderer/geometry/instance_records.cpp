@@ -1,0 +1,61 @@
+#include "renderer/geometry/instance_records.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace herr {
+namespace {
+
+void set_matrix(const Instance& instance, InstanceRecord& record) {
+  const glm::dmat4x3& m = instance.world_from_object;
+  const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m[0], m[1], m[2])));
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      record.normal_from_object[3 * row + column] = static_cast<float>(normal_matrix[column][row]);
+    }
+  }
+}
+
+void set_material(const Material& material, InstanceRecord& record) {
+  for (int channel = 0; channel < 3; ++channel) {
+    record.base_colour[channel] = material.base_colour[channel];
+    record.emission[channel] = material.emission[channel];
+  }
+  record.metallic = material.metallic;
+  record.roughness = material.roughness;
+  record.mirror = material.mirror;
+  record.transmission = material.transmission;
+  record.refractive_index = material.refractive_index;
+  const float f0_root = (material.refractive_index - 1.0f) / (material.refractive_index + 1.0f);
+  record.dielectric_f0 = f0_root * f0_root;
+}
+
+void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,
+              std::span<const TextureRecord> textures, InstanceRecord& record) {
+  record.triangles = baked.records.data();
+  for (int axis = 0; axis < 2; ++axis) {
+    record.uv_lower[axis] = baked.uv_lower[axis];
+    record.uv_scale[axis] = baked.uv_scale[axis] / 65535.0f;
+  }
+  const auto texture = [&](int index) {
+    return index >= 0 && has_uvs ? &textures[static_cast<std::size_t>(index)] : nullptr;
+  };
+  record.base_colour_texture = texture(material.base_colour_texture);
+  record.metallic_roughness_texture = texture(material.metallic_roughness_texture);
+}
+
+}  // namespace
+
+InstanceRecord instance_record(const Scene& scene, const Instance& instance, const BakedMesh* baked,
+                               std::span<const TextureRecord> textures) {
+  const Material& material = scene.materials[instance.material];
+  InstanceRecord record;
+  record.kind = instance.kind;
+  record.catcher = instance.catcher;
+  set_matrix(instance, record);
+  set_material(material, record);
+  if (baked) set_mesh(material, *baked, !scene.meshes[instance.mesh].uvs.empty(), textures, record);
+  return record;
+}
+
+}  // namespace herr

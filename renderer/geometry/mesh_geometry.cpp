@@ -1,0 +1,27 @@
+#include "renderer/geometry/mesh_geometry.h"
+
+#include <cstring>
+
+namespace herr {
+
+MeshGeometry build_mesh(const EmbreeDevice& device, const TriangleMesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetGeometryMask(geometry, kAllMask);
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(glm::vec3), mesh.positions.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                          sizeof(mesh.triangles[0]), mesh.triangles.size());
+  check_embree(device.get());
+  std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
+  std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
+  rtcCommitGeometry(geometry);
+  MeshGeometry built{EmbreeSceneHandle(device), {}};
+  rtcSetSceneBuildQuality(built.scene.get(), RTC_BUILD_QUALITY_HIGH);
+  rtcAttachGeometryByID(built.scene.get(), geometry, 0);
+  rtcReleaseGeometry(geometry);
+  built.scene.commit();
+  built.baked = bake_triangles(mesh);
+  return built;
+}
+
+}  // namespace herr
