@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "temporary_folder.h"
+#include "tests/paths.h"
 
 namespace herr {
 
@@ -21,7 +22,7 @@ struct Outcome {
 // `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
 inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments,
                            const std::string& before = "") {
-  const std::string line = "cd '" + folder.string() + "' && " + before + " " + HERR_PROGRAM + " " +
+  const std::string line = "cd '" + folder.string() + "' && " + before + " " + test::program_path() + " " +
                            arguments + " >stdout.txt 2>stderr.txt";
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder / "stdout.txt"),
