@@ -1,0 +1,26 @@
+// Is the machine too restless for a verdict? A calibration that is the same work each time shows how the
+// machine's speed changed from run to run, and the kernel counts what the hypervisor took.
+// Before: the calibration and CPU times of every run. After: the verdict `noisy`.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace herr {
+
+inline constexpr double kMostCalibrationCv = 0.05;
+inline constexpr double kMostSteal = 0.05;
+
+// Coefficient of variation that single wild values do not move: 1.4826 median absolute deviations (the
+// standard deviation of a normal distribution) over the median. Rank tests live with single wild runs; this
+// is for what they cannot see, a machine that is restless all the time. Positive values; 0 for less than two.
+double robust_cv(std::span<const double> values);
+
+struct Noise {
+  double calibration_cv = 0;  // of the medians of runs
+  double steal = 0;           // stolen CPU time over CPU time asked for, of all runs together
+};
+// One line that says what is too restless; empty when nothing is.
+std::string noise_text(const Noise& noise);
+
+}  // namespace herr
