@@ -54,6 +54,7 @@ void make_all(const std::filesystem::path& folder) {
   if (std::abs(static_cast<double>(total) / kGeneralTriangles - 1.0) > kTolerance) {
     throw std::runtime_error("the general scene must have 290000 triangles within 1 %");
   }
+  make(folder, "quality_boards.glb", samples::quality_boards());
   if (make(folder, "room.glb", samples::room()) > kRoomTrianglesAtMost) {
     throw std::runtime_error("the room must have at most 5000 triangles");
   }
