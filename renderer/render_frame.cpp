@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 #include "renderer/lighting/light_records.h"
 #include "renderer/renderer_impl.h"
@@ -45,20 +46,33 @@ void require_usable(const Pose& pose) {
   if (!usable) throw std::invalid_argument("head pose is not finite, not a rotation, or farther than 1e9 m");
 }
 
+// With numbers in place of "as the settings say".
+FrameQuality resolved(FrameQuality quality, const RenderSettings& settings, int most_probes) {
+  if (quality.light_samples < 1 || quality.light_samples > kMostLightSamples) {
+    throw std::invalid_argument("light samples of a frame must lie in [1, 4096]");
+  }
+  if (quality.polar_width < 0 || quality.polar_width > settings.polar_width) {
+    throw std::invalid_argument("polar width of a frame must lie in [1, " +
+                                std::to_string(settings.polar_width) + "]");
+  }
+  if (quality.probes < 0) throw std::invalid_argument("probes of a frame must be 0 or more");
+  if (quality.polar_width == 0) quality.polar_width = settings.polar_width;
+  if (quality.probes == 0 || quality.probes > most_probes) quality.probes = most_probes;
+  return quality;
+}
+
 }  // namespace
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
                             const std::atomic<bool>* abandon) {
-  return render_frame(sample, state, {impl_->settings.light_samples}, out, abandon);
+  return render_frame(sample, state, full_quality(), out, abandon);
 }
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
                             RenderedFrame& out, const std::atomic<bool>* abandon) {
   Impl& frame = *impl_;
   require_usable(sample.head.world_from_head);
-  if (quality.light_samples < 1 || quality.light_samples > kMostLightSamples) {
-    throw std::invalid_argument("light samples of a frame must lie in [1, 4096]");
-  }
+  out.quality = resolved(quality, frame.settings, frame.most_probes());
   out.times = {};
   out.counters = {};
   std::fill(frame.counters.begin(), frame.counters.end(), TileCounters{});
@@ -66,9 +80,9 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
 
   out.counters.commits =
       timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample); });
-  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, quality); });
+  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, out.quality); });
   if (frame.plan.probes) frame.update_probes(sample, state, out);
-  timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample); });
+  timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample, out.quality.polar_width); });
   if (!frame.trace_tiles(out.times, abandon)) return false;
   timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
   if (!frame.composite_viewports(out.times, abandon)) return false;
@@ -87,7 +101,8 @@ void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   impl_->update_acceleration(sample);
   if (!impl_->plan.probes) return;
   RenderedFrame nobodys;
-  impl_->update_scene(state, {impl_->settings.light_samples});
+  nobodys.quality = full_quality();
+  impl_->update_scene(state, nobodys.quality);
   impl_->update_probes(sample, state, nobodys);
 }
 
@@ -132,14 +147,14 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.debug_tiles = settings.debug_tiles;
 }
 
-void Renderer::Impl::aim_rays(const FrameSample& sample) {
+void Renderer::Impl::aim_rays(const FrameSample& sample, int polar_width) {
   first_tile[0] = 0;
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const auto eye = plan.polar ? static_cast<Eye>(i) : profile.viewports[i].eye;
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
     const std::uint32_t key = frame_key(sample.t_ns, static_cast<int>(eye));
     if (plan.polar) {
-      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), settings.polar_width);
+      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
       set_planar_grid(view, profile.viewports[i], buffers[i], key, grids[i]);

@@ -107,6 +107,9 @@ const FramePlan& Renderer::plan() const {
 const RenderSettings& Renderer::settings() const {
   return impl_->settings;
 }
+FrameQuality Renderer::full_quality() const {
+  return {impl_->settings.light_samples, impl_->settings.polar_width, impl_->most_probes()};
+}
 RendererState Renderer::state(bool with_probes) const {
   RendererState state;
   if (with_probes && impl_->probes) state.probes = impl_->probes->save();

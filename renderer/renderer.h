@@ -22,11 +22,19 @@
 
 namespace herr {
 
+// What may change from frame to frame. No choice of it allocates.
+struct FrameQuality {
+  int light_samples = 1;  // per light and hit, 1 ... 4096
+  int polar_width = 0;    // radial samples per eye, 1 ... as many as the settings say; 0: that many
+  int probes = 0;         // updated at most, of those that the settings' budget allows; 0: as many as it does
+};
+
 // One rendered frame. Reuse it for every frame: its storage is kept.
 struct RenderedFrame {
   std::vector<ViewportImage> viewports;  // in the order of DisplayProfile::viewports
   StageTimes times;
   FrameCounters counters;
+  FrameQuality quality;                   // of this frame, every number resolved; probes 0 without probes
   ProbeCounts probes;                     // all 0 without probes
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
 };
@@ -36,11 +44,6 @@ struct RenderedFrame {
 struct RendererState {
   std::optional<glm::dvec3> anchor;  // metres, multiples of 16; none before the first frame
   std::vector<std::byte> probes;     // what probes have gathered; empty without probes
-};
-
-// What may change from frame to frame.
-struct FrameQuality {
-  int light_samples = 1;  // per light and hit, 1 ... 4096
 };
 
 // Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree
@@ -57,11 +60,12 @@ class Renderer {
   const FramePlan& plan() const;
   const RenderSettings& settings() const;  // threads and isa resolved to what runs
   int threads() const;
+  FrameQuality full_quality() const;  // what a frame has when nothing less is asked for
 
-  // With the quality that the settings ask for, or one of this frame's own. `abandon` (may be null) is asked
-  // before each tile and strip: once it is set the frame is given up, the answer is false and `out` is no
-  // picture. True: the frame is whole. Throws std::invalid_argument for a head pose or a quality out of
-  // range.
+  // With the quality that the settings ask for, or one of this frame's own. A width below that of the
+  // settings gives the bytes that a renderer built for it gives. `abandon` (may be null) is asked before each
+  // tile and strip: once it is set the frame is given up, the answer is false and `out` is no picture. True:
+  // the frame is whole. Throws std::invalid_argument for a head pose or a quality out of range.
   bool render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
                     const std::atomic<bool>* abandon = nullptr);
   bool render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,

@@ -62,7 +62,7 @@ struct Renderer::Impl {
   void update_scene(const SceneState& state, const FrameQuality& quality);
   int update_acceleration(const FrameSample& sample);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
-  void aim_rays(const FrameSample& sample);
+  void aim_rays(const FrameSample& sample, int polar_width);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
   void aim_viewports(const FrameSample& sample, RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
@@ -73,7 +73,8 @@ struct Renderer::Impl {
   void build_probes();
   void publish_probes();
   void restore_probes(std::span<const std::byte> bytes);
-  void aim_probes(const FrameSample& sample, const SceneState& state);
+  void aim_probes(const FrameSample& sample, const SceneState& state, int most);
+  int most_probes() const { return probes ? probes->most_updated() : 0; }
   int probe_job_count() const { return probes->job_count() * static_cast<int>(probes->sets.size()); }
   ProbeJob probe_job(int job, int worker, RayRecorder* recorder);
   int tile_count() const { return first_tile.back(); }

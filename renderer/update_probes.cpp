@@ -37,8 +37,8 @@ void Renderer::Impl::build_probes() {
   ProbePlacement::settle(*probes, scene, *geometry, threads);
 }
 
-void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state) {
-  probes->begin_frame(sample.t_ns, summed_power(state));
+void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state, int most) {
+  probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns, kProbeKey), probes->node_directions);
   light_records(state.lights, geometry->anchor(), 1, reach_m, probe_lights);
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
@@ -87,7 +87,7 @@ void Renderer::Impl::restore_probes(std::span<const std::byte> bytes) {
 void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out) {
   const PhaseClock serial(cycles);
   cycles[0].start();
-  aim_probes(sample, state);
+  aim_probes(sample, state, out.quality.probes);
   cycles[0].lap(Stage::probe_update);
   serial.finish(out.times);
 

@@ -48,4 +48,9 @@ struct SampledPose {
   TimeNs age_ns = 0;    // sampling time minus stamp_ns; -1 when not meaningful (interpolated)
 };
 
+// How fast the head moves, as far as the newest pose tells (streams/head_speed.h).
+struct HeadSpeed {
+  double turn_rad_s = 0, move_m_s = 0;  // 0 or more
+};
+
 }  // namespace herr

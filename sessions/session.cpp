@@ -121,6 +121,7 @@ FrameSample Session::sample(TimeNs t_ns) {
   FrameSample frame;
   frame.t_ns = t_ns;
   frame.head = state.poses->at(t_ns);
+  frame.head_speed = state.poses->speed();
   frame.gaze = state.gaze->at(t_ns);
   frame.head_from_eye = state.header.head_from_eye;
   if (state.cameras.empty()) return frame;

@@ -66,6 +66,7 @@ struct SampledCamera {
 struct FrameSample {
   TimeNs t_ns = 0;
   SampledPose head;
+  HeadSpeed head_speed;  // from poses recorded at or before t_ns, whatever the sampling mode
   SampledGaze gaze;
   std::array<Pose, 2> head_from_eye;
   std::array<std::optional<SampledCamera>, 2>

@@ -113,7 +113,7 @@ void ProbeVolume::forget() {
   power_ = 0;
 }
 
-void ProbeVolume::begin_frame(std::int64_t t_ns, double power) {
+void ProbeVolume::begin_frame(std::int64_t t_ns, double power, int most) {
   selected_.clear();
   keeps_.clear();
   if (t_ns == last_ns_) return;
@@ -122,14 +122,13 @@ void ProbeVolume::begin_frame(std::int64_t t_ns, double power) {
   if (power > kMorePower * power_) wake();
   last_ns_ = t_ns;
   power_ = power;
-  select(t_ns);
+  select(t_ns, std::min(most, most_updated()));
   ++frame_;
 }
 
-void ProbeVolume::select(std::int64_t t_ns) {
+void ProbeVolume::select(std::int64_t t_ns, int most) {
   counts_ = {};
   const auto n = static_cast<std::int32_t>(order_.size());
-  const std::int32_t most = settings.budget > 0 ? std::min(settings.budget, n) : n;
   std::int32_t next = cursor_;
   for (std::int32_t step = 0; step < n; ++step) {
     const std::int32_t position = (cursor_ + step) % n;
@@ -145,7 +144,7 @@ void ProbeVolume::select(std::int64_t t_ns) {
     updated_ns_[i] = t_ns;
     next = position + 1;
   }
-  cursor_ = settings.budget > 0 ? next % std::max(n, 1) : 0;
+  cursor_ = most < n ? next % std::max(n, 1) : 0;  // all of them: no order to go on with
 }
 
 void ProbeVolume::end_frame() {
@@ -161,8 +160,7 @@ void ProbeVolume::end_frame() {
 }
 
 std::int64_t ProbeVolume::most_rays() const {
-  const int probes = settings.budget > 0 ? std::min(settings.budget, grid.size()) : grid.size();
-  return std::int64_t{probes} * settings.rays;
+  return std::int64_t{most_updated()} * settings.rays;
 }
 
 std::span<const std::int32_t> ProbeVolume::job_probes(int job) const {

@@ -6,6 +6,7 @@
 // Not thread-safe but for what the kernels do to different probes.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -51,15 +52,19 @@ class ProbeVolume {
   // `sets`: 1, or 2 with catchers alone. Allocates everything; probe_placement fills places and distances.
   ProbeVolume(const ProbeGrid& grid, const ProbeSettings& settings, int sets);
 
-  // Chooses the probes of this frame and the share that each keeps of what it had. `power`: summed intensity
+  // Chooses the probes of this frame, `most` of them and those of the budget at most, and the share that each
+  // keeps of what it had. `power`: summed intensity
   // of all lights; when it doubles, sleeping probes wake. The time of the last frame once more is that frame
   // once more: no probe is updated. No allocation.
-  void begin_frame(std::int64_t t_ns, double power);
+  void begin_frame(std::int64_t t_ns, double power, int most);
   // Sums up; `jobs` in order.
   void end_frame();
 
   std::span<const std::int32_t> selected() const { return selected_; }
-  // Rays of a frame that updates all probes that the budget allows.
+  // Probes that the budget allows a frame to update, and rays of a frame that updates them all.
+  int most_updated() const {
+    return settings.budget > 0 ? std::min(settings.budget, grid.size()) : grid.size();
+  }
   std::int64_t most_rays() const;
   int job_count() const { return static_cast<int>((selected_.size() + kProbeLanes - 1) / kProbeLanes); }
   std::span<const std::int32_t> job_probes(int job) const;
@@ -86,7 +91,7 @@ class ProbeVolume {
   bool asleep(int probe) const;
   void wake();
   void forget();
-  void select(std::int64_t t_ns);
+  void select(std::int64_t t_ns, int most);
 
   std::vector<std::int32_t> order_;  // blocks of neighbours
   std::vector<bool> near_, relocated_;

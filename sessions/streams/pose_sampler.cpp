@@ -26,6 +26,7 @@ PoseSampler::PoseSampler(RowStream<PoseRow> rows, SamplingMode mode, double pred
   const std::optional<PoseRow> first = rows_.next();
   if (!first) throw InputError(rows_.rows().path(), 0, "has no samples", "record at least one pose");
   newest_ = *first;
+  speed_.add(newest_.stamp_ns, newest_.world_from_head);
   after_ = rows_.next();
 }
 
@@ -33,6 +34,7 @@ void PoseSampler::advance(TimeNs t_ns) {
   while (after_ && after_->stamp_ns <= t_ns) {
     before_ = newest_;
     newest_ = *after_;
+    speed_.add(newest_.stamp_ns, newest_.world_from_head);
     after_ = rows_.next();
   }
 }

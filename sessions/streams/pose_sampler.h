@@ -6,6 +6,7 @@
 
 #include "sessions/pose.h"
 #include "sessions/session.h"
+#include "sessions/streams/head_speed.h"
 #include "sessions/streams/row_stream.h"
 #include "sessions/streams/stream_rows.h"
 
@@ -22,6 +23,8 @@ class PoseSampler {
   PoseSampler(RowStream<PoseRow> rows, SamplingMode mode, double predict_cap_s);
   // Times must not decrease. Before the first sample: the first sample, held, with age 0.
   SampledPose at(TimeNs t_ns);
+  // How fast the head moved up to the newest pose at or before the time of the last at().
+  const HeadSpeed& speed() const { return speed_.speed(); }
 
  private:
   void advance(TimeNs t_ns);
@@ -32,6 +35,7 @@ class PoseSampler {
   RowStream<PoseRow> rows_;
   SamplingMode mode_;
   double predict_cap_s_;
+  HeadSpeedMeter speed_;
   std::optional<PoseRow> before_;  // last but one at or before the time
   PoseRow newest_;                 // newest at or before the time
   std::optional<PoseRow> after_;   // first after the time
