@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/voxels/voxel_grid.h"
 #include "sessions/pose.h"
 
 namespace herr {
@@ -55,7 +56,8 @@ struct TriangleMesh {
 
 // What an instance shows. A sphere has radius 1 about the origin of object space, a box is [-1, 1]^3; both
 // are met analytically, and a matrix makes them balls, ellipsoids, AABBs and OBBs.
-enum class ShapeKind : std::uint8_t { mesh, sphere, box };
+// Voxels are a grid whose object space is counted in voxels.
+enum class ShapeKind : std::uint8_t { mesh, sphere, box, voxels };
 
 struct Instance {
   std::string name;
@@ -64,6 +66,7 @@ struct Instance {
   glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
   ShapeKind kind = ShapeKind::mesh;
+  std::uint32_t grid = 0;  // of kind voxels: index into Scene::voxel_grids
 };
 
 // box: radiates uniformly over its volume, into all directions. spot: from a point into a cone. sun: parallel
@@ -110,6 +113,7 @@ struct Scene {
   std::vector<TriangleMesh> meshes;
   std::vector<Material> materials;
   std::vector<TextureImage> textures;
+  std::vector<VoxelGrid> voxel_grids;
   std::vector<Instance> instances;
   std::vector<AreaLight> lights;
   glm::vec3 ambient{0.0f};           // radiance of the constant ambient term

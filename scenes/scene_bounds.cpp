@@ -28,9 +28,23 @@ glm::dvec3 reach_of(const Instance& instance) {
   return reach;
 }
 
+// A grid fills [0, counts] of its object space: as a box about its middle.
+Instance box_of(const VoxelGrid& grid, const Instance& instance) {
+  Instance box = instance;
+  const glm::dvec3 half = 0.5 * glm::dvec3(grid.counts);
+  glm::dmat4x3& m = box.world_from_object;
+  m[3] += m[0] * half.x + m[1] * half.y + m[2] * half.z;
+  for (int axis = 0; axis < 3; ++axis) m[axis] *= half[axis];
+  box.kind = ShapeKind::box;
+  return box;
+}
+
 }  // namespace
 
 Bounds instance_bounds(const Scene& scene, const Instance& instance) {
+  if (instance.kind == ShapeKind::voxels) {
+    return instance_bounds(scene, box_of(scene.voxel_grids[instance.grid], instance));
+  }
   const glm::dmat4x3& m = instance.world_from_object;
   if (instance.kind != ShapeKind::mesh) return {m[3] - reach_of(instance), m[3] + reach_of(instance)};
   Bounds bounds = nothing();
