@@ -27,6 +27,18 @@ struct TextureImage {
   bool srgb = true;  // colour: decode to linear light after the fetch; false: values are linear
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
   std::vector<std::uint8_t> rgba;  // 4 * width * height
+  bool nearest = false;            // magnified texels stay squares (sampler filter NEAREST)
+  bool covers = false;             // alpha is coverage: colours of smaller levels are weighted by it
+};
+
+// mask: a surface has holes where its alpha lies below the cutoff. blend: it covers what is behind by alpha.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+// A texture and which of the mesh's coordinates it reads: set 0 is TriangleMesh::uvs, set n is more_uvs[n -
+// 1].
+struct TextureSlot {
+  int texture = -1;  // index into Scene::textures, -1 = none
+  int uv_set = 0;
 };
 
 // glTF metallic-roughness in linear light. Mapping to the paper's factors (see README.md of this folder):
@@ -43,14 +55,32 @@ struct Material {
   int metallic_roughness_texture = -1;  // G = roughness, B = metallic (linear)
   float transmission = 0.0f;            // [0, 1] share of light that passes, refracted
   float refractive_index = 1.5f;        // [1, 100]
+  int base_colour_uv_set = 0, metallic_roughness_uv_set = 0;  // as TextureSlot::uv_set
+
+  float alpha = 1.0f;  // [0, 1], times the base colour texture's and the vertices'; unused where opaque
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;            // of mask
+  bool double_sided = true;             // false: seen from its front only, if its mesh is not closed
+  bool unlit = false;                   // shows its base colour whatever the light
+  float specular = 1.0f;                // [0, 1] strength of a dielectric's highlights
+  glm::vec3 specular_colour{1.0f};      // >= 0, tints them
+  float normal_scale = 1.0f;            // of the normal texture's x and y
+  TextureSlot emission_texture;         // sRGB
+  TextureSlot specular_texture;         // A = strength
+  TextureSlot specular_colour_texture;  // sRGB
+  TextureSlot transmission_texture;     // R
+  TextureSlot normal_texture;           // RGB = tangent space, linear
 };
 
 // One triangle mesh with one material (a glTF primitive). Arrays are all the same length or empty.
 struct TriangleMesh {
   std::string name;
-  std::vector<glm::vec3> positions;  // metres in object space, finite
-  std::vector<glm::vec3> normals;    // unit; always present (generated when the file has none)
-  std::vector<glm::vec2> uvs;        // empty when the material has no texture
+  std::vector<glm::vec3> positions;              // metres in object space, finite
+  std::vector<glm::vec3> normals;                // unit; always present (generated when the file has none)
+  std::vector<glm::vec2> uvs;                    // empty when the material has no texture
+  std::vector<std::vector<glm::vec2>> more_uvs;  // sets 1, 2, ...; used where textures differ in coordinates
+  std::vector<glm::vec4> colours;                // of vertices, linear RGBA in [0, 1]; empty = white
+  bool closed = false;  // known to be a closed surface: from within, its inside is seen
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
 };
 

@@ -152,12 +152,18 @@ Material MaterialOverride::apply(Material material) const {
     material.roughness = roughness.value_or(material.roughness);
     material.metallic_roughness_texture = -1;
   }
-  if (transmission) material.transmission = *transmission;
+  if (transmission) {
+    material.transmission = *transmission;
+    material.transmission_texture = {};
+  }
   if (refractive_index) material.refractive_index = *refractive_index;
   if (metallic || roughness || transmission) {
     material.mirror = mirror_of(material.metallic, material.roughness, material.transmission);
   }
-  if (emission) material.emission = *emission;
+  if (emission) {
+    material.emission = *emission;
+    material.emission_texture = {};
+  }
   if (mirror) material.mirror = *mirror;
   return material;
 }

@@ -14,9 +14,10 @@ namespace herr {
 namespace {
 
 // What this reader understands well enough to honour a file that requires it.
-constexpr std::array kSupportedExtensions{"KHR_materials_unlit", "KHR_materials_emissive_strength",
-                                          "KHR_materials_ior",   "KHR_materials_transmission",
-                                          "KHR_lights_punctual", "KHR_mesh_quantization"};
+constexpr std::array kSupportedExtensions{
+    "KHR_materials_unlit",        "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_transmission", "KHR_materials_specular",          "KHR_texture_transform",
+    "KHR_lights_punctual",        "KHR_mesh_quantization",           "EXT_mesh_gpu_instancing"};
 constexpr std::int64_t kMaxOffset = 1ll << 40;  // far above any file that is accepted; sums cannot overflow
 
 bool is_supported(std::string_view extension) {
@@ -190,6 +191,7 @@ std::vector<std::string> check_gltf_document(const nlohmann::json& document,
   check_accessors(root.objects("accessors"), views);
   check_images(root, views);
   check_gltf_references(document, file);
+  check_gltf_further_references(document, file);
   return warnings;
 }
 

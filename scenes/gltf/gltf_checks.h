@@ -16,7 +16,9 @@ std::vector<std::string> check_gltf_document(const nlohmann::json& document,
                                              const std::filesystem::path& file, bool binary);
 
 // Parts of the above. Storage: buffers, bufferViews, accessors, images (gltf_checks.cpp); references: meshes,
-// materials, textures, nodes, scenes (gltf_reference_checks.cpp).
+// textures, nodes, scenes (gltf_reference_checks.cpp). Materials are checked where they are read.
 void check_gltf_references(const nlohmann::json& document, const std::filesystem::path& file);
+// What moves a model or is not drawn (gltf_further_checks.cpp).
+void check_gltf_further_references(const nlohmann::json& document, const std::filesystem::path& file);
 
 }  // namespace herr

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/gltf/texture_transform.h"
 #include "scenes/scene.h"
 
 namespace herr {
@@ -49,6 +50,7 @@ struct GltfPrimitive {
   int indices = -1, material = -1;
   int position = -1, normal = -1;
   std::vector<int> uv_sets;  // accessor of TEXCOORD_n, -1 = absent
+  int colour = -1;           // COLOR_0
 };
 
 struct GltfMesh {
@@ -58,7 +60,7 @@ struct GltfMesh {
 
 struct GltfTextureUse {
   int texture = -1;
-  int uv_set = 0;
+  UvSource coordinates;
 };
 
 struct GltfMaterial {
@@ -66,13 +68,19 @@ struct GltfMaterial {
   glm::vec3 base_colour{1.0f}, emission{0.0f};  // linear; emission includes its strength
   float metallic = 1.0f, roughness = 1.0f;
   float transmission = 0.0f, refractive_index = 1.5f;
-  bool unlit = false;
-  GltfTextureUse base_colour_texture, metallic_roughness_texture;
+  float alpha = 1.0f, alpha_cutoff = 0.5f;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  bool double_sided = false, unlit = false;
+  float specular = 1.0f, normal_scale = 1.0f;
+  glm::vec3 specular_colour{1.0f};
+  GltfTextureUse base_colour_texture, metallic_roughness_texture, emission_texture, specular_texture,
+      specular_colour_texture, transmission_texture, normal_texture;
 };
 
 struct GltfTexture {
   int image = -1;  // -1: only an extension names the image
   TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+  bool nearest = false;  // magnification filter
 };
 
 // An image still encoded: in `view` when that is >= 0, else in `encoded`; when that is empty, `failure` says
@@ -84,12 +92,18 @@ struct GltfImage {
   std::exception_ptr failure;
 };
 
+// EXT_mesh_gpu_instancing: accessors of one transform per instance, -1 = absent; all absent = one instance.
+struct GltfInstancing {
+  int translation = -1, rotation = -1, scale = -1;
+};
+
 struct GltfNode {
   std::string name;
   int mesh = -1;
   int light = -1;
   std::vector<int> children;
   glm::dmat4x3 parent_from_node{1.0};
+  GltfInstancing instancing;
 };
 
 struct GltfModel {

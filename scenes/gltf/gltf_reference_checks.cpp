@@ -55,47 +55,6 @@ void check_meshes(const JsonObject& root, const Counts& counts) {
   }
 }
 
-void check_texture_use(const JsonObject& parent, const char* key, const Counts& counts) {
-  if (!parent.has(key)) return;
-  const JsonObject use = parent.object(key);
-  use.integer("index", 0, counts.textures - 1);
-  use.integer_or("texCoord", 0, 31, 0);
-}
-
-// KHR_materials_transmission and KHR_materials_ior.
-void check_glass(const JsonObject& material, const Counts& counts) {
-  if (!material.has("extensions")) return;
-  const JsonObject extensions = material.object("extensions");
-  if (extensions.has("KHR_materials_transmission")) {
-    const JsonObject transmission = extensions.object("KHR_materials_transmission");
-    transmission.number_or("transmissionFactor", 0, 1, 0);
-    check_texture_use(transmission, "transmissionTexture", counts);
-  }
-  if (!extensions.has("KHR_materials_ior")) return;
-  const JsonObject index = extensions.object("KHR_materials_ior");
-  // 0 stands for a fully reflective surface; between 0 and 1 there is nothing.
-  const double value = index.number_or("ior", 0, 100, 1.5);
-  if (value > 0 && value < 1) index.fail("ior", "lies between 0 and 1", "write 0, or 1 and above");
-}
-
-void check_materials(const JsonObject& root, const Counts& counts) {
-  for (const JsonObject& material : root.objects("materials")) {
-    material.text_or("name", "");
-    if (material.has("emissiveFactor")) material.numbers("emissiveFactor", 3, 0, 1);
-    check_texture_use(material, "emissiveTexture", counts);
-    check_texture_use(material, "normalTexture", counts);
-    check_texture_use(material, "occlusionTexture", counts);
-    check_glass(material, counts);
-    if (!material.has("pbrMetallicRoughness")) continue;
-    const JsonObject pbr = material.object("pbrMetallicRoughness");
-    if (pbr.has("baseColorFactor")) pbr.numbers("baseColorFactor", 4, 0, 1);
-    pbr.number_or("metallicFactor", 0, 1, 1);
-    pbr.number_or("roughnessFactor", 0, 1, 1);
-    check_texture_use(pbr, "baseColorTexture", counts);
-    check_texture_use(pbr, "metallicRoughnessTexture", counts);
-  }
-}
-
 void check_textures(const JsonObject& root, const Counts& counts) {
   for (const JsonObject& texture : root.objects("textures")) {
     check_index(texture, "source", counts.images);
@@ -184,7 +143,6 @@ void check_gltf_references(const nlohmann::json& document, const std::filesystem
                       size_of(root, "textures"),  size_of(root, "images"), size_of(root, "samplers"),
                       size_of(root, "nodes"),     size_of(root, "skins")};
   check_meshes(root, counts);
-  check_materials(root, counts);
   check_textures(root, counts);
   check_nodes(root, counts);
   check_index(root, "scene", size_of(root, "scenes"));

@@ -1,11 +1,15 @@
 #include "scenes/gltf/load_gltf.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <new>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "scenes/gltf/accessor_reader.h"
+#include "scenes/gltf/closed_mesh.h"
 #include "scenes/gltf/gltf_limits.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/gltf/mesh_builder.h"
@@ -21,11 +25,21 @@ struct BuiltPrimitive {
   std::uint32_t mesh, material;
 };
 
+bool reads_coordinates(const Material& material) {
+  const int textures[] = {material.base_colour_texture,         material.metallic_roughness_texture,
+                          material.emission_texture.texture,    material.normal_texture.texture,
+                          material.specular_texture.texture,    material.specular_colour_texture.texture,
+                          material.transmission_texture.texture};
+  return std::any_of(std::begin(textures), std::end(textures), [](int texture) { return texture >= 0; });
+}
+
 // Builds the meshes of a file when the first instance asks for them.
 class PrimitiveCache {
  public:
   PrimitiveCache(const GltfModel& model, Scene& scene)
       : model_(model), scene_(scene), materials_(model, scene) {}
+
+  bool has(int mesh) const { return built_.count(mesh) != 0; }
 
   const std::vector<BuiltPrimitive>& primitives(int mesh) {
     const auto [entry, added] = built_.try_emplace(mesh);
@@ -40,20 +54,25 @@ class PrimitiveCache {
 
  private:
   std::optional<BuiltPrimitive> build(const GltfPrimitive& primitive, const std::string& name) {
-    const int uv_set = materials_.uv_set(primitive.material);
-    BuiltMesh built = build_mesh(model_, primitive, uv_set, budget_);
+    const std::vector<UvSource> sources = materials_.uv_sources(primitive.material, primitive);
+    BuiltMesh built = build_mesh(model_, primitive, sources, budget_);
     for (const std::string& warning : built.warnings) warn("mesh \"" + printable(name) + "\": " + warning);
     if (built.mesh.triangles.empty()) return std::nullopt;
-    const bool textured = !built.mesh.uvs.empty();
-    if (uv_set >= 0 && !textured) {
-      warn("mesh \"" + printable(name) + "\" has no texture coordinates; its textures are left out");
+    if (materials_.lacks_coordinates(primitive.material, sources)) {
+      warn("mesh \"" + printable(name) +
+           "\" has no texture coordinates for some of its textures; these are left out");
     }
     built.mesh.name = name;
-    const std::uint32_t material = materials_.material(primitive.material, textured);
+    const std::uint32_t material =
+        materials_.material(primitive.material, sources, !built.mesh.colours.empty());
     const auto mesh = static_cast<std::uint32_t>(scene_.meshes.size());
-    // Textures may turn out unusable; then the coordinates have no reader.
     const Material& made = scene_.materials[material];
-    if (made.base_colour_texture < 0 && made.metallic_roughness_texture < 0) built.mesh.uvs.clear();
+    // Textures may turn out unusable; then the coordinates have no reader.
+    if (!reads_coordinates(made)) {
+      built.mesh.uvs.clear();
+      built.mesh.more_uvs.clear();
+    }
+    if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
     return BuiltPrimitive{mesh, material};
   }
@@ -70,6 +89,18 @@ class PrimitiveCache {
   std::map<int, std::vector<BuiltPrimitive>> built_;
   std::set<std::string> said_;
 };
+
+// A mesh that nothing shows is not built, but its indices must lead to vertices all the same.
+void check_unshown_indices(const GltfModel& model, const PrimitiveCache& cache) {
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    if (cache.has(static_cast<int>(i))) continue;
+    for (const GltfPrimitive& primitive : model.meshes[i].primitives) {
+      if (primitive.indices < 0 || primitive.position < 0) continue;
+      read_indices(model, primitive.indices,
+                   model.accessors[static_cast<std::size_t>(primitive.position)].count);
+    }
+  }
+}
 
 GltfContent append(const std::filesystem::path& file, Scene& scene) {
   const GltfModel model = read_gltf(file);
@@ -88,6 +119,7 @@ GltfContent append(const std::filesystem::path& file, Scene& scene) {
       throw InputError(file, 0, "has more than a million instances", "merge some of its nodes");
     }
   }
+  check_unshown_indices(model, cache);
   if (instances.empty() && content.lights.empty())
     scene.warnings.push_back(gltf_warning(model, "shows nothing: its scene has no triangles"));
   return content;

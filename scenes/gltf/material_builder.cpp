@@ -1,6 +1,7 @@
 #include "scenes/gltf/material_builder.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scenes/gltf/gltf_limits.h"
 #include "sessions/input_error.h"
@@ -14,11 +15,12 @@ const GltfMaterial& material_of(const GltfModel& model, int index) {
   return index < 0 ? kDefault : model.materials[static_cast<std::size_t>(index)];
 }
 
-// The texture that decides which coordinates a material reads; others with different ones are left out.
-int uv_set_of(const GltfMaterial& material) {
-  if (material.base_colour_texture.texture >= 0) return material.base_colour_texture.uv_set;
-  if (material.metallic_roughness_texture.texture >= 0) return material.metallic_roughness_texture.uv_set;
-  return -1;
+// Every texture that a material reads, base colour first: its coordinates become the mesh's first set.
+std::array<const GltfTextureUse*, 7> texture_uses(const GltfMaterial& material) {
+  return {&material.base_colour_texture, &material.metallic_roughness_texture,
+          &material.emission_texture,    &material.normal_texture,
+          &material.specular_texture,    &material.specular_colour_texture,
+          &material.transmission_texture};
 }
 
 // Mean of one channel, 0 ... 1.
@@ -38,21 +40,41 @@ float mirror_of(float metallic, float roughness, float transmission) {
   return std::clamp(clear, 0.0f, 1.0f) * std::clamp((kRoughest - roughness) / kRoughest, 0.0f, 1.0f);
 }
 
-int MaterialBuilder::uv_set(int material) const {
-  return uv_set_of(material_of(model_, material));
+std::vector<UvSource> MaterialBuilder::uv_sources(int material, const GltfPrimitive& primitive) const {
+  std::vector<UvSource> sources;
+  for (const GltfTextureUse* use : texture_uses(material_of(model_, material))) {
+    if (use->texture < 0) continue;
+    if (static_cast<std::size_t>(use->coordinates.set) >= primitive.uv_sets.size()) continue;
+    if (std::find(sources.begin(), sources.end(), use->coordinates) == sources.end()) {
+      sources.push_back(use->coordinates);
+    }
+  }
+  return sources;
 }
 
-std::uint32_t MaterialBuilder::material(int material, bool textured) {
-  const auto [entry, added] = materials_.try_emplace({material, textured}, 0);
+bool MaterialBuilder::lacks_coordinates(int material, const std::vector<UvSource>& sources) const {
+  for (const GltfTextureUse* use : texture_uses(material_of(model_, material))) {
+    if (use->texture < 0) continue;
+    if (std::find(sources.begin(), sources.end(), use->coordinates) == sources.end()) return true;
+  }
+  return false;
+}
+
+std::uint32_t MaterialBuilder::material(int material, const std::vector<UvSource>& sources, bool coloured) {
+  // Transforms belong to the material: sets tell meshes of one material apart.
+  Key key{material, {}, coloured};
+  for (const UvSource& source : sources) key.sets.push_back(source.set);
+  const auto [entry, added] = materials_.try_emplace(key, 0);
   if (added) {
-    const Material built = build(material_of(model_, material), textured);
+    const Material built = build(material_of(model_, material), sources, coloured);
     entry->second = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(built);
   }
   return entry->second;
 }
 
-Material MaterialBuilder::build(const GltfMaterial& from, bool textured) {
+Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSource>& sources,
+                                bool coloured) {
   Material to;
   to.name = from.name;
   to.base_colour = from.base_colour;
@@ -61,48 +83,67 @@ Material MaterialBuilder::build(const GltfMaterial& from, bool textured) {
   to.roughness = from.roughness;
   to.transmission = from.transmission;
   to.refractive_index = from.refractive_index > 0 ? from.refractive_index : 100.0f;  // 0: reflects everything
-  if (textured) {
-    const int set = uv_set_of(from);
-    to.base_colour_texture = texture(from.base_colour_texture, true, set, from.name);
-    to.metallic_roughness_texture = texture(from.metallic_roughness_texture, false, set, from.name);
+  to.alpha = from.alpha;
+  to.alpha_mode = from.alpha_mode;
+  to.alpha_cutoff = from.alpha_cutoff;
+  to.double_sided = from.double_sided;
+  to.specular = from.specular;
+  to.specular_colour = from.specular_colour;
+  to.normal_scale = from.normal_scale;
+  const auto get = [&](const GltfTextureUse& use, Values values) {
+    return slot(use, values, sources, from.name);
+  };
+  const bool covers = from.alpha_mode != AlphaMode::opaque;
+  const TextureSlot base = get(from.base_colour_texture, covers ? Values::covering_colour : Values::colour);
+  to.base_colour_texture = base.texture;
+  to.base_colour_uv_set = base.uv_set;
+  // An unlit surface shows its colour whatever the light: that is emission, unless the colour varies.
+  if (from.unlit) {
+    to.metallic = to.transmission = to.mirror = 0.0f;
+    to.roughness = 1.0f;
+    to.unlit = base.texture >= 0 || coloured;
+    to.emission = to.unlit ? glm::vec3(0.0f) : to.base_colour;
+    if (!to.unlit) to.base_colour = glm::vec3(0.0f);
+    return to;
   }
+  const TextureSlot rough = get(from.metallic_roughness_texture, Values::linear);
+  to.metallic_roughness_texture = rough.texture;
+  to.metallic_roughness_uv_set = rough.uv_set;
+  if (to.emission != glm::vec3(0.0f)) to.emission_texture = get(from.emission_texture, Values::colour);
+  to.normal_texture = get(from.normal_texture, Values::linear);
+  to.specular_texture = get(from.specular_texture, Values::linear);
+  to.specular_colour_texture = get(from.specular_colour_texture, Values::colour);
+  if (to.transmission > 0) to.transmission_texture = get(from.transmission_texture, Values::linear);
 
   // The mirror share is one number per material: textures count with their mean.
-  float metallic = to.metallic, roughness = to.roughness;
-  if (to.metallic_roughness_texture >= 0) {
-    const TextureImage& image = scene_.textures[static_cast<std::size_t>(to.metallic_roughness_texture)];
-    roughness *= channel_mean(image, 1);
-    metallic *= channel_mean(image, 2);
-  }
-  to.mirror = mirror_of(metallic, roughness, to.transmission);
-
-  // An unlit surface shows its colour whatever the light: that is emission. With a texture it stays lit.
-  if (from.unlit && to.base_colour_texture < 0) {
-    to.emission = to.base_colour;
-    to.base_colour = glm::vec3(0.0f);
-    to.metallic = 0.0f;
-    to.roughness = 1.0f;
-    to.mirror = 0.0f;
-  } else if (from.unlit) {
-    warn("material \"" + printable(from.name) + "\" is unlit with a texture; it is drawn lit");
-  }
+  const auto mean = [&](int index, std::size_t channel) {
+    return index < 0 ? 1.0f : channel_mean(scene_.textures[static_cast<std::size_t>(index)], channel);
+  };
+  to.mirror = mirror_of(to.metallic * mean(rough.texture, 2), to.roughness * mean(rough.texture, 1),
+                        to.transmission * mean(to.transmission_texture.texture, 0));
   return to;
 }
 
-int MaterialBuilder::texture(const GltfTextureUse& use, bool srgb, int uv_set, const std::string& material) {
-  if (use.texture < 0) return -1;
+TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values,
+                                  const std::vector<UvSource>& sources, const std::string& material) {
+  if (use.texture < 0) return {};
   const GltfTexture& from = model_.textures[static_cast<std::size_t>(use.texture)];
-  const std::string owner = "a texture of material \"" + printable(material) + "\"";
   if (from.image < 0) {
-    warn(owner + " has no image that is supported; it is left out");
-    return -1;
+    warn("a texture of material \"" + printable(material) +
+         "\" has no image that is supported; it is left out");
+    return {};
   }
-  if (use.uv_set != uv_set) {
-    warn(owner + " reads a second set of coordinates; it is left out");
-    return -1;
-  }
-  const auto [entry, added] = textures_.try_emplace(
-      {from.image, srgb ? 1 : 0, static_cast<int>(from.wrap_u), static_cast<int>(from.wrap_v)}, -1);
+  // load_gltf warns of primitives without the coordinates.
+  const auto source = std::find(sources.begin(), sources.end(), use.coordinates);
+  if (source == sources.end()) return {};
+  return {texture(from, values), static_cast<int>(source - sources.begin())};
+}
+
+int MaterialBuilder::texture(const GltfTexture& from, Values values) {
+  const auto [entry, added] =
+      textures_.try_emplace({from.image, static_cast<int>(values), static_cast<int>(from.wrap_u),
+                             static_cast<int>(from.wrap_v), from.nearest ? 1 : 0},
+                            -1);
   if (!added) return entry->second;
   const DecodedImage& image = decoded(from.image);
   if (static_cast<std::int64_t>(image.rgba.size()) > texture_bytes_left()) {
@@ -112,9 +153,11 @@ int MaterialBuilder::texture(const GltfTextureUse& use, bool srgb, int uv_set, c
   to.name = model_.images[static_cast<std::size_t>(from.image)].name;
   to.width_px = image.width_px;
   to.height_px = image.height_px;
-  to.srgb = srgb;
+  to.srgb = values != Values::linear;
+  to.covers = values == Values::covering_colour;
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
+  to.nearest = from.nearest;
   to.rgba = image.rgba;
   entry->second = static_cast<int>(scene_.textures.size());
   scene_.textures.push_back(std::move(to));

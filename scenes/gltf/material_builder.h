@@ -2,6 +2,8 @@
 // Before: read_gltf. After: load_gltf. The mapping is explained in scenes/README.md.
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -21,23 +23,35 @@ class MaterialBuilder {
  public:
   MaterialBuilder(const GltfModel& model, Scene& scene) : model_(model), scene_(scene) {}
 
-  // Set of texture coordinates that a glTF material (-1 = the default one) reads, or -1 when it has no
-  // texture.
-  int uv_set(int material) const;
-  // Index in scene.materials. Without `textured` the textures are left out: the primitive has no coordinates.
-  std::uint32_t material(int material, bool textured);
+  // The coordinates that the textures of a glTF material (-1 = the default one) read, each once, without
+  // those of sets that `primitive` lacks. A mesh has them in this order.
+  std::vector<UvSource> uv_sources(int material, const GltfPrimitive& primitive) const;
+  // Does it read coordinates that are not among `sources`?
+  bool lacks_coordinates(int material, const std::vector<UvSource>& sources) const;
+  // Index in scene.materials, for a mesh that has `sources`; textures that read others are left out.
+  // `coloured`: the mesh has vertex colours.
+  std::uint32_t material(int material, const std::vector<UvSource>& sources, bool coloured);
 
  private:
-  Material build(const GltfMaterial& from, bool textured);
-  int texture(const GltfTextureUse& use, bool srgb, int uv_set, const std::string& material);
+  struct Key {
+    int material;
+    std::vector<int> sets;
+    bool coloured;
+    auto operator<=>(const Key&) const = default;
+  };
+  enum class Values : std::uint8_t { linear, colour, covering_colour };
+  Material build(const GltfMaterial& from, const std::vector<UvSource>& sources, bool coloured);
+  TextureSlot slot(const GltfTextureUse& use, Values values, const std::vector<UvSource>& sources,
+                   const std::string& material);
+  int texture(const GltfTexture& from, Values values);
   const DecodedImage& decoded(int image);
   std::int64_t texture_bytes_left() const;
   void warn(const std::string& text);
 
   const GltfModel& model_;
   Scene& scene_;
-  std::map<std::pair<int, bool>, std::uint32_t> materials_;
-  std::map<std::array<int, 4>, int> textures_;  // image, srgb, wrap u, wrap v
+  std::map<Key, std::uint32_t> materials_;
+  std::map<std::array<int, 5>, int> textures_;  // image, values, wrap u, wrap v, nearest
   std::map<int, DecodedImage> decoded_;
 };
 

@@ -1,5 +1,6 @@
 #include "scenes/gltf/mesh_builder.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -102,6 +103,25 @@ std::int64_t repair_normals(TriangleMesh& mesh) {
   return count;
 }
 
+// Colours of the vertices that are kept, RGB or RGBA; none when all are white.
+std::vector<glm::vec4> read_vertex_colours(const GltfModel& model, int accessor, std::size_t count,
+                                           const std::vector<std::uint32_t>& old_index, MeshBudget& budget) {
+  const int channels = accessor_of(model, accessor).components == 4 ? 4 : 3;
+  const auto width = static_cast<std::size_t>(channels);
+  const std::vector<float> values = read_attribute(model, accessor, channels, count, "COLOR_0", budget);
+  std::vector<glm::vec4> colours;
+  colours.reserve(old_index.size());
+  bool white = true;
+  for (const std::size_t i : old_index) {
+    const float* v = &values[width * i];
+    const glm::vec4 colour(v[0], v[1], v[2], channels == 4 ? v[3] : 1.0f);
+    colours.push_back(glm::clamp(colour, 0.0f, 1.0f));
+    white = white && colours.back() == glm::vec4(1.0f);
+  }
+  if (white) colours.clear();
+  return colours;
+}
+
 // The run of vertex indices that a primitive draws.
 std::vector<std::uint32_t> index_run(const GltfModel& model, const GltfPrimitive& primitive,
                                      std::size_t vertices, MeshBudget& budget) {
@@ -116,14 +136,15 @@ std::vector<std::uint32_t> index_run(const GltfModel& model, const GltfPrimitive
 
 }  // namespace
 
-// Decoded elements: positions, normals, uvs and three indices per triangle, each at most once per vertex,
-// doubled for primitives that share vertex arrays.
+// Decoded elements: positions, normals, uvs, colours and three indices per triangle, each at most once per
+// vertex, and as much again for primitives that share vertex arrays.
 MeshBudget::MeshBudget()
     : triangles(kMaxFileTriangles), decoded_elements(6 * kMaxFileVertices + 6 * kMaxFileTriangles) {}
 
 void make_flat(TriangleMesh& mesh) {
   TriangleMesh flat;
   flat.name = mesh.name;
+  flat.more_uvs.resize(mesh.more_uvs.size());
   flat.positions.reserve(3 * mesh.triangles.size());
   flat.normals.reserve(3 * mesh.triangles.size());
   flat.triangles.reserve(mesh.triangles.size());
@@ -135,13 +156,18 @@ void make_flat(TriangleMesh& mesh) {
       flat.positions.push_back(mesh.positions[vertex]);
       flat.normals.push_back(normal);
       if (!mesh.uvs.empty()) flat.uvs.push_back(mesh.uvs[vertex]);
+      if (!mesh.colours.empty()) flat.colours.push_back(mesh.colours[vertex]);
+      for (std::size_t set = 0; set < mesh.more_uvs.size(); ++set) {
+        flat.more_uvs[set].push_back(mesh.more_uvs[set][vertex]);
+      }
     }
     flat.triangles.push_back({first, first + 1, first + 2});
   }
   mesh = std::move(flat);
 }
 
-BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive, int uv_set, MeshBudget& budget) {
+BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
+                     const std::vector<UvSource>& sources, MeshBudget& budget) {
   BuiltMesh built;
   TriangleMesh& mesh = built.mesh;
   if (primitive.mode < 4) {
@@ -168,12 +194,16 @@ BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive, int
   for (const std::size_t i : old_index) {
     mesh.positions.emplace_back(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
   }
-  const auto set = static_cast<std::size_t>(uv_set);
-  if (uv_set >= 0 && set < primitive.uv_sets.size()) {
-    const std::vector<float> uvs =
-        read_attribute(model, primitive.uv_sets[set], 2, count, "TEXCOORD", budget);
-    mesh.uvs.reserve(old_index.size());
-    for (const std::size_t i : old_index) mesh.uvs.emplace_back(uvs[2 * i], uvs[2 * i + 1]);
+  mesh.more_uvs.resize(sources.empty() ? 0 : sources.size() - 1);
+  for (std::size_t set = 0; set < sources.size(); ++set) {
+    const int accessor = primitive.uv_sets[static_cast<std::size_t>(sources[set].set)];
+    const std::vector<float> uvs = read_attribute(model, accessor, 2, count, "TEXCOORD", budget);
+    std::vector<glm::vec2>& moved = set == 0 ? mesh.uvs : mesh.more_uvs[set - 1];
+    moved.reserve(old_index.size());
+    for (const std::size_t i : old_index) moved.push_back(sources[set].apply({uvs[2 * i], uvs[2 * i + 1]}));
+  }
+  if (primitive.colour >= 0) {
+    mesh.colours = read_vertex_colours(model, primitive.colour, count, old_index, budget);
   }
   if (primitive.normal < 0) {
     make_flat(mesh);

@@ -23,8 +23,10 @@ struct BuiltMesh {
   std::vector<std::string> warnings;  // without the file's name
 };
 
-// `uv_set` < 0: the material needs none. mesh.uvs is empty then, and also when the primitive lacks that set.
-BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive, int uv_set, MeshBudget& budget);
+// `sources`: the coordinates that the material reads; mesh.uvs and more_uvs are them, transformed, in the
+// same order. The primitive has all of them.
+BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
+                     const std::vector<UvSource>& sources, MeshBudget& budget);
 
 // Flat normals: every triangle gets its own three vertices. As the specification asks when NORMAL is absent.
 void make_flat(TriangleMesh& mesh);

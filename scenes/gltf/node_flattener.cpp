@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "scenes/gltf/gltf_limits.h"
+#include "scenes/gltf/gpu_instances.h"
 #include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
 
@@ -28,13 +30,19 @@ FlattenedNodes flatten_nodes(const GltfModel& model) {
     const glm::dmat4x3 gltf_from_node = compose(gltf_from_parent, node.parent_from_node);
     if (node.mesh >= 0) {
       const std::string& mesh_name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
-      if (const auto problem = transform_problem(gltf_from_node)) {
-        throw InputError(model.file, 0,
-                         "the transform of nodes[" + std::to_string(index) + "] \"" + printable(node.name) +
-                             "\" " + *problem,
-                         "give the node a scale that is not 0, or remove it");
+      for (const glm::dmat4x3& node_from_instance : instance_transforms(model, node)) {
+        const glm::dmat4x3 gltf_from_mesh = compose(gltf_from_node, node_from_instance);
+        if (const auto problem = transform_problem(gltf_from_mesh)) {
+          throw InputError(model.file, 0,
+                           "the transform of nodes[" + std::to_string(index) + "] \"" + printable(node.name) +
+                               "\" " + *problem,
+                           "give the node a scale that is not 0, or remove it");
+        }
+        placed.meshes.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_mesh});
       }
-      placed.meshes.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_node});
+      if (static_cast<std::int64_t>(placed.meshes.size()) > kMaxInstances) {
+        throw InputError(model.file, 0, "has more than a million instances", "merge some of its nodes");
+      }
     }
     if (node.light >= 0) {
       AreaLight light = model.lights[static_cast<std::size_t>(node.light)];

@@ -13,6 +13,8 @@
 #include "scenes/gltf/gltf_checks.h"
 #include "scenes/gltf/gltf_lights.h"
 #include "scenes/gltf/gltf_limits.h"
+#include "scenes/gltf/gltf_materials.h"
+#include "scenes/gltf/gpu_instances.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
 
@@ -147,30 +149,6 @@ GltfAccessor convert(const tinygltf::Accessor& from) {
   return to;
 }
 
-GltfMaterial convert(const tinygltf::Material& from) {
-  GltfMaterial to;
-  to.name = from.name;
-  const auto& pbr = from.pbrMetallicRoughness;
-  to.base_colour = {pbr.baseColorFactor.at(0), pbr.baseColorFactor.at(1), pbr.baseColorFactor.at(2)};
-  to.metallic = static_cast<float>(pbr.metallicFactor);
-  to.roughness = static_cast<float>(pbr.roughnessFactor);
-  to.base_colour_texture = {pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord};
-  to.metallic_roughness_texture = {pbr.metallicRoughnessTexture.index, pbr.metallicRoughnessTexture.texCoord};
-  const auto number = [&](const char* extension, const char* key, double otherwise) {
-    const auto found = from.extensions.find(extension);
-    const bool there = found != from.extensions.end() && found->second.IsObject() && found->second.Has(key);
-    return static_cast<float>(there ? found->second.Get(key).GetNumberAsDouble() : otherwise);
-  };
-  to.transmission = number("KHR_materials_transmission", "transmissionFactor", 0);
-  to.refractive_index = number("KHR_materials_ior", "ior", 1.5);
-  to.unlit = from.extensions.count("KHR_materials_unlit") != 0;
-  if (from.emissiveFactor.size() == 3) {
-    to.emission = {from.emissiveFactor[0], from.emissiveFactor[1], from.emissiveFactor[2]};
-  }
-  to.emission *= std::clamp(number("KHR_materials_emissive_strength", "emissiveStrength", 1), 0.0f, 1e6f);
-  return to;
-}
-
 glm::dmat4x3 matrix_of(const tinygltf::Node& node) {
   glm::dmat4x3 matrix{1.0};
   if (node.matrix.size() == 16) {
@@ -205,6 +183,7 @@ GltfPrimitive convert(const tinygltf::Primitive& from) {
   for (int set = 0, accessor = 0; (accessor = attribute("TEXCOORD_" + std::to_string(set))) >= 0; ++set) {
     to.uv_sets.push_back(accessor);
   }
+  to.colour = attribute("COLOR_0");
   return to;
 }
 
@@ -214,17 +193,11 @@ void warn_of_losses(const tinygltf::Model& from, GltfModel& to) {
     to.warnings.push_back("animations are not played; nodes stand as the file has them");
   if (!from.skins.empty())
     to.warnings.push_back("skins are not applied; skinned meshes stand as they were modelled");
-  bool colours = false, targets = false, transparent = false;
+  bool targets = false;
   for (const auto& mesh : from.meshes) {
-    for (const auto& primitive : mesh.primitives) {
-      colours = colours || primitive.attributes.count("COLOR_0") != 0;
-      targets = targets || !primitive.targets.empty();
-    }
+    for (const auto& primitive : mesh.primitives) targets = targets || !primitive.targets.empty();
   }
-  for (const auto& material : from.materials) transparent = transparent || material.alphaMode != "OPAQUE";
-  if (colours) to.warnings.push_back("vertex colours are ignored");
   if (targets) to.warnings.push_back("morph targets are ignored");
-  if (transparent) to.warnings.push_back("alpha modes MASK and BLEND are drawn opaque");
 }
 
 void convert_nodes(tinygltf::Model& from, GltfModel& to) {
@@ -237,7 +210,7 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
       to.warnings.push_back("the rotation of node \"" + printable(node.name) +
                             "\" is not of unit length; normalised");
     }
-    to.nodes.push_back({node.name, node.mesh, -1, node.children, matrix_of(node)});
+    to.nodes.push_back({node.name, node.mesh, -1, node.children, matrix_of(node), {}});
   }
   if (!from.scenes.empty()) {
     const int scene = std::max(from.defaultScene, 0);
@@ -252,13 +225,15 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
 
 void convert_images(tinygltf::Model& from, const Reading& reading, GltfModel& to) {
   // Images were read in order, and each that failed left one failure: the next one belongs to the next image
-  // without bytes. It is thrown only if a material uses the image.
+  // without bytes. Data in an unusual form is complained of only where a material uses the image; a file that
+  // is not there, always.
   auto failure = reading.failures.begin();
   for (auto& image : from.images) {
     GltfImage converted{
         image.name.empty() ? image.uri : image.name, image.bufferView, std::move(image.image), {}};
     if (converted.view < 0 && converted.encoded.empty() && failure != reading.failures.end()) {
       converted.failure = *failure++;
+      if (image.uri.rfind("data:", 0) != 0) std::rethrow_exception(converted.failure);
     }
     to.images.push_back(std::move(converted));
   }
@@ -277,7 +252,6 @@ GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, con
     converted.name = mesh.name;
     for (const auto& primitive : mesh.primitives) converted.primitives.push_back(convert(primitive));
   }
-  for (const auto& material : from.materials) to.materials.push_back(convert(material));
   for (const auto& texture : from.textures) {
     GltfTexture& converted = to.textures.emplace_back();
     converted.image = texture.source;
@@ -285,6 +259,7 @@ GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, con
     const auto& sampler = from.samplers.at(static_cast<std::size_t>(texture.sampler));
     converted.wrap_u = wrap_of(sampler.wrapS);
     converted.wrap_v = wrap_of(sampler.wrapT);
+    converted.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
   }
   convert_images(from, reading, to);
   convert_nodes(from, to);
@@ -305,7 +280,9 @@ GltfModel read_gltf(const std::filesystem::path& file) {
 
   Reading reading(file);
   GltfModel model = convert(parse(bytes, file, reading), file, reading);
+  read_gltf_materials(document, file, model);
   read_gltf_lights(document, file, model);
+  read_gpu_instances(document, file, model);
   model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
   for (std::string& warning : model.warnings) warning = gltf_warning(model, warning);
   return model;

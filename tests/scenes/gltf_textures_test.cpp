@@ -80,7 +80,8 @@ TEST(GltfTextures, WithoutCoordinatesTheTextureIsLeftOutWithAWarning) {
   json document = textured_document();
   document["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
   const auto file = write_model(folder, document);
-  const Scene scene = load_scene(file);  // the image does not even exist: nothing asks for it
+  folder.write("a picture.png", "no picture at all");  // nothing asks for its pixels
+  const Scene scene = load_scene(file);
   EXPECT_EQ(scene.materials.at(0).base_colour_texture, -1);
   EXPECT_TRUE(scene.textures.empty());
   EXPECT_TRUE(scene.meshes.at(0).uvs.empty());

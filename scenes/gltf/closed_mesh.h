@@ -1,0 +1,13 @@
+// Is a mesh a closed surface? Then its back faces can only be seen from within, and a renderer need not ask
+// of each hit which side it is on. Before: mesh_builder. After: TriangleMesh::closed.
+#pragma once
+
+#include "scenes/scene.h"
+
+namespace herr {
+
+// Every edge is passed as often in one direction as in the other, by triangles that have an area. Vertices at
+// the same place count as one. A surface whose edges do not meet end to end counts as open. O(n log n).
+bool is_closed(const TriangleMesh& mesh);
+
+}  // namespace herr
