@@ -128,6 +128,11 @@ void Renderer::restore(const RendererState& state) {
   if (impl_->plan.probes) impl_->restore_probes(state.probes);
 }
 
+std::optional<ProbeReader> Renderer::probes() const {
+  if (!impl_->probes) return std::nullopt;
+  return ProbeReader(*impl_->probes);
+}
+
 int Renderer::threads() const {
   return impl_->threads.count();
 }

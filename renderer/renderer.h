@@ -13,6 +13,7 @@
 
 #include "renderer/frame_plan.h"
 #include "renderer/probes/probe_counts.h"
+#include "renderer/probes/probe_reader.h"
 #include "renderer/render_settings.h"
 #include "renderer/stage_times.h"
 #include "renderer/viewport_image.h"
@@ -79,6 +80,8 @@ class Renderer {
   // Throws std::invalid_argument when the probes' bytes belong to another version, scene or grid; then this
   // renderer is of no use any more.
   void restore(const RendererState& state);
+  // The probes as of the last frame, to be read before the next one; none without probes.
+  std::optional<ProbeReader> probes() const;
 
   // Runs `work(i)` for i in [0, count) on the render threads (encoders use this between frames).
   void parallel_for(int count, const std::function<void(int)>& work);

@@ -88,6 +88,7 @@ class ProbeVolume {
 
  private:
   friend class ProbePlacement;
+  friend class ProbeReader;
   bool asleep(int probe) const;
   void wake();
   void forget();

@@ -10,6 +10,7 @@
 #include "server/bench/bench_report.h"
 #include "server/bench/ray_limits.h"
 #include "server/cli/exit_code.h"
+#include "server/cli/flags.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/replay/summary_json.h"
@@ -48,11 +49,7 @@ std::filesystem::path session_of(const BenchOptions& options) {
 int run_bench(const BenchOptions& options) {
   end_at_once_on_signal();  // nothing is written, and half a measurement is none
   if (const int signal = stop_signal(); signal != 0) return kExitSignalBase + signal;
-  try {
-    resolve_isa(options.render.isa);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
-  }
+  check_isa(options.render);
   Session session = Session::open(session_of(options));
   const SessionHeader& header = session.header();
   if (options.scene.empty() && header.scene.empty()) {

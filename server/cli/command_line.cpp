@@ -39,6 +39,26 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
 }
 
+// What probes know, as pictures.
+void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
+  file_flag(app, "--probes", "new folder for what the scene's probes know, as pictures and an index",
+            [&](const std::string& text) {
+              options.probes.folder = text;
+              options.render.probes.on = true;
+            });
+  value_flag(app, "--probe-updates", "N",
+             "updates of every probe before that, 1 ... 100000 (default " +
+                 std::to_string(kDefaultProbeUpdates) + ")",
+             [&](const std::string& text) {
+               options.probes.updates =
+                   static_cast<int>(parse_whole_number("--probe-updates", text, 1, 100000));
+             });
+  add_probe_ray_flag(app, options.render.probes);
+  add_machine_flags(app, options.render);
+  app.add_flag_callback(
+      "--overwrite", [&] { options.probes.overwrite = true; }, "replace the folder of an earlier --probes");
+}
+
 void add_inspect(CLI::App& app, InspectOptions& options) {
   app.add_option("PATH", options.path, "session folder, or a scene: .scene.json, .gltf, .glb")
       ->required()
@@ -52,6 +72,7 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
   add_plan_flags(app, options.render);
   app.add_flag_callback(
       "--decode", [&] { options.decode = true; }, "read every picture whole, not only its header");
+  add_probe_dump_flags(app, options);
   app.add_flag_callback(
       "--strict", [&] { options.strict = true; }, "a stream that was cut off is an error");
   app.add_flag_callback(
@@ -199,6 +220,10 @@ void check_required(const ReplayOptions& options) {
 
 void check_required(const InspectOptions& options) {
   non_empty("PATH", options.path.native());
+  if (!options.probes.folder.empty()) return;
+  if (options.probes.overwrite) throw UsageError("--overwrite: nothing is written; give --probes DIR");
+  if (options.probes.updates != kDefaultProbeUpdates)
+    throw UsageError("--probe-updates: nothing is updated; give --probes DIR");
 }
 
 void check_required(const SynthOptions& options) {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "scenes/scene.h"
 #include "server/cli/flag_values.h"
@@ -44,10 +45,7 @@ void add_probe_flags(CLI::App& app, ProbeSettings& probes) {
              [&](const std::string& text) {
                probes.budget = static_cast<int>(parse_whole_number("--probe-budget", text, 0, kMostProbes));
              });
-  value_flag(app, "--probe-rays", "N", "rays of a probe and update, 8 ... 512 (default 64)",
-             [&](const std::string& text) {
-               probes.rays = static_cast<int>(parse_whole_number("--probe-rays", text, 8, 512));
-             });
+  add_probe_ray_flag(app, probes);
 }
 
 // Which files are written.
@@ -200,9 +198,20 @@ void add_plan_flags(CLI::App& app, RenderSettings& render) {
       "--no-camera", [&render] { render.camera = false; }, "leave the camera feed out");
 }
 
+void add_probe_ray_flag(CLI::App& app, ProbeSettings& probes) {
+  value_flag(app, "--probe-rays", "N", "rays of a probe and update, 8 ... 512 (default 64)",
+             [&probes](const std::string& text) {
+               probes.rays = static_cast<int>(parse_whole_number("--probe-rays", text, 8, 512));
+             });
+}
+
 void add_render_flags(CLI::App& app, RenderSettings& render) {
   add_plan_flags(app, render);
   add_probe_flags(app, render.probes);
+  add_machine_flags(app, render);
+}
+
+void add_machine_flags(CLI::App& app, RenderSettings& render) {
   value_flag(app, "--threads", "N", "render threads, 1 ... 512 (default: all this process may use)",
              [&render](const std::string& text) {
                render.threads = static_cast<int>(parse_whole_number("--threads", text, 1, 512));
@@ -256,6 +265,14 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
   add_render_flags(app, options.replay.render);
   app.add_flag_callback(
       "--keep-going", [&] { options.replay.session.keep_going = true; }, "skip bad rows and images");
+}
+
+void check_isa(const RenderSettings& settings) {
+  try {
+    resolve_isa(settings.isa);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
+  }
 }
 
 void check_replay_options(const ReplayOptions& options) {

@@ -33,11 +33,16 @@ void file_flag(CLI::App& app, const std::string& flag, const std::string& help, 
 void add_look_flags(CLI::App& app, RenderSettings& render);
 // Settings that decide which stages a frame runs.
 void add_plan_flags(CLI::App& app, RenderSettings& render);
-// Settings that every rendering command shares: those and the machine's.
+// Threads and instruction set.
+void add_machine_flags(CLI::App& app, RenderSettings& render);
+void add_probe_ray_flag(CLI::App& app, ProbeSettings& probes);
+// Settings that every rendering command shares: those of the plan, of probes and of the machine.
 void add_render_flags(CLI::App& app, RenderSettings& render);
 // All of `herr replay` and of `herr serve`; the options hold the defaults.
 void add_replay_flags(CLI::App& app, ReplayOptions& options);
 void add_serve_flags(CLI::App& app, ServeOptions& options);
+// Throws UsageError where this CPU lacks the instruction set.
+void check_isa(const RenderSettings& settings);
 // What no single flag can know. Throws UsageError.
 void check_replay_options(const ReplayOptions& options);
 

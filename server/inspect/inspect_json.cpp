@@ -197,6 +197,21 @@ Json scene_json(const InspectReport& report) {
           {"objects", objects}};
 }
 
+Json probe_dump_json(const ProbeDump& dump) {
+  Json files = Json::array();
+  for (const ProbeDump::File& file : dump.files) files.push_back(file.name);
+  return {{"folder", dump.folder.string()},
+          {"files", files},
+          {"updates", dump.updates},
+          {"probes", dump.probes},
+          {"active", dump.active},
+          {"relocated", dump.relocated},
+          {"inactive", dump.dark + dump.far},
+          {"dark", dump.dark},
+          {"far", dump.far},
+          {"variability", dump.variability}};
+}
+
 }  // namespace
 
 Json inspect_json(const InspectReport& report) {
@@ -219,6 +234,7 @@ Json inspect_json(const InspectReport& report) {
   if (report.scene) json["scene"] = scene_json(report);
   json["settings"] = settings_text(report.settings);
   if (report.plan) json["plan"] = plan_json(*report.plan);
+  if (report.probes) json["probes"] = probe_dump_json(*report.probes);
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderer/render_settings.h"
+#include "server/inspect/probes/probe_dump.h"
 
 namespace herr {
 
@@ -16,6 +17,7 @@ struct InspectOptions {
   bool strict = false;         // a stream whose last line was cut off is an error
   bool decode = false;         // read every picture whole, not only its header
   bool json = false;           // results on stdout as JSON
+  ProbeDumpRequest probes;     // its folder empty: no pictures of probes
 };
 
 }  // namespace herr

@@ -1,6 +1,7 @@
 #include "server/inspect/inspect_report.h"
 
 #include <system_error>
+#include <utility>
 
 #include "server/cli/exit_code.h"
 #include "sessions/input_error.h"
@@ -10,7 +11,7 @@ namespace {
 
 void inspect_scene(const InspectOptions& options, bool session_has_camera, InspectReport& report) {
   try {
-    const Scene scene = load_scene(report.scene_file);
+    Scene scene = load_scene(report.scene_file);
     report.scene = facts_of(scene);
     report.plan = plan_frame(scene, options.render, session_has_camera);
     for (const std::string& warning : scene.warnings)
@@ -20,6 +21,7 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
                                                      std::to_string(report.scene->degenerate_triangles) +
                                                          " triangles have no area: no ray can hit them",
                                                      "leave them out when the model is exported again"));
+    if (!options.probes.folder.empty()) report.loaded = std::move(scene);
   } catch (const InputError& error) {
     report.findings.add(Severity::error, error);
   }

@@ -24,7 +24,9 @@ struct InspectReport {
   std::optional<SceneFacts> scene;           // none: not named, or it cannot be read
   std::optional<FramePlan> plan;             // as soon as there is a scene
   RenderSettings settings;
-  FindingList findings;  // of the session and of the scene
+  std::optional<Scene> loaded;      // the scene, where its probes are asked for
+  std::optional<ProbeDump> probes;  // what was written of them
+  FindingList findings;             // of the session and of the scene
 
   bool sound() const { return findings.first_error() == nullptr; }
 };

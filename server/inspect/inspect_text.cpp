@@ -50,7 +50,9 @@ std::string inspect_text(const InspectReport& report) {
   std::string text;
   if (report.session) text += session_text(report);
   if (report.scene) text += scene_text(report);
-  return text + plan_text(report) + findings_text(report.findings) + verdict(report);
+  text += plan_text(report);
+  if (report.probes) text += probe_dump_text(*report.probes);
+  return text + findings_text(report.findings) + verdict(report);
 }
 
 }  // namespace herr

@@ -1,9 +1,9 @@
 #include "server/replay/replay_command.h"
 
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
+#include "server/cli/flags.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/output/atomic_file.h"
@@ -18,14 +18,6 @@ namespace herr {
 namespace {
 
 constexpr std::size_t kMostWarningsShown = 10;
-
-void check_isa(const RenderSettings& settings) {
-  try {
-    resolve_isa(settings.isa);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
-  }
-}
 
 void check_folders(const ReplayOptions& options) {
   const EarlierResults earlier = options.overwrite ? EarlierResults::replace

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "server/cli/exit_code.h"
+#include "server/cli/flags.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/http/http_server.h"
@@ -18,14 +19,6 @@
 
 namespace herr {
 namespace {
-
-void check_isa(const RenderSettings& settings) {
-  try {
-    resolve_isa(settings.isa);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
-  }
-}
 
 std::unique_ptr<HttpServer> start_server(const ServeOptions& options, HttpHandler handler) {
   HttpServer::Config config;
