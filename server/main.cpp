@@ -1,6 +1,7 @@
 // herr: replays recorded XR sessions and ray-traces each frame. A table of contents; every command is in a
 // folder.
 #include "server/bench/bench_command.h"
+#include "server/check/check_command.h"
 #include "server/cli/command_line.h"
 #include "server/cli/exit_code.h"
 #include "server/cli/stop_signal.h"
@@ -21,6 +22,7 @@ struct RunCommand {
   int operator()(const herr::ReplayOptions& options) const { return herr::run_replay(options); }
   int operator()(const herr::ServeOptions& options) const { return herr::run_serve(options); }
   int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
+  int operator()(const herr::CheckOptions& options) const { return herr::run_check(options); }
   int operator()(const herr::InspectOptions& options) const { return herr::run_inspect(options); }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
   int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "server/cli/check_flags.h"
 #include "server/cli/flag_values.h"
 #include "server/cli/flags.h"
 #include "server/cli/synth_flags.h"
@@ -163,6 +164,7 @@ struct Parser {
   ReplayOptions replay;
   ServeOptions serve;
   BenchOptions bench;
+  CheckOptions check;
   InspectOptions inspect;
   SynthOptions synth;
   ConvertOptions convert;
@@ -170,6 +172,7 @@ struct Parser {
   CLI::App* replay_command = nullptr;
   CLI::App* serve_command = nullptr;
   CLI::App* bench_command = nullptr;
+  CLI::App* check_command = nullptr;
   CLI::App* inspect_command = nullptr;
   CLI::App* synth_command = nullptr;
   CLI::App* convert_command = nullptr;
@@ -179,12 +182,14 @@ struct Parser {
     replay_command = app.add_subcommand("replay", "render recorded sessions to files");
     serve_command = app.add_subcommand("serve", "replay sessions in a loop behind HTTP");
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
+    check_command = app.add_subcommand("check", "did frames become slower? a gate for CI");
     inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
     convert_command = app.add_subcommand("convert", "make a session of a recording in another format");
     add_replay_flags(*replay_command, replay);
     add_serve_flags(*serve_command, serve);
     add_bench(*bench_command, bench);
+    add_check_flags(*check_command, check);
     add_inspect(*inspect_command, inspect);
     add_synth_flags(*synth_command, synth);
     add_convert(*convert_command, convert);
@@ -193,8 +198,8 @@ struct Parser {
   }
 
   const CLI::App* chosen() const {
-    for (const CLI::App* command :
-         {replay_command, serve_command, bench_command, inspect_command, synth_command, convert_command}) {
+    for (const CLI::App* command : {replay_command, serve_command, bench_command, check_command,
+                                    inspect_command, synth_command, convert_command}) {
       if (command->parsed()) return command;
     }
     return nullptr;
@@ -207,8 +212,9 @@ bool has(const std::vector<std::string>& arguments, std::string_view flag) {
 }
 
 std::string help_text(const Parser& parser, const std::vector<std::string>& arguments) {
-  for (const CLI::App* command : {parser.replay_command, parser.serve_command, parser.bench_command,
-                                  parser.inspect_command, parser.synth_command, parser.convert_command}) {
+  for (const CLI::App* command :
+       {parser.replay_command, parser.serve_command, parser.bench_command, parser.check_command,
+        parser.inspect_command, parser.synth_command, parser.convert_command}) {
     if (!arguments.empty() && arguments.front() == command->get_name()) return command->help("herr");
   }
   return parser.app.help();
@@ -267,6 +273,11 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->serve;
   }
   if (parser->bench_command->parsed()) return parser->bench;
+  if (parser->check_command->parsed()) {
+    parser->check.run_arguments = measured_run_arguments(*parser->check_command);
+    check_check_options(parser->check);
+    return parser->check;
+  }
   if (parser->inspect_command->parsed()) {
     check_required(parser->inspect);
     return parser->inspect;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "server/bench/bench_options.h"
+#include "server/check/check_options.h"
 #include "server/convert/convert_options.h"
 #include "server/inspect/inspect_options.h"
 #include "server/replay/replay_options.h"
@@ -20,8 +21,8 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, InspectOptions,
-                             SynthOptions, ConvertOptions>;
+using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, CheckOptions,
+                             InspectOptions, SynthOptions, ConvertOptions>;
 
 // Arguments without the program's name. --help and --version win over every mistake in the rest.
 Command parse_command_line(const std::vector<std::string>& arguments);

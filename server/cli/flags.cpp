@@ -99,6 +99,37 @@ void add_time_flags(CLI::App& app, ReplayOptions& options) {
   value_flag(
       app, "--target-ms", "MS", "display period of the clock realtime (default: the profile's)",
       [&](const std::string& text) { options.target_ms = parse_real_number("--target-ms", text, 1, 10000); });
+  add_span_flags(app, options);
+}
+
+}  // namespace
+
+void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
+                const std::string& help, const FlagReader& read) {
+  app.add_option_function<std::string>(flag, read, help)->type_name(value_name)->take_last()->expected(1);
+}
+
+const std::string& non_empty(const std::string& what, const std::string& text) {
+  if (text.empty()) throw UsageError(what + ": the path is empty; give a file or folder");
+  return text;
+}
+
+void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read) {
+  value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) { read(non_empty(flag, text)); });
+}
+
+void add_session_flags(CLI::App& app, ReplayOptions& options) {
+  app.add_option("SESSION", options.sessions, "session folders")->required()->type_name("");
+  file_flag(app, "--scene", "scene file (default: the one that the session names)",
+            [&](const std::string& text) { options.scene = text; });
+  value_flag(app, "--profile", "NAME|FILE",
+             "display profile: xr1, xr1-half or a file (default: the session's)",
+             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  app.add_flag_callback(
+      "--strict", [&] { options.session.strict = true; }, "a stream that was cut off is an error");
+}
+
+void add_span_flags(CLI::App& app, ReplayOptions& options) {
   value_flag(app, "--sampling", "NAME", "headset state: latest, predict or interpolate (default latest)",
              [&](const std::string& text) {
                constexpr std::array<SamplingMode, 3> kModes{SamplingMode::latest, SamplingMode::predict,
@@ -117,34 +148,6 @@ void add_time_flags(CLI::App& app, ReplayOptions& options) {
   value_flag(app, "--frames", "N", "replay at most this many frames", [&](const std::string& text) {
     options.frames = parse_whole_number("--frames", text, 1, kMostFrames);
   });
-}
-
-// What is replayed, and how strictly it is read.
-void add_session_flags(CLI::App& app, ReplayOptions& options) {
-  app.add_option("SESSION", options.sessions, "session folders")->required()->type_name("");
-  file_flag(app, "--scene", "scene file (default: the one that the session names)",
-            [&](const std::string& text) { options.scene = text; });
-  value_flag(app, "--profile", "NAME|FILE",
-             "display profile: xr1, xr1-half or a file (default: the session's)",
-             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
-  app.add_flag_callback(
-      "--strict", [&] { options.session.strict = true; }, "a stream that was cut off is an error");
-}
-
-}  // namespace
-
-void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
-                const std::string& help, const FlagReader& read) {
-  app.add_option_function<std::string>(flag, read, help)->type_name(value_name)->take_last()->expected(1);
-}
-
-const std::string& non_empty(const std::string& what, const std::string& text) {
-  if (text.empty()) throw UsageError(what + ": the path is empty; give a file or folder");
-  return text;
-}
-
-void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read) {
-  value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) { read(non_empty(flag, text)); });
 }
 
 void add_look_flags(CLI::App& app, RenderSettings& render) {

@@ -29,6 +29,10 @@ const std::string& non_empty(const std::string& what, const std::string& text);
 
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read);
 
+// What is replayed, and how strictly it is read.
+void add_session_flags(CLI::App& app, ReplayOptions& options);
+// How streams are read, and which part of the session.
+void add_span_flags(CLI::App& app, ReplayOptions& options);
 // How the pictures look, written or served.
 void add_look_flags(CLI::App& app, RenderSettings& render);
 // Settings that decide which stages a frame runs.

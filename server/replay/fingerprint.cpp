@@ -43,7 +43,7 @@ std::string content_text(const fs::path& path) {
 }
 
 // Images are too many to read: a session of an hour has 100,000. The sum does not depend on their order.
-std::string images_text(const fs::path& folder) {
+std::string images_text(const fs::path& folder, PictureIdentity identity) {
   std::uint64_t count = 0, sum = 0;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
@@ -52,8 +52,10 @@ std::string images_text(const fs::path& folder) {
     const auto size = entry->file_size(ignored_because_a_broken_link_has_no_size);
     const auto changed = entry->last_write_time(ignored_because_a_broken_link_has_no_size);
     if (ignored_because_a_broken_link_has_no_size) continue;
-    const std::string text = entry->path().lexically_relative(folder).string() + ' ' + std::to_string(size) +
-                             ' ' + std::to_string(changed.time_since_epoch().count());
+    std::string text = entry->path().lexically_relative(folder).string() + ' ' + std::to_string(size);
+    if (identity == PictureIdentity::size_and_time) {
+      text += ' ' + std::to_string(changed.time_since_epoch().count());
+    }
     Checksum checksum;
     checksum.add(text.data(), text.size());
     sum += checksum.crc();
@@ -128,7 +130,7 @@ Fingerprint::Entries settings_of(const SessionReport& report, const ReplayOption
   };
 }
 
-Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene) {
+Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, PictureIdentity identity) {
   Fingerprint::Entries inputs;
   const auto add = [&inputs](const fs::path& file, const fs::path& folder) {
     const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
@@ -140,7 +142,7 @@ Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene) 
     if (fs::exists(session / name)) add(session / name, session);
   }
   for (const char* name : {"cam0/data", "cam1/data"}) {
-    if (fs::is_directory(session / name)) inputs.emplace_back(name, images_text(session / name));
+    if (fs::is_directory(session / name)) inputs.emplace_back(name, images_text(session / name, identity));
   }
   const std::set<fs::path> files(scene.files.begin(), scene.files.end());
   for (const fs::path& file : files) add(file, fs::absolute(report.scene_file).parent_path());
@@ -156,8 +158,9 @@ const std::string* find(const Fingerprint::Entries& entries, const std::string& 
 
 }  // namespace
 
-Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene) {
-  return {settings_of(report, options), inputs_of(report, scene)};
+Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
+                           PictureIdentity identity) {
+  return {settings_of(report, options), inputs_of(report, scene, identity)};
 }
 
 std::string difference(const Fingerprint& earlier, const Fingerprint& now) {

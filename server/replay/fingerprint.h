@@ -15,11 +15,16 @@ namespace herr {
 struct Fingerprint {
   using Entries = std::vector<std::pair<std::string, std::string>>;
   Entries settings;  // flag, value
-  Entries inputs;    // file, its size and CRC-32; camera images by name, size and time of change
+  Entries inputs;    // file, its size and CRC-32; camera images by PictureIdentity
 };
 
+// What makes a camera image the same one: too many to read. The time of change tells one folder from itself
+// later; a copy elsewhere has others.
+enum class PictureIdentity { size_and_time, size };
+
 // Reads every input once, save the camera images. Throws InputError.
-Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene);
+Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
+                           PictureIdentity identity = PictureIdentity::size_and_time);
 
 // The first difference, "--light-samples was 64, is 1"; empty when there is none.
 std::string difference(const Fingerprint& earlier, const Fingerprint& now);

@@ -1,0 +1,92 @@
+#include "server/check/check_command.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "server/check/check_against.h"
+#include "server/check/check_baseline.h"
+#include "server/check/measure/measure_run.h"
+#include "server/check/measure/measured_program.h"
+#include "server/check/measure/not_comparable.h"
+#include "server/check/report/ci_reports.h"
+#include "server/check/report/text_report.h"
+#include "server/cli/exit_code.h"
+#include "server/cli/stop_signal.h"
+#include "server/cli/terminal.h"
+#include "server/output/atomic_file.h"
+#include "server/replay/output_folder.h"
+#include "server/replay/summary_json.h"
+#include "sessions/input_error.h"
+#include "sessions/record/append_file.h"
+
+namespace herr {
+namespace {
+
+int print_measurement(const CheckOptions& options) {
+  end_at_once_on_signal();  // half a measurement is none
+  try {
+    resolve_isa(options.run.replay.render.isa);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
+  }
+  print_result(measurement_json(measure_run(options.run)).dump() + "\n");
+  return kExitDone;
+}
+
+void compare(const CheckOptions& options, CheckReport& report) {
+  try {
+    if (!options.against.empty()) {
+      check_against(options, report);
+    } else if (!options.baseline.empty()) {
+      check_baseline(options, report);
+    } else {
+      save_baseline(options, report);
+    }
+  } catch (const NotComparable& difference) {
+    report.verdict = Verdict::not_comparable;
+    report.reason = difference.what();
+  }
+}
+
+void append(const std::filesystem::path& file, const std::string& text) {
+  std::error_code not_there_yet;
+  const auto bytes = std::filesystem::file_size(file, not_there_yet);
+  AppendFile appended(file, not_there_yet ? 0 : static_cast<std::int64_t>(bytes));
+  appended.append(text);
+  appended.finish();
+}
+
+void write_reports(const CheckOptions& options, const CheckReport& report) {
+  if (!options.junit.empty()) write_whole_file(options.junit, check_junit(report));
+  if (!options.markdown.empty()) append(options.markdown, check_markdown(report));
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options) {
+  if (options.measure) return print_measurement(options);
+  CheckReport report;
+  report.session = printable(session_folder_name(options.run.replay.sessions.front()));
+  int exit_code = kExitDone;
+  try {
+    compare(options, report);
+    exit_code = exit_code_of(report.verdict);
+  } catch (const RunFailed& failure) {
+    exit_code = failure.exit_code();
+    report.error = failure.what();
+    print_message(report.error);
+  }
+  write_reports(options, report);
+  if (options.json) {
+    print_result(json_text(check_json(report)));
+  } else if (report.error.empty()) {
+    print_result(check_text(report));
+  }
+  if (options.github_annotations) print_result(check_annotations(report));
+  return exit_code;
+}
+
+}  // namespace herr

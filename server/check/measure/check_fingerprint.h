@@ -1,0 +1,19 @@
+// What a measured run depends on besides the program: settings, inputs and the machine.
+// Before: open_session. After: Measurement, compared before any time is.
+#pragma once
+
+#include <string>
+
+#include "scenes/scene.h"
+#include "server/check/measure/measurement.h"
+#include "server/replay/replay_options.h"
+#include "server/replay/session_report.h"
+
+namespace herr {
+
+// `libraries`: names and versions that run. Camera pictures count by name and size: another checkout of the
+// same files is the same input. Throws InputError.
+CheckFingerprint check_fingerprint(const SessionReport& report, const ReplayOptions& options,
+                                   const Scene& scene, const std::string& libraries);
+
+}  // namespace herr

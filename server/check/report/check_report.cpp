@@ -1,0 +1,56 @@
+#include "server/check/report/check_report.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "server/cli/exit_code.h"
+#include "server/statistics/number_text.h"
+
+namespace herr {
+namespace {
+
+std::string signed_percent(double share) {
+  return (share >= 0 ? "+" : "") + fixed_text(100 * share, 1) + " %";
+}
+
+}  // namespace
+
+int exit_code_of(Verdict verdict) {
+  if (verdict == Verdict::ok) return kExitDone;
+  return verdict == Verdict::regression ? kExitRegression : kExitInconclusive;
+}
+
+std::string change_text(double logarithm) {
+  return std::isfinite(logarithm) ? signed_percent(std::expm1(logarithm)) : "none";
+}
+
+std::string counter_change_text(const CounterJudgement& counter) {
+  if (counter.baseline == counter.candidate) return "0";
+  return counter.baseline > 0 ? signed_percent(counter.candidate / counter.baseline - 1) : "from 0";
+}
+
+std::string slower_text(double logarithm) {
+  const double share = std::expm1(logarithm);
+  return "frames take " + fixed_text(100 * std::abs(share), 1) + " % " + (share < 0 ? "less" : "more") +
+         " time";
+}
+
+std::string open_text(const Shift& shift) {
+  return slower_text(shift.estimate) + ", by the bounds " + change_text(shift.lower) + " ... " +
+         change_text(shift.upper) + ": too little to tell";
+}
+
+std::string p_text(double p) {
+  return p < 1e-5 ? "< 0.00001" : fixed_text(p, 5);
+}
+
+std::string headline(const CheckReport& report) {
+  std::string word = report.error.empty() ? name_of(report.verdict) : "error";
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const std::string& why = report.error.empty() ? report.reason : report.error;
+  return word + (why.empty() ? "" : ": " + why);
+}
+
+}  // namespace herr

@@ -1,0 +1,99 @@
+#include "server/check/run_length.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "server/check/measure/measure_run.h"
+#include "server/statistics/number_text.h"
+
+namespace herr {
+namespace {
+
+constexpr std::int64_t kPilotFrames = 30;
+constexpr double kFewestMeasuredFrames = 20;  // a median of fewer is one frame's luck
+
+}  // namespace
+
+MeasuredProgram candidate_of(const CheckOptions& options) {
+  std::vector<std::string> arguments;
+  if (options.run.slow_down_percent > 0) {
+    arguments = {"--slow-down", shortest_text(options.run.slow_down_percent)};
+  }
+  arguments.insert(arguments.end(), options.run_arguments.begin(), options.run_arguments.end());
+  return MeasuredProgram::this_one(std::move(arguments));
+}
+
+std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate) {
+  if (options.run.replay.frames) return *options.run.replay.frames;
+  if (options.tiers == CheckedTiers::counters) return kPilotFrames;
+  const Measurement pilot = candidate.measure(kPilotFrames);
+  double pilot_ms = 0;
+  for (std::size_t i = 0; i < pilot.frame_ms.size(); ++i) {
+    pilot_ms += pilot.frame_ms[i] + pilot.calibration_rays_ms[i] + pilot.calibration_memory_ms[i];
+  }
+  const double frame_ms = pilot_ms / static_cast<double>(pilot.frame_ms.size());
+  const double measured = std::max(options.run_seconds * 1e3 / frame_ms, kFewestMeasuredFrames);
+  // With as many to warm up as a long run has. A session that is shorter is taken whole.
+  constexpr std::int64_t kLongRun = 1 << 20;
+  return std::min(std::llround(measured), static_cast<long long>(kLongRun)) + warm_up_frames(kLongRun);
+}
+
+std::string settings_line(const CheckFingerprint& fingerprint) {
+  constexpr std::array<std::string_view, 5> kTold{"--scene", "--profile", "--polar", "--light-samples",
+                                                  "--isa"};
+  std::string line;
+  for (const auto* entries : {&fingerprint.work.settings, &fingerprint.machine}) {
+    for (const auto& [name, value] : *entries) {
+      const bool told = std::find(kTold.begin(), kTold.end(), name) != kTold.end();
+      if (told || name == "--threads") line += (line.empty() ? "" : ", ") + name + " " + value;
+    }
+  }
+  return line;
+}
+
+std::vector<CheckedTime> told_times(std::span<const RunValues> candidate, std::span<const RunValues> baseline,
+                                    ShiftOf shift_of) {
+  struct Told {
+    const char *name, *title;
+    double RunValues::*value;
+  };
+  constexpr std::array<Told, 3> kTold{
+      {{"median", "median", &RunValues::median},
+       {"p95", "95th percentile", &RunValues::p95},
+       {"worst_5_percent", "slowest 5 %, mean", &RunValues::worst_twentieth}}};
+  std::vector<CheckedTime> times;
+  for (const Told& told : kTold) {
+    CheckedTime time;
+    time.name = told.name, time.title = told.title;
+    time.shift = shift_of(logarithms(candidate, told.value), logarithms(baseline, told.value));
+    times.push_back(time);
+  }
+  times.front().decides = true;
+  return times;
+}
+
+void conclude(CheckReport& report) {
+  report.verdict = Verdict::ok;
+  report.reason.clear();
+  const auto add = [&](Verdict verdict, const std::string& reason) {
+    if (worse_of(report.verdict, verdict) == report.verdict) return;
+    report.verdict = verdict;
+    report.reason = reason;
+  };
+  for (const CounterJudgement& counter : report.counters) {
+    const std::string more = "more " + counter.name + " than before, " + counter_change_text(counter) +
+                             " (limit +" + fixed_text(100 * kCounterLimit, 1) + " %)";
+    add(counter.verdict, counter.reason.empty() ? more : counter.name + " " + counter.reason);
+  }
+  for (const CheckedTime& time : report.times) {
+    if (!time.decides) continue;
+    const std::string slower = slower_text(time.shift.estimate) + " (limit +" +
+                               fixed_text(100 * time.rule.limit, 0) + " %, p " + p_text(time.shift.p) + ")";
+    add(time.verdict, time.reason.empty() ? slower : time.reason);
+    if (report.verdict == Verdict::ok) report.reason = slower;
+  }
+}
+
+}  // namespace herr

@@ -1,0 +1,108 @@
+#include "server/cli/check_flags.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "server/cli/flag_values.h"
+#include "server/cli/flags.h"
+
+namespace herr {
+namespace {
+
+// Of the command, not of the runs that it starts. --frames is given to each run by the command.
+constexpr std::array<std::string_view, 13> kOfTheCommand{
+    "--against", "--baseline", "--save",  "--only",        "--run-seconds", "--frames",   "--overwrite",
+    "--json",    "--markdown", "--junit", "--annotations", "--measure",     "--slow-down"};
+
+void add_comparison_flags(CLI::App& app, CheckOptions& options) {
+  file_flag(app, "--against", "compare with this other build of herr, in alternating runs",
+            [&](const std::string& text) { options.against = text; });
+  file_flag(app, "--save", "store runs as a baseline in this file",
+            [&](const std::string& text) { options.save = text; });
+  file_flag(app, "--baseline", "compare with the runs stored in this file",
+            [&](const std::string& text) { options.baseline = text; });
+  value_flag(app, "--only", "TIER", "decide by counters (seconds, any machine) or by times alone",
+             [&](const std::string& text) {
+               const bool counters = parse_word("--only", text, {"counters", "times"}) == 0;
+               options.tiers = counters ? CheckedTiers::counters : CheckedTiers::times;
+             });
+  value_flag(app, "--run-seconds", "S", "length of a measured run (default 1.5; --frames says it instead)",
+             [&](const std::string& text) {
+               options.run_seconds = parse_real_number("--run-seconds", text, 0.01, 600);
+             });
+  app.add_flag_callback(
+      "--overwrite", [&] { options.overwrite = true; }, "replace the file of --save");
+}
+
+void add_report_flags(CLI::App& app, CheckOptions& options) {
+  app.add_flag_callback(
+      "--json", [&] { options.json = true; }, "the report on stdout as JSON");
+  file_flag(app, "--markdown", "append the report to this file as Markdown",
+            [&](const std::string& text) { options.markdown = text; });
+  file_flag(app, "--junit", "write the report to this file as JUnit XML",
+            [&](const std::string& text) { options.junit = text; });
+  value_flag(app, "--annotations", "NAME", "print what failed as annotations of a CI system: github",
+             [&](const std::string& text) {
+               parse_word("--annotations", text, {"github"});
+               options.github_annotations = true;
+             });
+}
+
+// Quality that follows the load would hide a regression, and writing pictures would drown it.
+void add_forced_flags(CLI::App& app) {
+  const auto only = [&app](const std::string& flag, const std::string& value, const std::string& help) {
+    value_flag(app, flag, "NAME", help + ": " + value, [flag, value](const std::string& text) {
+      if (text != value) throw UsageError(flag + ": check measures with '" + value + "' alone; leave it out");
+    });
+  };
+  only("--policy", "fixed", "quality of each frame");
+  only("--format", "none", "pictures");
+}
+
+// Between this program and the processes that it starts; and a slower build for tests.
+void add_hidden_flags(CLI::App& app, CheckOptions& options) {
+  app.add_flag_callback(
+         "--measure", [&] { options.measure = true; }, "be one measured run")
+      ->group("");
+  value_flag(app, "--slow-down", "PERCENT", "wait busily in each frame", [&](const std::string& text) {
+    options.run.slow_down_percent = parse_real_number("--slow-down", text, 0, 1000);
+  });
+  app.get_option("--slow-down")->group("");
+}
+
+}  // namespace
+
+void add_check_flags(CLI::App& app, CheckOptions& options) {
+  ReplayOptions& replay = options.run.replay;
+  replay.format = PictureFormat::none;
+  replay.sheet = SheetChoice::none;
+  add_session_flags(app, replay);
+  add_comparison_flags(app, options);
+  add_report_flags(app, options);
+  add_forced_flags(app);
+  add_look_flags(app, replay.render);
+  add_span_flags(app, replay);
+  add_render_flags(app, replay.render);
+  add_hidden_flags(app, options);
+}
+
+std::vector<std::string> measured_run_arguments(const CLI::App& app) {
+  std::vector<std::string> flags, session;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0) continue;
+    if (option->get_positional()) {
+      session = option->results();
+      continue;
+    }
+    const std::string name = "--" + option->get_lnames().front();  // get_name() is empty for a hidden one
+    if (std::find(kOfTheCommand.begin(), kOfTheCommand.end(), name) != kOfTheCommand.end()) continue;
+    flags.push_back(name);
+    if (option->get_items_expected_max() > 0) flags.push_back(option->results().back());
+  }
+  flags.insert(flags.end(), session.begin(), session.end());
+  return flags;
+}
+
+}  // namespace herr
