@@ -71,21 +71,29 @@ void add_picture_flags(CLI::App& app, ReplayOptions& options) {
              });
 }
 
-// A word that the design knows but this version does not offer is told apart from a wrong one.
-std::size_t parse_offered_word(const std::string& flag, const std::string& text,
-                               const std::vector<std::string>& offered,
-                               const std::vector<std::string>& later) {
-  if (std::find(later.begin(), later.end(), text) != later.end()) {
-    throw UsageError(flag + ": '" + text + "' is not available yet; use " + offered.front());
-  }
-  return parse_word(flag, text, offered);
+// How the quality of each frame is chosen.
+void add_policy_flags(CLI::App& app, ReplayOptions& options) {
+  value_flag(app, "--policy", "NAME",
+             "quality of each frame: fixed; motion: less while the head moves fast; deadline: what holds "
+             "--target-ms; motion+deadline (default fixed)",
+             [&](const std::string& text) {
+               constexpr std::array<QualityPolicy, 4> kPolicies{
+                   QualityPolicy{false, false}, {true, false}, {false, true}, {true, true}};
+               options.policy = kPolicies.at(
+                   parse_word("--policy", text, {"fixed", "motion", "deadline", "motion+deadline"}));
+             });
+  value_flag(app, "--polar-floor", "N",
+             "least width of the polar buffers, both eyes together, that a policy may choose (default: an "
+             "eighth of that of --polar)",
+             [&](const std::string& text) {
+               const std::int64_t both = parse_whole_number("--polar-floor", text, 2, kWidestPolarBuffer);
+               if (both % 2 != 0) throw UsageError("--polar-floor: must be even: it is both eyes together");
+               options.narrowest_width = static_cast<int>(both / 2);
+             });
 }
 
 void add_time_flags(CLI::App& app, ReplayOptions& options) {
-  value_flag(app, "--policy", "NAME", "quality of each frame: fixed (default fixed)",
-             [](const std::string& text) {
-               parse_offered_word("--policy", text, {"fixed"}, {"motion", "deadline"});
-             });
+  add_policy_flags(app, options);
   const std::string default_clock = name_of(options.clock);
   value_flag(
       app, "--clock", "NAME",
@@ -97,7 +105,8 @@ void add_time_flags(CLI::App& app, ReplayOptions& options) {
         options.clock = kClocks.at(parse_word("--clock", text, {"virtual", "realtime", "max"}));
       });
   value_flag(
-      app, "--target-ms", "MS", "display period of the clock realtime (default: the profile's)",
+      app, "--target-ms", "MS",
+      "display period of the clock realtime, time of a frame of the policy deadline (default: the profile's)",
       [&](const std::string& text) { options.target_ms = parse_real_number("--target-ms", text, 1, 10000); });
   add_span_flags(app, options);
 }
@@ -278,6 +287,21 @@ void check_isa(const RenderSettings& settings) {
   }
 }
 
+void check_policy(const ReplayOptions& options) {
+  const bool fixed = options.policy == QualityPolicy{};
+  if (!fixed && options.render.foveation == Foveation::off) {
+    throw UsageError(
+        std::string("--policy ") + name_of(options.policy) +
+        ": changes the width of polar buffers, and --foveation off has none; give one of the two");
+  }
+  if (!options.narrowest_width) return;
+  if (fixed) throw UsageError("--polar-floor: the policy fixed never goes below --polar; give --policy");
+  if (*options.narrowest_width > options.render.polar_width) {
+    throw UsageError("--polar-floor: is wider than --polar; give at most " +
+                     std::to_string(2 * options.render.polar_width));
+  }
+}
+
 void check_replay_options(const ReplayOptions& options) {
   if (options.resume && options.overwrite) {
     throw UsageError("--resume: goes on with the results that --overwrite would remove; give one of the two");
@@ -285,9 +309,16 @@ void check_replay_options(const ReplayOptions& options) {
   if (options.resume && options.clock == ReplayClock::realtime) {
     throw UsageError("--resume: frames of the clock realtime cannot be taken up again; use another --clock");
   }
-  if (options.target_ms && options.clock != ReplayClock::realtime) {
-    throw UsageError("--target-ms: only the clock realtime has one; give --clock realtime");
+  if (options.resume && options.policy.deadline) {
+    throw UsageError(
+        "--resume: frames of the policy deadline depend on how long each took, and cannot be taken up again; "
+        "give --overwrite to start again");
   }
+  if (options.target_ms && options.clock != ReplayClock::realtime && !options.policy.deadline) {
+    throw UsageError(
+        "--target-ms: only the clock realtime and the policy deadline have one; give --clock realtime");
+  }
+  check_policy(options);
   // Encoders on the render threads would make the frames late that they belong to.
   const bool pictures = options.format != PictureFormat::none || options.sheet != SheetChoice::none;
   if (options.clock == ReplayClock::realtime && pictures) {

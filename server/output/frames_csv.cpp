@@ -34,6 +34,17 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("theta_max_left_deg", record.theta_max_deg[0]);
   visit("theta_max_right_deg", record.theta_max_deg[1]);
   visit("missed", record.missed);
+  auto& decision = record.decision;
+  visit("polar_width", decision.quality.polar_width);
+  visit("light_samples", decision.quality.light_samples);
+  visit("allowed_probes", decision.quality.probes);
+  visit("quality_reason", decision.reason);
+  visit("quality_aim_ms", decision.aim_ms);
+  visit("quality_predicted_ms", decision.predicted_ms);
+  visit("head_deg_s", record.head_deg_s);
+  visit("feed_turn_arcmin", record.feed_turn_arcmin);
+  visit("feed_shift_arcmin", record.feed_shift_arcmin);
+  visit("misregistration_arcmin", record.misregistration_arcmin);
   auto& counters = record.counters;
   for (std::size_t i = 0; i < kRayKinds; ++i) {
     visit(std::string(name_of(static_cast<RayKind>(i))) + "_rays", counters.rays.of_kind[i]);
@@ -57,6 +68,12 @@ void for_each_column(Record& record, Visit&& visit) {
 std::string text_of(std::int64_t value) {
   return std::to_string(value);
 }
+std::string text_of(int value) {
+  return std::to_string(value);
+}
+std::string text_of(QualityReason reason) {
+  return name_of(reason);
+}
 std::string text_of(bool value) {
   return value ? "1" : "0";
 }
@@ -79,6 +96,16 @@ bool read_number(std::string_view text, Number& value) {
 
 bool read(std::string_view text, std::int64_t& value) {
   return read_number(text, value);
+}
+bool read(std::string_view text, int& value) {
+  return read_number(text, value);
+}
+bool read(std::string_view text, QualityReason& reason) {
+  for (std::size_t i = 0; i < kQualityReasons; ++i) {
+    reason = static_cast<QualityReason>(i);
+    if (text == name_of(reason)) return true;
+  }
+  return false;
 }
 bool read(std::string_view text, bool& value) {
   value = text == "1";

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "server/cli/version.h"
+#include "server/replay/frame_quality.h"
 #include "server/statistics/number_text.h"
 #include "sessions/input_error.h"
 #include "sessions/input_file.h"
@@ -122,7 +123,8 @@ Fingerprint::Entries settings_of(const SessionReport& report, const ReplayOption
       {"--gaze-marker", given(render.gaze_marker)},
       {"--debug-tiles", given(render.debug_tiles)},
       {"--sampling", name_of(options.session.sampling)},
-      {"--policy", "fixed"},
+      {"--policy", name_of(options.policy)},
+      {"--polar-floor", std::to_string(2 * narrowest_width(options, render))},
       {"--clock", name_of(options.clock)},
       {"--isa", name_of(render.isa)},
       {"--start, --duration, --frames", "frames " + std::to_string(report.range.first) + " ... " +

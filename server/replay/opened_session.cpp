@@ -29,7 +29,8 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   report.findings = session.findings();
   report.profile = options.profile.empty() ? report.header.profile : load_display_profile(options.profile);
   // In real time a frame of the session is a tick of the display.
-  const double display_hz = options.target_ms ? 1e3 / *options.target_ms : report.profile.display_hz;
+  const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
+  const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;
   report.range = frames_to_replay(session.start_ns(), session.end_ns(), display_hz,
                                   {options.start_s, options.duration_s, options.frames});
   if (report.range.count == 0) {

@@ -7,6 +7,7 @@
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/output/atomic_file.h"
+#include "server/replay/frame_quality.h"
 #include "server/replay/output_folder.h"
 #include "server/replay/replay_session.h"
 #include "server/replay/summary_json.h"
@@ -56,8 +57,19 @@ void show_messages(const SessionReport& report) {
   }
 }
 
+// What the policy has chosen: "policy motion: polar width per eye 315 ... 788, mean 602.1; ..."
+std::string quality_text(const RunStatistics& statistics, const ReplayOptions& options) {
+  const auto range = [](const LatencyHistogram& values) {
+    const auto whole = [](std::int64_t value) { return std::to_string(value / 1'000'000); };
+    return whole(values.min_ns()) + " ... " + whole(values.max_ns()) + ", mean " +
+           fixed_text(values.mean_ns() * 1e-6, 1);
+  };
+  return std::string("policy ") + name_of(options.policy) + ": polar width per eye " +
+         range(statistics.polar_width) + "; light samples " + range(statistics.light_samples) + "\n";
+}
+
 // The heading and table of one session, and where its files are.
-std::string report_text(const SessionReport& report, ReplayClock clock) {
+std::string report_text(const SessionReport& report, const ReplayOptions& options) {
   const RunStatistics& statistics = report.statistics;
   std::string text = printable(report.name) + ": " + std::to_string(statistics.frames) + " frames";
   if (report.state != ReplayState::done) {
@@ -67,8 +79,10 @@ std::string report_text(const SessionReport& report, ReplayClock clock) {
           fixed_text(report.range.period_ms(), 2) + " ms; " + std::to_string(report.settings.threads) +
           " threads, " + name_of(report.settings.isa) + ", " + settings_text(report.settings) + "\n\n";
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
+  if (statistics.frames > 0 && options.policy != QualityPolicy{})
+    text += quality_text(statistics, options) + "\n";
   text += "results: " + printable(report.out_folder.string()) + "\n";
-  if (report.state != ReplayState::done && clock != ReplayClock::realtime) {
+  if (report.state != ReplayState::done && is_reproducible(options)) {
     text += "to go on with it: the same command and --resume\n";
   }
   for (const std::string& sheet : report.contact_sheets) {
@@ -101,7 +115,7 @@ int run_replay(const ReplayOptions& options) {
     if (!report.error.empty()) print_message(report.error);
     exit_code = worse_exit_code(exit_code, report.exit_code);
     if (!options.json && report.statistics.frames > 0) {
-      print_result((reports.size() > 1 ? "\n" : "") + report_text(report, options.clock));
+      print_result((reports.size() > 1 ? "\n" : "") + report_text(report, options));
     }
     // A full disk or the user's wish to stop holds for the sessions that follow as well.
     if (const int signal = stop_signal(); signal != 0) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/render_settings.h"
+#include "server/quality/quality_policy.h"
 #include "server/statistics/latency_json.h"
 #include "sessions/session.h"
 
@@ -26,7 +27,11 @@ struct ReplayOptions {
   RenderSettings render;
   SessionOptions session;
   ReplayClock clock = ReplayClock::virtual_time;
-  std::optional<double> target_ms;     // realtime: the display period; empty: the profile's own
+  QualityPolicy policy;  // how the quality of each frame is chosen
+  std::optional<int>
+      narrowest_width;  // polar width per eye that policies keep; empty: an eighth of the full one
+  // realtime: the display period; deadline: the time of a frame. Empty: the period of the profile.
+  std::optional<double> target_ms;
   double start_s = 0;                  // first frame at or after this time of the session
   std::optional<double> duration_s;    // frames before start + duration
   std::optional<std::int64_t> frames;  // at most this many frames

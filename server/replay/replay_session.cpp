@@ -19,6 +19,7 @@
 #include "server/replay/fingerprint.h"
 #include "server/replay/frame_description.h"
 #include "server/replay/frame_files.h"
+#include "server/replay/frame_quality.h"
 #include "server/replay/opened_session.h"
 #include "server/replay/output_folder.h"
 #include "server/replay/picture_output.h"
@@ -87,7 +88,7 @@ class SessionReplay {
   void describe_run();
   void note_failure();
   void add_run_warnings();
-  bool can_resume() const { return options_.clock != ReplayClock::realtime; }
+  bool can_resume() const { return is_reproducible(options_); }
 
   const ReplayOptions& options_;
   const OutputFolder folder_;
@@ -96,6 +97,7 @@ class SessionReplay {
   std::optional<FolderLock> lock_;
   std::optional<FrameFiles> files_;
   std::optional<RunTracker> tracker_;
+  std::optional<QualityController> quality_;
   Fingerprint fingerprint_;
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
@@ -136,6 +138,7 @@ void SessionReplay::start_output() {
   const bool resume = options_.resume && std::filesystem::exists(folder_.checkpoint_json());
   lock_.emplace(folder_.prepare(options_.format, resume ? EarlierResults::resume : EarlierResults::replace));
   files_.emplace(folder_, options_, report_.profile, report_.range);
+  quality_.emplace(quality_controller(options_, report_, *opened_.renderer));
   tracker_.emplace(*opened_.session, *opened_.renderer, report_.range.first);
   if (can_resume()) fingerprint_ = fingerprint_of(report_, options_, opened_.scene);
   EarlierFrames earlier;
@@ -299,11 +302,15 @@ bool SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64
 
   set_scene_to(t_ns);
   tracker_->sampled(sample);
-  if (!opened_.renderer->render_frame(sample, state_, rendered_, &stop_flag())) return !stopped();
+  const QualityDecision decision = quality_->decide(sample.head_speed);
+  if (!opened_.renderer->render_frame(sample, state_, decision.quality, rendered_, &stop_flag()))
+    return !stopped();
+  const TimeNs finished_ns = steady_now_ns();
 
-  FrameRecord record = describe_frame(frame, sample, rendered_, report_.range.period_ms(), options_.clock,
-                                      report_.findings.gaze_rows > 0);
-  if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, steady_now_ns()), dropped, record);
+  FrameRecord record = describe_frame(frame, sample, rendered_, report_, options_.clock);
+  if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, finished_ns), dropped, record);
+  describe_quality(decision, sample, record);
+  quality_->observe(cost_of_frame(rendered_, started_ns, finished_ns, pacer != nullptr && record.missed));
   const PictureOutput::Cost cost = pictures_->write_frame(frame, sample, rendered_);
   if (const auto sheet = files_->contact_sheet(frame)) {
     report_.contact_sheets.push_back(sheet->filename().string());
@@ -368,6 +375,9 @@ void SessionReplay::add_run_warnings() {
     report_.warnings.push_back(
         "scene events are not applied by this version: " + std::to_string(report_.findings.event_rows) +
         " lines of events.jsonl left out");
+  }
+  if (const std::string warning = floor_warning(report_, options_); !warning.empty()) {
+    report_.warnings.push_back(warning);
   }
   if (options_.sheet == SheetChoice::one && report_.contact_sheets.empty()) {
     report_.warnings.push_back("--contact-sheet: frame " + std::to_string(options_.sheet_frame) +

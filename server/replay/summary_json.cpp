@@ -3,7 +3,9 @@
 #include <cstddef>
 
 #include "server/cli/version.h"
+#include "server/replay/frame_quality.h"
 #include "server/statistics/latency_json.h"
+#include "server/statistics/quality_json.h"
 #include "sessions/input_error.h"
 
 namespace herr {
@@ -45,7 +47,9 @@ Json settings_json(const RenderSettings& settings, const ReplayOptions& options)
           {"debug_tiles", settings.debug_tiles},
           {"feed_distance_m", settings.feed_distance_m},
           {"sampling", name_of(options.session.sampling)},
-          {"policy", "fixed"},
+          {"policy", name_of(options.policy)},
+          {"polar_floor_per_eye",
+           options.policy == QualityPolicy{} ? Json(nullptr) : Json(narrowest_width(options, settings))},
           {"clock", name_of(options.clock)},
           {"format", name_of(options.format)},
           {"threads", settings.threads},
@@ -131,7 +135,11 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
                     {"dropped", report.statistics.dropped_frames},
                     {"repeated", report.statistics.repeated_ticks},
                     {"period_ms", report.range.period_ms()}};
+  if (options.policy.deadline) json["frames"]["target_ms"] = quality_target_ms(options, report.range);
   json["latency"] = latencies_json(report.statistics);
+  json["pace"] = pace_json(report.statistics);
+  json["quality"] = quality_json(report.statistics);
+  if (report.plan.camera) json["feed"] = feed_json(report.statistics);
   json["definitions"] = definitions_json(options.clock);
   json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
   json["plan"] = plan_json(report.plan);
@@ -158,6 +166,8 @@ Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& op
            {{"sessions", reports.size()},
             {"frames", {{"rendered", total.frames}, {"missed", total.missed_frames}}},
             {"latency", latencies_json(total)},
+            {"pace", pace_json(total)},
+            {"quality", quality_json(total)},
             {"counters", counters_json(total.counters, total.nonfinite_pictures)}}},
           {"exit_code", exit_code}};
 }

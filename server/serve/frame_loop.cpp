@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/replay/frame_description.h"
+#include "server/replay/frame_quality.h"
 #include "server/replay/output_folder.h"
 #include "server/replay/steady_time.h"
 
@@ -59,6 +60,7 @@ void FrameLoop::open(const std::filesystem::path& folder) {
   report->warnings = report->findings.warnings;
   report->warnings.insert(report->warnings.end(), opened_->scene.warnings.begin(),
                           opened_->scene.warnings.end());
+  quality_.emplace(quality_controller(options_, *report, *opened_->renderer));
   opened_folder_ = folder;
   subject_ = std::move(report);
   state_.subject = subject_;
@@ -96,21 +98,25 @@ void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropp
   scene_state_at(opened_->scene, static_cast<double>(since_start_ns) * kSecondsPerNs, scene_state_);
   // Into pictures that nobody looks at; the published ones stay as they are.
   const std::shared_ptr<ServedPictures> pictures = picture_storage_.take();
-  if (!opened_->renderer->render_frame(sample, scene_state_, pictures->frame, &stop_)) return;
+  const QualityDecision decision = quality_->decide(sample.head_speed);
+  if (!opened_->renderer->render_frame(sample, scene_state_, decision.quality, pictures->frame, &stop_))
+    return;
   const TimeNs finished_ns = steady_now_ns();
 
   RecentFrame recent;
   recent.sequence = ++state_.rendered;
   recent.lap = state_.lap;
   recent.finished_ns = finished_ns;
-  recent.record = describe_frame(frame, sample, pictures->frame, range.period_ms(), options_.clock,
-                                 subject_->findings.gaze_rows > 0);
+  recent.record = describe_frame(frame, sample, pictures->frame, *subject_, options_.clock);
+  describe_quality(decision, sample, recent.record);
   recent.record.sample_ms = static_cast<double>(sampled_ns - started_ns) * 1e-6;
   if (pacer != nullptr) {
     // What the lap before left out at its end counts with the frame that came next.
     dropped += std::exchange(dropped_at_end_, 0);
     describe_pacing(pacer->finish(started_ns, finished_ns), dropped, recent.record);
   }
+  quality_->observe(
+      cost_of_frame(pictures->frame, started_ns, finished_ns, pacer != nullptr && recent.record.missed));
   recent_.add(recent);
   state_.run.add(recent.record);
   state_.frame = frame;

@@ -4,7 +4,9 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 
+#include "server/quality/quality_controller.h"
 #include "server/replay/frame_pacer.h"
 #include "server/replay/opened_session.h"
 #include "server/replay/replay_options.h"
@@ -40,6 +42,7 @@ class FrameLoop {
   const std::atomic<bool>& stop_;
   std::filesystem::path opened_folder_;
   std::unique_ptr<OpenedSession> opened_;
+  std::optional<QualityController> quality_;  // of the opened session; it goes on from lap to lap
   std::shared_ptr<const SessionReport> subject_;
   SceneState scene_state_;
   Recycler<ServedPictures> picture_storage_;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "renderer/foveation/polar_map.h"
 #include "server/cli/version.h"
 #include "server/serve/process_numbers.h"
 #include "server/serve/prometheus_text.h"
@@ -28,6 +29,23 @@ void add_frames(PrometheusText& page, const ServeSnapshot& snapshot) {
   for (std::size_t i = 0; i < kRayKinds; ++i) {
     page.sample(run.counters.rays.of_kind[i], {{"kind", name_of(static_cast<RayKind>(i))}});
   }
+}
+
+void add_quality(PrometheusText& page, const ServeSnapshot& snapshot) {
+  page.family("herr_quality_decisions_total", "counter", "Frames, by why they had their quality.");
+  for (std::size_t i = 0; i < kQualityReasons; ++i) {
+    page.sample(snapshot.run.reasons[i], {{"reason", name_of(static_cast<QualityReason>(i))}});
+  }
+  if (snapshot.recent.empty()) return;
+  const FrameRecord& newest = snapshot.recent.back().record;
+  page.family("herr_polar_width_samples", "gauge", "Radial samples per eye of the newest frame.");
+  page.sample(std::int64_t{newest.decision.quality.polar_width});
+  page.family("herr_light_samples", "gauge", "Shadow rays per light and hit of the newest frame.");
+  page.sample(std::int64_t{newest.decision.quality.light_samples});
+  if (!newest.misregistration_arcmin) return;
+  page.family("herr_feed_misregistration_radians", "gauge",
+              "Angle by which the newest frame shows far surfaces of the camera feed beside their place.");
+  page.sample(*newest.misregistration_arcmin / (60 * kDegreesPerRadian));
 }
 
 void add_durations(PrometheusText& page, const RunStatistics& run) {
@@ -94,6 +112,7 @@ std::string metrics_page(const ServeSnapshot& snapshot, const HttpCounters& http
   PrometheusText page;
   add_state(page, snapshot);
   add_frames(page, snapshot);
+  add_quality(page, snapshot);
   add_durations(page, snapshot.run);
   add_http(page, http);
   add_process(page);

@@ -6,6 +6,7 @@
 #include "server/cli/version.h"
 #include "server/replay/summary_json.h"
 #include "server/statistics/latency_json.h"
+#include "server/statistics/quality_json.h"
 
 namespace herr {
 namespace {
@@ -40,6 +41,14 @@ Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+Json statistics_json(const RunStatistics& statistics) {
+  Json json = latencies_json(statistics);
+  json["pace"] = pace_json(statistics);
+  json["quality"] = quality_json(statistics);
+  json["feed"] = feed_json(statistics);
+  return json;
+}
+
 Json frame_json(const RecentFrame& frame) {
   const FrameRecord& record = frame.record;
   Json stages = Json::object();
@@ -57,6 +66,16 @@ Json frame_json(const RecentFrame& frame) {
           {"gaze_age_ms", optional_json(record.gaze_age_ms)},
           {"camera_age_ms", optional_json(record.camera_age_ms)},
           {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
+          {"polar_width", record.decision.quality.polar_width},
+          {"light_samples", record.decision.quality.light_samples},
+          {"allowed_probes", record.decision.quality.probes},
+          {"quality_reason", name_of(record.decision.reason)},
+          {"quality_aim_ms", optional_json(record.decision.aim_ms)},
+          {"quality_predicted_ms", optional_json(record.decision.predicted_ms)},
+          {"head_deg_s", record.head_deg_s},
+          {"feed_turn_arcmin", optional_json(record.feed_turn_arcmin)},
+          {"feed_shift_arcmin", optional_json(record.feed_shift_arcmin)},
+          {"misregistration_arcmin", optional_json(record.misregistration_arcmin)},
           {"missed", record.missed},
           {"dropped", record.dropped_frames},
           {"repeated", record.repeated_ticks}};
@@ -97,9 +116,9 @@ Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, Ti
 Json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs now_ns) {
   const RunStatistics window = window_statistics(snapshot.recent, now_ns);
   Json window_part{{"seconds", window_length_s(snapshot, now_ns)}, {"frames", counts_json(window)}};
-  window_part.update(latencies_json(window));
+  window_part.update(statistics_json(window));
   Json run_part{{"seconds", seconds(now_ns - snapshot.started_ns)}, {"frames", counts_json(snapshot.run)}};
-  run_part.update(latencies_json(snapshot.run));
+  run_part.update(statistics_json(snapshot.run));
   Json definitions = definitions_json(clock);
   definitions["window"] = "frames that were finished in the last 10 seconds";
   definitions["run"] = "frames since the server was started";

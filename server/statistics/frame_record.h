@@ -8,6 +8,7 @@
 
 #include "renderer/probes/probe_counts.h"
 #include "renderer/stage_times.h"
+#include "server/quality/quality_policy.h"
 #include "sessions/pose.h"
 
 namespace herr {
@@ -28,6 +29,10 @@ struct FrameRecord {
   SampleSource pose_source = SampleSource::held;
   std::array<SampleSource, 2> gaze_source{SampleSource::held, SampleSource::held};
   std::array<double, 2> theta_max_deg{};
+  QualityDecision decision;  // which quality the frame had, and why
+  double head_deg_s = 0;     // how fast the head moved (motion_policy.h)
+  // How well feed and virtual objects agree (feed_registration.h); none without a feed.
+  std::optional<double> feed_turn_arcmin, feed_shift_arcmin, misregistration_arcmin;
   bool missed = false;  // the frame time exceeds the display period; realtime: sampling and delays included
   std::int64_t dropped_frames = 0;      // realtime: frames of the session left out just before this one
   std::int64_t repeated_ticks = 0;      // realtime: display ticks before this frame that showed nothing new

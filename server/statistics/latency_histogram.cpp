@@ -62,6 +62,16 @@ double LatencyHistogram::mean_ns() const {
   return count_ == 0 ? 0.0 : static_cast<double>(sum_ns_) / static_cast<double>(count_);
 }
 
+// What stands for the durations of a bucket.
+double LatencyHistogram::value_of_ns(std::size_t bucket) const {
+  const std::vector<double>& bounds = upper_bounds_ns();
+  const double lowest = static_cast<double>(min_ns_), highest = static_cast<double>(max_ns_);
+  if (bucket == 0) return lowest;
+  if (bucket == bounds.size()) return highest;
+  const double lower = bounds[bucket - 1], upper = bounds[bucket];
+  return std::clamp(2.0 * lower * upper / (lower + upper), lowest, highest);
+}
+
 double LatencyHistogram::quantile_ns(double fraction) const {
   if (count_ == 0) return 0.0;
   const double wanted = std::ceil(std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count_));
@@ -72,12 +82,40 @@ double LatencyHistogram::quantile_ns(double fraction) const {
   std::int64_t seen = 0;
   std::size_t bucket = 0;
   while (seen + counts_[bucket] < rank) seen += counts_[bucket++];
-  const std::vector<double>& bounds = upper_bounds_ns();
-  const double lowest = static_cast<double>(min_ns_), highest = static_cast<double>(max_ns_);
-  if (bucket == 0) return lowest;
-  if (bucket == bounds.size()) return highest;
-  const double lower = bounds[bucket - 1], upper = bounds[bucket];
-  return std::clamp(2.0 * lower * upper / (lower + upper), lowest, highest);
+  return value_of_ns(bucket);
+}
+
+double LatencyHistogram::mean_of_longest_ns(double fraction) const {
+  if (count_ == 0) return 0.0;
+  const double wanted = std::ceil(std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count_));
+  const std::int64_t most = std::clamp<std::int64_t>(static_cast<std::int64_t>(wanted), 1, count_);
+  // The longest one is known exactly.
+  double sum_ns = static_cast<double>(max_ns_);
+  std::int64_t left = most - 1;
+  bool longest_is_taken = true;
+  for (std::size_t bucket = counts_.size(); bucket-- > 0 && left > 0;) {
+    std::int64_t here = counts_[bucket];
+    if (here > 0 && longest_is_taken) --here, longest_is_taken = false;
+    const std::int64_t taken = std::min(here, left);
+    sum_ns += static_cast<double>(taken) * value_of_ns(bucket);
+    left -= taken;
+  }
+  return sum_ns / static_cast<double>(most);
+}
+
+double LatencyHistogram::time_quantile_ns(double fraction) const {
+  if (count_ == 0) return 0.0;
+  const double wanted_ns = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(sum_ns_);
+  double sum_ns = static_cast<double>(max_ns_);
+  if (sum_ns >= wanted_ns) return sum_ns;
+  bool longest_is_taken = true;
+  for (std::size_t bucket = counts_.size(); bucket-- > 0;) {
+    std::int64_t here = counts_[bucket];
+    if (here > 0 && longest_is_taken) --here, longest_is_taken = false;
+    sum_ns += static_cast<double>(here) * value_of_ns(bucket);
+    if (here > 0 && sum_ns >= wanted_ns) return value_of_ns(bucket);
+  }
+  return static_cast<double>(min_ns_);
 }
 
 std::int64_t LatencyHistogram::count_up_to_ns(std::int64_t duration_ns) const {

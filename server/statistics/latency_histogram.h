@@ -34,6 +34,13 @@ class LatencyHistogram {
   // above kHighestNs the maximum.
   double quantile_ns(double fraction) const;
 
+  // Of the ceil(fraction * count) longest durations, one at least: their mean. Within kRelativeError and
+  // within [min, max]; 0 when empty.
+  double mean_of_longest_ns(double fraction) const;
+  // Of the fewest longest durations whose sum reaches `fraction` of the sum of all: the shortest. Bounds as
+  // above, but for the sums, which are those of the buckets; 0 when empty.
+  double time_quantile_ns(double fraction) const;
+
   // Number of durations up to `duration_ns`; those within 2 * kRelativeError of it may count on either side.
   // Never decreases with duration_ns; all for kHighestNs and more.
   std::int64_t count_up_to_ns(std::int64_t duration_ns) const;
@@ -41,6 +48,8 @@ class LatencyHistogram {
   bool operator==(const LatencyHistogram&) const = default;
 
  private:
+  double value_of_ns(std::size_t bucket) const;
+
   std::vector<std::int64_t> counts_;  // allocated with the first duration
   std::int64_t count_ = 0, min_ns_ = 0, max_ns_ = 0, sum_ns_ = 0;
 };

@@ -16,7 +16,11 @@ enum class ReplayClock {
 };
 const char* name_of(ReplayClock clock);
 
-// Milliseconds; keys keep their order. An empty statistic has count 0 and null values, never NaN.
+// Count, mean, extremes and quantiles in the unit that was added, milliseconds mostly. An empty one has count
+// 0 and null values, never NaN.
+nlohmann::ordered_json distribution_json(const LatencyHistogram& values);
+
+// Milliseconds; keys keep their order.
 nlohmann::ordered_json latencies_json(const RunStatistics& statistics);
 // {"name": "its formula", ...} of everything in latencies_json() and of the counts of frames.
 nlohmann::ordered_json definitions_json(ReplayClock clock);

@@ -131,7 +131,8 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
       {"--format", {"jpg", "PNG", ""}},
       {"--isa", {"avx", "sse", ""}},
       {"--foveation", {"on", "logpolar"}},
-      {"--policy", {"motion", "deadline", "best"}},
+      {"--policy", {"best", "motion,deadline", "deadline+motion", ""}},
+      {"--polar-floor", {"0", "1", "99", "-2", "16386", "1e2"}},
       {"--clock", {"wall", "real"}},
       {"--sampling", {"newest"}},
       {"--contact-sheet", {"-1", "first", "007", ""}},
@@ -146,14 +147,36 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
   }
 }
 
-TEST(CommandLine, ChoicesOfALaterVersionSaySo) {
-  EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion"}),
-            "--policy: 'motion' is not available yet; use fixed");
+TEST(CommandLine, ChoicesThatDoNotGoTogetherSaySo) {
   EXPECT_EQ(
       complaint({"replay", "walk", "--clock", "realtime"}),
       "--clock realtime: measures times and writes no pictures; give --format none --contact-sheet none");
   EXPECT_EQ(complaint({"replay", "walk", "--target-ms", "20"}),
-            "--target-ms: only the clock realtime has one; give --clock realtime");
+            "--target-ms: only the clock realtime and the policy deadline have one; give --clock realtime");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--foveation", "off"}),
+            "--policy motion: changes the width of polar buffers, and --foveation off has none; give one of "
+            "the two");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "deadline", "--resume"}),
+            "--resume: frames of the policy deadline depend on how long each took, and cannot be taken up "
+            "again; give --overwrite to start again");
+  EXPECT_EQ(complaint({"replay", "walk", "--polar-floor", "100"}),
+            "--polar-floor: the policy fixed never goes below --polar; give --policy");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar", "100x64", "--polar-floor", "102"}),
+            "--polar-floor: is wider than --polar; give at most 100");
+}
+
+TEST(CommandLine, PoliciesAreOneOrBoth) {
+  const auto policy = [](const std::string& name) {
+    return std::get<ReplayOptions>(parse_command_line({"replay", "walk", "--policy", name})).policy;
+  };
+  EXPECT_EQ(policy("fixed"), (QualityPolicy{false, false}));
+  EXPECT_EQ(policy("motion"), (QualityPolicy{true, false}));
+  EXPECT_EQ(policy("deadline"), (QualityPolicy{false, true}));
+  EXPECT_EQ(policy("motion+deadline"), (QualityPolicy{true, true}));
+  const auto options = std::get<ReplayOptions>(parse_command_line(
+      {"replay", "walk", "--policy", "deadline", "--target-ms", "20", "--polar-floor", "64"}));
+  EXPECT_EQ(options.target_ms, 20);
+  EXPECT_EQ(options.narrowest_width, 32);
 }
 
 TEST(CommandLine, SynthTakesPointsAndKindsAndStatesItsDefaults) {

@@ -75,6 +75,8 @@ class Serve : public ::testing::Test {
       frame.record.times.frame_ms = static_cast<double>(i);
       frame.record.times[Stage::first_hits] = static_cast<double>(i);
       frame.record.missed = i % 2 == 0;
+      frame.record.decision = {{4, 400, 128}, QualityReason::steady, 19.5, 20.0};
+      if (i % 2 == 0) frame.record.misregistration_arcmin = 30;
       frame.record.dropped_frames = 1;
       if (i % 2 == 0) frame.record.motion_to_photon_ms = 20;
       snapshot.recent.push_back(frame);
@@ -164,8 +166,16 @@ TEST_F(Serve, StatusAndLatencyAgreeWithTheSnapshot) {
   // The 50th of 51 ... 150 is 100, within 0.5 %.
   EXPECT_NEAR(latency["window"]["frame"]["p50"].get<double>(), 100, 0.5);
   EXPECT_EQ(latency["window"]["stages"].size(), kStageCount);
+  EXPECT_EQ(latency["window"]["quality"]["reasons"], json({{"steady", 100}}));
+  EXPECT_EQ(latency["window"]["quality"]["polar_width"]["p50"], 400.0);
+  EXPECT_EQ(latency["window"]["feed"]["misregistration"]["count"], 50);
+  EXPECT_EQ(latency["window"]["feed"]["misregistration"]["max"], 30.0);
+  // The slowest of 100 frames took 150 ms.
+  EXPECT_NEAR(latency["window"]["pace"]["low_1_percent_mean_fps"].get<double>(), 1000 / 150.0, 1e-9);
   for (const char* name :
-       {"missed", "dropped", "repeated", "presentation_time", "motion_to_photon", "window"}) {
+       {"missed", "dropped", "repeated", "presentation_time", "motion_to_photon", "window", "polar_width",
+        "misregistration", "feed_turn", "feed_shift", "stutter_frames", "stutter_share_of_time",
+        "low_1_percent_rank_fps", "low_1_percent_mean_fps", "low_1_percent_time_fps"}) {
     EXPECT_TRUE(latency["definitions"].contains(name)) << name;
   }
 }
@@ -178,6 +188,11 @@ TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
     EXPECT_EQ(frame["sequence"], ++seen);
     EXPECT_EQ(frame["frame_ms"], static_cast<double>(seen));
     EXPECT_EQ(frame["motion_to_photon_ms"].is_null(), seen % 2 == 1);
+    EXPECT_EQ(frame["misregistration_arcmin"].is_null(), seen % 2 == 1);
+    EXPECT_EQ(frame["polar_width"], 400);
+    EXPECT_EQ(frame["light_samples"], 4);
+    EXPECT_EQ(frame["quality_reason"], "steady");
+    EXPECT_EQ(frame["quality_predicted_ms"], 19.5);
     since = frame["sequence"];
   }
   EXPECT_EQ(seen, 50);

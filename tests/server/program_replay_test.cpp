@@ -147,7 +147,7 @@ TEST_F(Program, ASignalEndsTheRunAfterTheFrameAndTheSummarySaysSo) {
 
 TEST_F(Program, UsageErrorsAreOneLineAndExitCodeTwo) {
   for (const std::string flags : {"", "replay", "replay walk --frames nan", "replay walk --sceen x",
-                                  "rplay walk", "replay walk --policy motion", "replay walk walk --out o",
+                                  "rplay walk", "replay walk --policy best", "replay walk walk --out o",
                                   "replay walk --start 99", "synth walk --scene scene/small.scene.json"}) {
     const Outcome outcome = herr(flags);
     EXPECT_EQ(outcome.exit_code, 2) << flags;

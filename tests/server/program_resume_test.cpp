@@ -4,10 +4,14 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "resumed_replay.h"
 
@@ -70,6 +74,49 @@ TEST_F(Resume, WhatProbesHaveGatheredIsThereAgain) {
       EXPECT_TRUE(content_of(folder / "walk/frames" / file) ==
                   content_of(root() / "with_probes/walk/frames" / file))
           << file;
+    }
+  }
+}
+
+std::vector<std::string> column_of(const fs::path& csv, const std::string& name) {
+  std::ifstream file(csv);
+  std::vector<std::string> values;
+  std::ptrdiff_t wanted = -1;
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (wanted < 0) {
+      wanted = std::find(cells.begin(), cells.end(), name) - cells.begin();
+      continue;
+    }
+    values.push_back(cells.at(static_cast<std::size_t>(wanted)));
+  }
+  return values;
+}
+
+// The head starts from rest and is fast from then on: the width follows, the same way in every run.
+TEST_F(Resume, FramesWhoseQualityFollowsTheHeadAreThoseOfAnUninterruptedRun) {
+  const std::string motion = kFlags + "--policy motion --light-samples 16 ";
+  ASSERT_EQ(replay(motion + "--out with_motion").exit_code, 5);
+  const fs::path whole = root() / "with_motion/walk";
+  const std::vector<std::string> widths = column_of(whole / "frames.csv", "polar_width");
+  EXPECT_EQ(widths.front(), "16");
+  EXPECT_EQ(widths.back(), "6") << "0.4 * 16 = 6.4";
+  EXPECT_EQ(column_of(whole / "frames.csv", "light_samples").back(), "1");
+  ASSERT_EQ(replay(motion + "--out again_with_motion").exit_code, 5);
+  EXPECT_EQ(reproducible_rows(root() / "again_with_motion/walk/frames.csv"),
+            reproducible_rows(whole / "frames.csv"));
+  for (const int kept : {1, 5}) {
+    const fs::path folder = root() / ("motion_" + std::to_string(kept));
+    fs::create_directories(folder);
+    copy_with_rows(whole, folder / "walk", kept);
+    EXPECT_EQ(replay(kFlags + "--light-samples 16 --resume --out " + folder.string()).exit_code, 2);
+    const Outcome outcome = replay(motion + "--resume --out " + folder.string());
+    ASSERT_EQ(outcome.exit_code, 5) << outcome.err;
+    EXPECT_EQ(reproducible_rows(folder / "walk/frames.csv"), reproducible_rows(whole / "frames.csv"));
+    for (const std::string& file : files_below(folder / "walk/frames")) {
+      EXPECT_TRUE(content_of(folder / "walk/frames" / file) == content_of(whole / "frames" / file)) << file;
     }
   }
 }

@@ -85,6 +85,49 @@ TEST_F(ReplaySession, ACameraWithoutFaultsIsNotWarnedOf) {
   EXPECT_TRUE(report.warnings.empty());
 }
 
+TEST_F(ReplaySession, ATargetOutOfReachEndsAtTheFloorAndIsWarnedOf) {
+  options_.policy.deadline = true;
+  options_.target_ms = 1e-3;  // no frame takes a microsecond
+  options_.clock = ReplayClock::max;
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  ASSERT_EQ(report.warnings.size(), 1u);
+  const std::int64_t frames = report.statistics.frames;
+  EXPECT_EQ(report.warnings[0].find("the target of 0.00 ms was out of reach in " +
+                                    std::to_string(frames - 1) + " of " + std::to_string(frames) + " frames"),
+            0u)
+      << report.warnings[0];
+  const nlohmann::json quality = summary()["quality"];
+  EXPECT_EQ(quality["reasons"], nlohmann::json({{"start", 1}, {"floor_too_slow", frames - 1}}));
+  EXPECT_EQ(quality["polar_width"]["max"], 8.0) << "an eighth of 64";
+  EXPECT_EQ(summary()["settings"]["policy"], "deadline");
+  EXPECT_FALSE(fs::exists(root() / "o/walk/checkpoint.json")) << "nobody could go on with it";
+}
+
+TEST_F(ReplaySession, ATargetThatIsEasilyReachedGivesTheWholeWidth) {
+  options_.policy = {true, true};
+  options_.target_ms = 10'000;
+  options_.clock = ReplayClock::max;
+  ASSERT_EQ(replay().exit_code, 0);
+  const nlohmann::json quality = summary()["quality"];
+  EXPECT_EQ(quality["polar_width"]["min"], 8.0) << "the first frame, of which nothing is known";
+  EXPECT_EQ(quality["polar_width"]["max"], 64.0);
+  EXPECT_EQ(quality["reasons"]["grow_limited"], 2) << "8, 16, 32, 64";
+}
+
+TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
+  ASSERT_EQ(replay().exit_code, 0);
+  const nlohmann::json whole = summary();
+  for (const char* part : {"pace", "feed"}) {
+    for (const auto& [name, value] : whole[part].items()) {
+      EXPECT_TRUE(name == "unit" || whole["definitions"].contains(name)) << part << "." << name;
+    }
+  }
+  EXPECT_EQ(whole["feed"]["misregistration"]["count"], whole["frames"]["rendered"]);
+  EXPECT_EQ(whole["quality"]["reasons"], nlohmann::json({{"fixed", whole["frames"]["rendered"]}}));
+  EXPECT_EQ(whole["quality"]["polar_width"]["min"], 64.0);
+}
+
 using ReplaySessionDeathTest = ReplaySession;
 
 TEST_F(ReplaySessionDeathTest, ASignalBeforeTheFirstFrameLeavesEarlierResultsAlone) {

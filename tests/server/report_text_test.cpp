@@ -66,12 +66,13 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
   EXPECT_EQ(names[1], "t_ns");
   EXPECT_EQ(names[2], "frame_ms");
   for (const std::string& name : names) {
-    const bool unit = name.ends_with("_ms") || name.ends_with("_ns") || name.ends_with("_deg");
+    const bool unit = name.ends_with("_ms") || name.ends_with("_ns") || name.ends_with("_deg") ||
+                      name.ends_with("_deg_s") || name.ends_with("_arcmin");
     const bool count = name == "frame" || name == "missed" || name == "commits" || name.ends_with("_rays") ||
                        name.ends_with("_samples") || name.ends_with("_pixels") || name.ends_with("_values") ||
                        name.ends_with("_frames") || name.ends_with("_ticks") || name.ends_with("_probes") ||
-                       name.ends_with("_share");
-    const bool word = name.find("_source") != std::string::npos;
+                       name.ends_with("_share") || name == "polar_width";
+    const bool word = name.find("_source") != std::string::npos || name == "quality_reason";
     EXPECT_TRUE(unit || count || word) << name;
   }
 }
@@ -95,12 +96,18 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   record.gaze_source = {SampleSource::gliding, SampleSource::exact};
   record.nonfinite_pictures = 3;
   record.repeated_ticks = 2;
+  record.decision = {{16, 315, 128}, QualityReason::grow_limited, 40.5, 48.25};
+  record.head_deg_s = 31.25;
+  record.misregistration_arcmin = 171.5;
   const std::string row = frames_csv_row(record);
   const auto read = frame_record_of(row.substr(0, row.size() - 1));
   ASSERT_TRUE(read);
   EXPECT_EQ(frames_csv_row(*read), row);
   EXPECT_EQ(read->nonfinite_pictures, 3);
   EXPECT_FALSE(read->gaze_age_ms);
+  EXPECT_FALSE(read->feed_turn_arcmin);
+  EXPECT_EQ(read->decision.reason, QualityReason::grow_limited);
+  EXPECT_EQ(read->decision.quality.polar_width, 315);
   ASSERT_TRUE(read->camera_age_ms);
   // Statistics of rows are those of the run: histograms count whole nanoseconds, and rows state them.
   RunStatistics of_run, of_rows;

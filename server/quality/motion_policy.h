@@ -1,0 +1,28 @@
+// Quality from head motion alone (paper, sections 3.2 and 3.3): wide and soft while the head rests, narrow
+// and hard while it moves fast. A pure function of recorded poses. Before: FrameSample::head_speed. After:
+// QualityController.
+#pragma once
+
+#include "server/quality/quality_policy.h"
+
+namespace herr {
+
+struct MotionConfig {
+  double still_deg_s = 10;    // up to this speed a frame has everything: eyes can follow, and see sharply
+  double fast_deg_s = 100;    // from this speed on it has the least; between the two by the speed's logarithm
+  double narrow_share = 0.4;  // width while the head is fast, as a share of the full one
+  double seen_from_m = 2;     // metres moved count as the angle under which they are seen from here
+};
+
+// One number for how fast what is seen moves: the turn, and the way seen from a distance.
+double motion_deg_s(const HeadSpeed& motion, const MotionConfig& config = {});
+
+// 0 at rest, 1 when fast.
+double motion_share(double deg_s, const MotionConfig& config = {});
+
+// Width full * narrow_share^x and light samples N^(1 - x), the latter as a power of two below N.
+// Probes, which carry what they gather from frame to frame, stay as they are.
+QualityDecision quality_for_motion(const HeadSpeed& motion, const QualityLimits& limits,
+                                   const MotionConfig& config = {});
+
+}  // namespace herr

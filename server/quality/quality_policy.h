@@ -1,0 +1,63 @@
+// How the quality of each frame is chosen, and what was decided for one: the words of this folder.
+// Before: the command line names a policy. After: QualityController decides, FrameRecord keeps each decision.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "renderer/renderer.h"
+
+namespace herr {
+
+// Neither: every frame has the quality that the settings ask for (`fixed`).
+struct QualityPolicy {
+  bool motion = false;    // narrow and hard while the head moves fast: reproducible
+  bool deadline = false;  // whatever holds a frame time: depends on the machine
+
+  bool operator==(const QualityPolicy&) const = default;
+};
+const char* name_of(QualityPolicy policy);
+
+// What a policy may choose from. A frame has at least one light sample.
+struct QualityLimits {
+  FrameQuality full;      // as the settings ask for
+  int narrowest = 1;      // polar width per eye
+  int fewest_probes = 0;  // updated in a frame; 0 without probes
+};
+
+// The width that policies do not go below when nobody says another: an eighth.
+int default_narrowest(int full_width);
+// A sixteenth of the probes may wait in turn: what they know is then up to 16 frames old.
+QualityLimits quality_limits(const FrameQuality& full, int narrowest);
+
+// Why a frame has the quality that it has.
+enum class QualityReason : std::uint8_t {
+  fixed,           // policy fixed
+  head_still,      // motion: all of it
+  head_moving,     // motion: less, by how fast the head moves
+  start,           // deadline: no frame has told yet what it costs; as little as possible
+  full,            // deadline: all that may be had fits
+  steady,          // as the frame before: what would fit is within the dead band
+  grow,            // more fits
+  grow_limited,    // more than twice the width fits; it grows to twice
+  hold,            // more would fit, but a frame was missed just before
+  shrink,          // less fits
+  overload,        // frames were missed in a row: less than the cost model says
+  less_light,      // fewer light samples or probes, or the width would fall below half
+  more_light,      // more light samples or probes: they have fitted for a while
+  floor,           // as little as allowed, and that fits
+  floor_too_slow,  // as little as allowed, and the target is still not to be reached
+};
+inline constexpr std::size_t kQualityReasons = 15;
+const char* name_of(QualityReason reason);
+
+struct QualityDecision {
+  FrameQuality quality;
+  QualityReason reason = QualityReason::fixed;
+  std::optional<double> predicted_ms;  // deadline: what the frame should take
+  std::optional<double> aim_ms;        // deadline: the target less head-room
+};
+
+}  // namespace herr

@@ -1,0 +1,39 @@
+// How even the frames of a run are: stutter, and the three frame rates that people call "1 % low".
+// Before: RunStatistics. After: latency_json.
+#pragma once
+
+#include <cstdint>
+
+#include "server/statistics/latency_histogram.h"
+
+namespace herr {
+
+// Frames that take more than kFactor times the mean of those before them, in order of time. The mean is
+// exponential in the time that the frames took: mean' = t + (mean - t) exp(-t / 1 s).
+class Stutter {
+ public:
+  static constexpr double kFactor = 2.5;
+  static constexpr double kMean_s = 1.0;
+
+  void add_ms(double frame_ms);
+  // Counts add up; the mean goes on from `other`, as if its frames had come after these.
+  void merge(const Stutter& other);
+
+  std::int64_t frames() const { return frames_; }
+  double share_of_time() const;  // 0 ... 1; 0 when no time has passed
+
+ private:
+  double mean_ms_ = 0;  // 0: no frame yet
+  double stuttered_ms_ = 0, all_ms_ = 0;
+  std::int64_t frames_ = 0;
+};
+
+// Frames per second; 0 when there is none. All of frame times alone: waiting for a display does not count.
+struct OnePercentLows {
+  double rank_fps = 0;  // 1 / the time that 99 % of the frames do not exceed
+  double mean_fps = 0;  // 1 / the mean of the slowest 1 % of the frames (one at least)
+  double time_fps = 0;  // 1 / the shortest of the slowest frames that together took 1 % of the time
+};
+OnePercentLows one_percent_lows(const LatencyHistogram& frame_times);
+
+}  // namespace herr
