@@ -147,6 +147,12 @@ struct Measurements {
   }
 };
 
+std::array<double, kRayKinds> raw_kinds_ms(RawSide& raw) {
+  std::array<double, kRayKinds> ms{};
+  for (std::size_t k = 0; k < kRayKinds; ++k) ms[k] = raw.rays_ms(k);
+  return ms;
+}
+
 double millions_per_second(double items, double ms) {
   return ms > 0 ? items / ms * 1e-3 : 0;
 }
@@ -176,6 +182,27 @@ Stage stage_of(std::size_t kind) {
 
 }  // namespace
 
+BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& input, double seconds) {
+  Renderer::Impl& frame = renderer.internals();
+  BenchRun run;
+  double frames_ms = 0, raw_ms = 0, probes_ms = 0;
+  RenderedFrame out;
+  BenchInput next = input(0);
+  renderer.render_frame(next.sample, next.state, out);
+  while (frames_ms < 1e3 * seconds) {
+    next = input(++run.frames);
+    renderer.render_frame(next.sample, next.state, out);
+    frames_ms += out.times.frame_ms;
+    probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
+    RawSide raw(frame, out.counters);
+    const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
+    raw_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), raw.pixels_ms());
+  }
+  const double count = std::max(run.frames, 1);
+  run.frame_ms = frames_ms / count, run.raw_ms = raw_ms / count, run.probe_ms = probes_ms / count;
+  return run;
+}
+
 BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats) {
   Renderer::Impl& frame = renderer.internals();
   Measurements measured;
@@ -190,9 +217,7 @@ BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inpu
       FrameSample sample = input.sample;
       sample.t_ns += repeat + 1;
       renderer.render_frame(sample, input.state, out);
-      std::array<double, kRayKinds> kinds_ms{};
-      for (std::size_t k = 0; k < kRayKinds; ++k) kinds_ms[k] = raw.rays_ms(k);
-      measured.add(out.times, kinds_ms, raw.pixels_ms());
+      measured.add(out.times, raw_kinds_ms(raw), raw.pixels_ms());
     }
     measured.end_frame();
     for (std::size_t k = 0; k < kRayKinds; ++k) rays[k] += static_cast<double>(out.counters.rays.of_kind[k]);

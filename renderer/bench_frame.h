@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,18 @@ struct BenchResult {
   FrameCounters counters;            // of the last frame
   std::int64_t most_probe_rays = 0;  // of a frame that updates every probe its budget allows, each set
 };
+
+// A run of a given length, as the paper's Table 1 averages it.
+struct BenchRun {
+  int frames = 0;
+  double frame_ms = 0, raw_ms = 0;  // means over the frames
+  double probe_ms = 0;              // likewise: the stages that update probes
+  double ratio() const { return raw_ms > 0 ? frame_ms / raw_ms : 0; }
+};
+
+// Renders input(0), input(1), ... after one frame that warms up, until their frame times sum up to `seconds`;
+// each frame's raw side is recorded and timed right after it. Thread safety: as Renderer.
+BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& input, double seconds);
 
 // Renders each input once to warm up and to record 1/16 of its tiles (1/256 from 64 light samples on), then
 // `repeats` times in alternation with its raw side. Thread safety: as Renderer.

@@ -4,17 +4,27 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace herr {
 namespace {
 
 constexpr double kThinnestShare = 1.0 / 16.0;  // of the longest edge
 constexpr double kSmallestExtent_m = 1e-3;     // a scene that is a single point
-constexpr int kBlockSide = 4;
 
-// The cells of a grid along one axis: n - 1 between probes, at least one.
+// The cells of a grid along one axis: one before the first probe, those between two, one after the last. Cell
+// i ends at probe i. In the outer ones look-ups take the outermost probes alone.
 int cells_along(int probes) {
-  return std::max(probes - 1, 1);
+  return probes + 1;
+}
+
+// The bits of x, two zeros between each two: x < 2^16.
+std::uint64_t spread_bits(int x) {
+  std::uint64_t spread = 0;
+  for (unsigned bit = 0; bit < 16; ++bit) {
+    spread |= (static_cast<std::uint64_t>(x) >> bit & 1) << (3 * bit);
+  }
+  return spread;
 }
 
 // Marks the cells that a triangle may reach into: those of its bounding box that its plane cuts.
@@ -40,7 +50,7 @@ class CellMarks {
     for (int z = first.z; z <= last.z; ++z) {
       for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
-          const glm::dvec3 middle = (glm::dvec3{x, y, z} + 1.0) * grid_.spacing;
+          const glm::dvec3 middle = glm::dvec3{x, y, z} * grid_.spacing;
           const bool outer = is_outer({x, y, z});
           if (!outer && std::abs(glm::dot(normal, middle - corners[0])) > reach) continue;
           marked_[index(x, y, z)] = true;
@@ -66,10 +76,8 @@ class CellMarks {
   // Is one of the cells that have this probe at a corner marked?
   bool any_around(const glm::ivec3& probe) const {
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 cell = probe - glm::ivec3{corner & 1, corner >> 1 & 1, corner >> 2};
-      glm::ivec3 clamped;
-      for (int axis = 0; axis < 3; ++axis) clamped[axis] = std::clamp(cell[axis], 0, cells_[axis] - 1);
-      if (marked_[index(clamped.x, clamped.y, clamped.z)]) return true;
+      if (marked_[index(probe.x + (corner & 1), probe.y + (corner >> 1 & 1), probe.z + (corner >> 2))])
+        return true;
     }
     return false;
   }
@@ -78,7 +86,7 @@ class CellMarks {
   static constexpr double kSlack = 1e-3;  // of a cell: look-ups round in float
 
   int cell_of(double x, int axis) const {
-    const double cell = std::floor(x / grid_.spacing[axis] - 0.5);
+    const double cell = std::floor(x / grid_.spacing[axis] + 0.5);
     return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cells_[axis] - 1)));
   }
   // Outer cells go on beyond the grid: the plane test of a cell of one spacing does not hold there.
@@ -115,20 +123,15 @@ ProbeGrid probe_grid_of(const Scene& scene) {
   return grid_over(scene.probes.box ? *scene.probes.box : scene_bounds(scene), {n[0], n[1], n[2]});
 }
 
-std::vector<std::int32_t> block_order(const ProbeGrid& grid) {
-  std::vector<std::int32_t> order;
-  order.reserve(static_cast<std::size_t>(grid.size()));
-  for (int z = 0; z < grid.counts.z; ++z) {
-    for (int y0 = 0; y0 < grid.counts.y; y0 += kBlockSide) {
-      for (int x0 = 0; x0 < grid.counts.x; x0 += kBlockSide) {
-        for (int y = y0; y < std::min(y0 + kBlockSide, grid.counts.y); ++y) {
-          for (int x = x0; x < std::min(x0 + kBlockSide, grid.counts.x); ++x) {
-            order.push_back(grid.index({x, y, z}));
-          }
-        }
-      }
-    }
+std::vector<std::int32_t> neighbour_order(const ProbeGrid& grid) {
+  std::vector<std::pair<std::uint64_t, std::int32_t>> codes;
+  for (int i = 0; i < grid.size(); ++i) {
+    const glm::ivec3 at = grid.place(i);
+    codes.emplace_back(spread_bits(at.x) | spread_bits(at.y) << 1 | spread_bits(at.z) << 2, i);
   }
+  std::sort(codes.begin(), codes.end());
+  std::vector<std::int32_t> order;
+  for (const auto& [code, probe] : codes) order.push_back(probe);
   return order;
 }
 

@@ -33,11 +33,13 @@ ProbeGrid grid_over(const Bounds& box, const glm::ivec3& counts);
 // The grid of a scene: what its document states, else 16 x 8 x 16 over the scene's bounds.
 ProbeGrid probe_grid_of(const Scene& scene);
 
-// Indices in blocks of 4 x 4 x 1 neighbours, the order in which probes share ray packets.
-std::vector<std::int32_t> block_order(const ProbeGrid& grid);
+// Indices along Morton's curve, the order in which probes share ray packets: any 16 of it that lie on a wall
+// are neighbours there.
+std::vector<std::int32_t> neighbour_order(const ProbeGrid& grid);
 
 // For each probe: does geometry reach into one of the cells around it? A cell is the box between eight
-// probes, the outer ones unbounded; light is only ever looked up at surfaces, from the probes of their cell.
+// probes, or what lies beyond the outermost, unbounded; light is only ever looked up at surfaces, from the
+// probes of their cell, and beyond the outermost from these alone.
 std::vector<bool> probes_near_geometry(const ProbeGrid& grid, const Scene& scene);
 
 }  // namespace herr

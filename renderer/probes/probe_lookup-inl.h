@@ -8,6 +8,8 @@
 #define HERR_PROBE_LOOKUP_INL
 #endif
 
+#include <bit>
+
 #include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/shadow_rays-inl.h"
 #include "renderer/probes/probe_view.h"
@@ -100,16 +102,20 @@ HWY_INLINE WordPair gather_pair(const std::uint32_t* words, VI pair) {
 HWY_INLINE V3 probe_light(const ProbeView& view, VI probe, const MapTaps& taps, bool one) {
   const VI first = hn::Mul(probe, hn::Set(kI, LightNodes::kCount));
   V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
+  if (one) {
+    for (int tap = 0; tap < 3; ++tap) {
+      const auto pair = static_cast<std::size_t>(hn::GetLane(first) + hn::GetLane(taps.node[tap]));
+      const std::uint32_t* at = view.light + kLightWords * pair;
+      const std::uint32_t b = (at[0] & 0x7ffu) << 20 | (at[1] & 0x3ffu) << 10;
+      const V3 light{set(std::bit_cast<float>(at[0] >> 1 & 0x7ffffc00u)),
+                     set(std::bit_cast<float>(at[1] >> 1 & 0x7ffffc00u)), set(std::bit_cast<float>(b))};
+      sum = mul_add(taps.weight[tap], light, sum);
+    }
+    return sum;
+  }
   const VU upper = hn::Set(kU, 0x7ffffc00u);
   for (int tap = 0; tap < 3; ++tap) {
-    const VI pair = hn::Add(first, taps.node[tap]);
-    WordPair words;
-    if (one) {
-      const std::uint32_t* at = view.light + kLightWords * static_cast<std::size_t>(hn::GetLane(pair));
-      words = {hn::Set(kU, at[0]), hn::Set(kU, at[1])};
-    } else {
-      words = gather_pair(view.light, pair);
-    }
+    const WordPair words = gather_pair(view.light, hn::Add(first, taps.node[tap]));
     const VU b = hn::Or(hn::ShiftLeft<20>(hn::And(words.first, hn::Set(kU, 0x7ffu))),
                         hn::ShiftLeft<10>(hn::And(words.second, hn::Set(kU, 0x3ffu))));
     const V3 light{hn::BitCast(kF, hn::And(hn::ShiftRight<1>(words.first), upper)),
@@ -119,22 +125,45 @@ HWY_INLINE V3 probe_light(const ProbeView& view, VI probe, const MapTaps& taps, 
   return sum;
 }
 
-// How far a probe sees the point `from_probe` away from it: 1 in sight, towards 0 behind what it sees.
-HWY_INLINE VF probe_sight(const ProbeView& view, VI probe, const V3& from_probe) {
-  const VF inverse_norm = hn::Div(set(1.0f), norm_of(from_probe));
-  const MapTaps taps = map_taps<kDistanceNodes>(from_probe, inverse_norm);
+// Where a probe's distance map is asked about a point. `one`: all lanes ask the same nodes.
+struct SightLine {
+  VF inverse_norm;
+  MapTaps taps;
+  bool one;
+};
+HWY_INLINE SightLine sight_line(VI probe, const V3& from_probe, bool one_probe) {
+  SightLine line;
+  line.inverse_norm = hn::Div(set(1.0f), norm_of(from_probe));
+  line.taps = map_taps<kDistanceNodes>(from_probe, line.inverse_norm);
   const VI first = hn::Mul(probe, hn::Set(kI, DistanceNodes::kCount));
+  for (VI& node : line.taps.node) node = hn::Add(first, node);
+  const auto differs = [](VI node) HWY_ATTR { return hn::Ne(node, hn::Set(kI, hn::GetLane(node))); };
+  const VI* node = line.taps.node;
+  line.one =
+      one_probe && hn::AllFalse(kI, hn::Or(differs(node[0]), hn::Or(differs(node[1]), differs(node[2]))));
+  return line;
+}
+
+// How far a probe sees the point at the end of `line`: 1 in sight, towards 0 behind what it sees.
+HWY_INLINE VF probe_sight(const ProbeView& view, const SightLine& line) {
   VF seen = hn::Zero(kF), deviation = hn::Zero(kF);
   for (int tap = 0; tap < 3; ++tap) {
-    const VU word = hn::GatherIndex(kU, view.distances, hn::Add(first, taps.node[tap]));
-    const VF inverse = hn::ConvertTo(kF, hn::BitCast(kI, hn::And(word, hn::Set(kU, 0xffffu))));
-    const VF spread = hn::ConvertTo(kF, hn::BitCast(kI, hn::ShiftRight<16>(word)));
-    seen = hn::MulAdd(taps.weight[tap], inverse, seen);
-    deviation = hn::MulAdd(taps.weight[tap], spread, deviation);
+    VF inverse, spread;
+    if (line.one) {
+      const std::uint32_t word = view.distances[hn::GetLane(line.taps.node[tap])];
+      inverse = set(static_cast<float>(word & 0xffffu));
+      spread = set(static_cast<float>(word >> 16));
+    } else {
+      const VU word = hn::GatherIndex(kU, view.distances, line.taps.node[tap]);
+      inverse = hn::ConvertTo(kF, hn::BitCast(kI, hn::And(word, hn::Set(kU, 0xffffu))));
+      spread = hn::ConvertTo(kF, hn::BitCast(kI, hn::ShiftRight<16>(word)));
+    }
+    seen = hn::MulAdd(line.taps.weight[tap], inverse, seen);
+    deviation = hn::MulAdd(line.taps.weight[tap], spread, deviation);
   }
   // Inverse distances, so what lies behind is smaller. A tolerance ds of distance is ds / s^2 of its inverse.
   const float steps = kDistanceSteps * view.nearest;
-  const VF behind = hn::Max(hn::NegMulAdd(inverse_norm, set(steps), seen), hn::Zero(kF));
+  const VF behind = hn::Max(hn::NegMulAdd(line.inverse_norm, set(steps), seen), hn::Zero(kF));
   const VF tolerance =
       hn::MulAdd(hn::Mul(seen, seen), set(view.tolerance_m / steps), hn::Add(deviation, set(0.5f)));
   const VF variance = hn::Mul(tolerance, tolerance);
@@ -235,11 +264,31 @@ HWY_INLINE VF standing_weight(const LookupPoint& at, const ProbeStand& stand, in
   return hn::IfThenElseZero(at.surface, hn::Mul(weight, stand.usable));
 }
 
-// Mean radiance from all sides (irradiance / pi) at a point, without the lights' own. The environment answers
-// where no probe can and the surface faces out of the volume.
-HWY_INLINE V3 indirect_radiance(const ProbeView& view, const ShadingInputs& shading, const LookupPoint& at) {
-  V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
-  VF weights = hn::Zero(kF);
+// What one set of probes says about a point: a weighed sum, and the weights.
+struct ProbeSum {
+  V3 light;
+  VF weights;
+
+  // Mean radiance from all sides (irradiance / pi), without the lights' own. The environment answers where no
+  // probe can and the surface faces out of the volume.
+  HWY_INLINE V3 radiance(const ShadingInputs& shading, const LookupPoint& at) const {
+    const VF one = set(1.0f);
+    const VF scale_up = hn::Div(one, hn::Max(weights, set(kSmallestKnowledge)));
+    const VF unknown = hn::Max(hn::NegMulAdd(weights, set(1.0f / kSmallestKnowledge), one), hn::Zero(kF));
+    const VF open = hn::IfThenElseZero(hn::And(at.surface, at.cell.faces_out), unknown);
+    const V3 known = scale(light, scale_up);
+    if (hn::AllFalse(kF, hn::Gt(open, hn::Zero(kF)))) return known;
+    return mul_add(open, environment_radiance(shading, at.normal), known);
+  }
+};
+
+// Asks the eight probes around a point, in every set: their places are the same in all, what they see and
+// have gathered is not.
+template <int kSets>
+HWY_INLINE void ask_probes(const ProbeView* const (&views)[kSets], const LookupPoint& at,
+                           ProbeSum (&sums)[kSets]) {
+  for (ProbeSum& sum : sums) sum = {{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)}, hn::Zero(kF)};
+  const ProbeView& view = *views[0];
   const VI first = at.one_cell ? first_of(at.cell.first, at.surface) : at.cell.first;
   for (int corner = 0; corner < 8; ++corner) {
     const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
@@ -248,19 +297,16 @@ HWY_INLINE V3 indirect_radiance(const ProbeView& view, const ShadingInputs& shad
                      (view.counts[2] > 1 ? dz * view.counts[0] * view.counts[1] : 0);
     const VI probe = hn::Add(first, hn::Set(kI, step));
     const ProbeStand stand = probe_stand(view, probe, at.one_cell);
-    VF weight = standing_weight(at, stand, dx, dy, dz);
-    if (hn::AllFalse(kF, hn::Gt(weight, hn::Zero(kF)))) continue;
-    weight = hn::Mul(weight, probe_sight(view, probe, sub(at.seen_point, stand.place)));
-    sum = mul_add(weight, probe_light(view, probe, at.light_taps, at.one_cell && at.one_normal), sum);
-    weights = hn::Add(weights, weight);
+    const VF standing = standing_weight(at, stand, dx, dy, dz);
+    if (hn::AllFalse(kF, hn::Gt(standing, hn::Zero(kF)))) continue;
+    const SightLine line = sight_line(probe, sub(at.seen_point, stand.place), at.one_cell);
+    for (int i = 0; i < kSets; ++i) {
+      const VF weight = hn::Mul(standing, probe_sight(*views[i], line));
+      const V3 light = probe_light(*views[i], probe, at.light_taps, at.one_cell && at.one_normal);
+      sums[i].light = mul_add(weight, light, sums[i].light);
+      sums[i].weights = hn::Add(sums[i].weights, weight);
+    }
   }
-  const VF one = set(1.0f);
-  const VF scale_up = hn::Div(one, hn::Max(weights, set(kSmallestKnowledge)));
-  const VF unknown = hn::Max(hn::NegMulAdd(weights, set(1.0f / kSmallestKnowledge), one), hn::Zero(kF));
-  const VF open = hn::IfThenElseZero(hn::And(at.surface, at.cell.faces_out), unknown);
-  const V3 known = scale(sum, scale_up);
-  if (hn::AllFalse(kF, hn::Gt(open, hn::Zero(kF)))) return known;
-  return mul_add(open, environment_radiance(shading, at.normal), known);
 }
 
 // Indirect light of hits [0, count); of catchers also what they receive without the virtual objects.
@@ -274,16 +320,21 @@ HWY_INLINE void indirect_light(const TileJob& job, HitBatch& hits, int count) {
   for (int slot = 0; slot < count; slot += kLanes) {
     const MF catcher = of_kind(hits, slot, HitKind::catcher);
     const MF surface = hn::Or(of_kind(hits, slot, HitKind::object), catcher);
-    V3 light{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
     if (hn::AllFalse(kF, surface)) {
-      store(light, hits.ir, hits.ig, hits.ib, slot);
+      store({hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)}, hits.ir, hits.ig, hits.ib, slot);
       continue;
     }
     const LookupPoint at = lookup_point(*shading.probes, hits, slot, surface);
-    store(indirect_radiance(*shading.probes, shading, at), hits.ir, hits.ig, hits.ib, slot);
-    if (shading.catcher_probes == nullptr || hn::AllFalse(kF, catcher)) continue;
-    light = indirect_radiance(*shading.catcher_probes, shading, at);
-    store(light, hits.jr, hits.jg, hits.jb, slot);
+    if (shading.catcher_probes == nullptr || hn::AllFalse(kF, catcher)) {
+      ProbeSum sums[1];
+      ask_probes<1>({shading.probes}, at, sums);
+      store(sums[0].radiance(shading, at), hits.ir, hits.ig, hits.ib, slot);
+      continue;
+    }
+    ProbeSum sums[2];
+    ask_probes<2>({shading.probes, shading.catcher_probes}, at, sums);
+    store(sums[0].radiance(shading, at), hits.ir, hits.ig, hits.ib, slot);
+    store(sums[1].radiance(shading, at), hits.jr, hits.jg, hits.jb, slot);
   }
 }
 

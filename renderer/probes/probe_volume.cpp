@@ -14,7 +14,7 @@ constexpr std::int64_t kLookAgain = 64;   // frames between two looks of a sleep
 constexpr double kMorePower = 2;          // lights that grow by more than this factor wake sleeping probes
 constexpr double kNearestShare = 0.1;     // of the smallest spacing: nearer geometry is taken to be there
 constexpr double kToleranceShare = 0.01;  // of the smallest spacing
-constexpr std::uint32_t kStateVersion = 1;
+constexpr std::uint32_t kStateVersion = 2;
 constexpr char kStateMark[8] = {'H', 'E', 'R', 'R', 'P', 'R', 'O', 'B'};
 
 // Appends and takes plain values and arrays of them, in one order for both directions.
@@ -72,7 +72,7 @@ ProbeVolume::ProbeVolume(const ProbeGrid& grid_in, const ProbeSettings& settings
     : grid(grid_in),
       settings(settings_in),
       sets(static_cast<std::size_t>(set_count)),
-      order_(block_order(grid)) {
+      order_(neighbour_order(grid)) {
   const auto n = static_cast<std::size_t>(grid.size());
   for (int node = 0; node < LightNodes::kCount; ++node) {
     if (LightNodes::first_of(node) == node) node_directions.push_back(LightNodes::direction(node));

@@ -8,6 +8,7 @@
 
 #include "renderer/bench_frame.h"
 #include "server/bench/bench_report.h"
+#include "server/bench/frame_time_table.h"
 #include "server/bench/ray_limits.h"
 #include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
@@ -44,6 +45,41 @@ std::filesystem::path session_of(const BenchOptions& options) {
   return kDefaultSession;
 }
 
+// Each instant many times over: medians.
+int measure_frames(const BenchOptions& options, const Scene& scene, bool camera,
+                   const std::vector<BenchInput>& inputs, BenchSubject& subject) {
+  Renderer renderer(scene, subject.profile, options.render, camera);
+  subject.settings = renderer.settings();
+  const BenchResult result = bench_frames(renderer, inputs, options.repeats);
+  print_result(options.json ? json_text(bench_json(result, subject)) : bench_table(result, subject));
+  const std::string excess =
+      rays_beyond_plan(result, renderer.plan(), scene.lights.size(), renderer.settings());
+  if (excess.empty()) return kExitDone;
+  print_message(excess);
+  return kExitInternal;
+}
+
+// Runs of the same length for each size of the polar buffer and each number of light samples: means.
+int average_frames(const BenchOptions& options, const Scene& scene, bool camera,
+                   const std::vector<BenchInput>& inputs, BenchSubject& subject) {
+  std::vector<FrameTimeRow> rows = empty_table(options.render, options.polar_given);
+  for (FrameTimeRow& row : rows) {
+    for (std::size_t i = 0; i < kTableLightSamples.size(); ++i) {
+      RenderSettings settings = options.render;
+      settings.polar_width = row.polar_width;
+      settings.polar_height = row.polar_height;
+      settings.light_samples = kTableLightSamples[i];
+      Renderer renderer(scene, subject.profile, settings, camera);
+      subject.settings = renderer.settings();
+      const auto input = [&](int k) { return spread_input(inputs, k, subject.profile.display_hz); };
+      row.cells[i] = bench_run(renderer, input, options.seconds);
+    }
+  }
+  print_result(options.json ? json_text(frame_times_json(rows, subject, options.seconds))
+                            : frame_times_table(rows, subject, options.seconds));
+  return kExitDone;
+}
+
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
@@ -60,23 +96,16 @@ int run_bench(const BenchOptions& options) {
   const Scene scene = load_scene(scene_file);
   const DisplayProfile profile =
       options.profile.empty() ? header.profile : load_display_profile(options.profile);
-  Renderer renderer(scene, profile, options.render, session.findings().camera_rows[0] > 0);
-  const BenchResult result =
-      bench_frames(renderer, choose_inputs(session, scene, options.frames), options.repeats);
-
   BenchSubject subject;
   subject.session = header.name;
   subject.scene = scene.name;
   subject.cpu_name = cpu_name();
   subject.triangles = triangle_count(scene, false);
   subject.profile = profile;
-  subject.settings = renderer.settings();
-  print_result(options.json ? json_text(bench_json(result, subject)) : bench_table(result, subject));
-  const std::string excess =
-      rays_beyond_plan(result, renderer.plan(), scene.lights.size(), renderer.settings());
-  if (excess.empty()) return kExitDone;
-  print_message(excess);
-  return kExitInternal;
+  const std::vector<BenchInput> inputs = choose_inputs(session, scene, options.frames);
+  const bool camera = session.findings().camera_rows[0] > 0;
+  return options.table ? average_frames(options, scene, camera, inputs, subject)
+                       : measure_frames(options, scene, camera, inputs, subject);
 }
 
 }  // namespace herr

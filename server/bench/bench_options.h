@@ -13,8 +13,11 @@ struct BenchOptions {
   std::string scene;              // empty: the scene that the session names
   std::string profile;            // empty: the profile of the session
   RenderSettings render;
-  int frames = 8;   // instants of the session, spread evenly over it
-  int repeats = 5;  // each instant is measured this often
+  int frames = 8;            // instants of the session, spread evenly over it
+  int repeats = 5;           // each instant is measured this often
+  bool table = false;        // the paper's Table 1 instead: averages over runs
+  double seconds = 10;       // of frame time that each of its cells is averaged over
+  bool polar_given = false;  // one row, for render's polar buffer; else one for each of the paper's two
   bool json = false;
 };
 

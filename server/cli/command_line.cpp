@@ -37,6 +37,14 @@ void add_bench(CLI::App& app, BenchOptions& options) {
     options.repeats = static_cast<int>(parse_whole_number("--repeats", text, 1, 1000));
   });
   app.add_flag_callback(
+      "--table", [&] { options.table = true; },
+      "average frame times with 1, 64 and 256 light samples instead, for polar buffers 1576x768 and "
+      "2048x1024 "
+      "or the one of --polar");
+  value_flag(
+      app, "--seconds", "S", "frame time that each cell of --table is averaged over (default 10)",
+      [&](const std::string& text) { options.seconds = parse_real_number("--seconds", text, 0.001, 3600); });
+  app.add_flag_callback(
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
 }
 
@@ -58,6 +66,20 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
   add_machine_flags(app, options.render);
   app.add_flag_callback(
       "--overwrite", [&] { options.probes.overwrite = true; }, "replace the folder of an earlier --probes");
+}
+
+// What no single flag of bench can know.
+void check_bench_flags(const CLI::App& app, BenchOptions& options) {
+  options.polar_given = app.count("--polar") > 0;
+  if (!options.table) {
+    if (app.count("--seconds") > 0) throw UsageError("--seconds: is of --table only; leave it out");
+    return;
+  }
+  for (const char* flag : {"--light-samples", "--quality"}) {
+    if (app.count(flag) > 0)
+      throw UsageError(std::string(flag) + ": the columns of --table have 1, 64 and 256; leave it out");
+  }
+  if (app.count("--repeats") > 0) throw UsageError("--repeats: --table has --seconds instead");
 }
 
 void add_inspect(CLI::App& app, InspectOptions& options) {
@@ -272,7 +294,10 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     check_required(parser->serve.replay);
     return parser->serve;
   }
-  if (parser->bench_command->parsed()) return parser->bench;
+  if (parser->bench_command->parsed()) {
+    check_bench_flags(*parser->bench_command, parser->bench);
+    return parser->bench;
+  }
   if (parser->check_command->parsed()) {
     parser->check.run_arguments = measured_run_arguments(*parser->check_command);
     check_check_options(parser->check);

@@ -1,5 +1,6 @@
 #include "server/replay/summary_json.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "server/cli/version.h"
@@ -96,10 +97,16 @@ const char* name_of(ReplayState state) {
   return "unknown";
 }
 
-Json probes_json(const ProbeCounts& probes) {
-  return {{"active", probes.active},     {"relocated", probes.relocated},
-          {"inactive", probes.inactive}, {"updated_per_frame", probes.updated},
-          {"reacting", probes.reacting}, {"variability", probes.variability}};
+Json probes_json(const RunStatistics& run) {
+  const ProbeCounts& probes = run.probes;
+  const RayCounts& all = run.counters.rays;
+  const std::int64_t rays = all[RayKind::probe] + all[RayKind::probe_shadow] + all[RayKind::catcher_probe] +
+                            all[RayKind::catcher_probe_shadow];
+  return {
+      {"active", probes.active},          {"relocated", probes.relocated},
+      {"inactive", probes.inactive},      {"updated_per_frame", probes.updated},
+      {"reacting", probes.reacting},      {"rays_per_frame", rays / std::max<std::int64_t>(run.frames, 1)},
+      {"variability", probes.variability}};
 }
 
 Json plan_json(const FramePlan& plan) {
@@ -143,7 +150,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   json["definitions"] = definitions_json(options.clock);
   json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
   json["plan"] = plan_json(report.plan);
-  if (report.plan.probes) json["probes"] = probes_json(report.statistics.probes);
+  if (report.plan.probes) json["probes"] = probes_json(report.statistics);
   json["output"] = {{"folder", report.out_folder.string()},
                     {"picture_files", report.files_written},
                     {"picture_bytes", report.bytes_written},
@@ -177,12 +184,15 @@ std::string json_text(const Json& document) {
 }
 
 std::string settings_text(const RenderSettings& settings) {
-  std::string text =
+  const std::string rays =
       settings.foveation == Foveation::off
           ? std::string("foveation off")
           : "polar " + std::to_string(2 * settings.polar_width) + "x" + std::to_string(settings.polar_height);
-  text += ", light samples " + std::to_string(settings.light_samples);
-  text += settings.reflections ? ", reflections" : ", no reflections";
+  return rays + ", light samples " + std::to_string(settings.light_samples) + ", " + features_text(settings);
+}
+
+std::string features_text(const RenderSettings& settings) {
+  std::string text = settings.reflections ? "reflections" : "no reflections";
   text += settings.camera ? ", camera" : ", no camera";
   if (settings.probes.on) text += ", probes with " + std::to_string(settings.probes.rays) + " rays";
   if (settings.probes.on && settings.probes.budget > 0) {

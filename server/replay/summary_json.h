@@ -14,8 +14,10 @@ namespace herr {
 nlohmann::ordered_json summary_json(const SessionReport& report, const ReplayOptions& options);
 // What is replayed and how: {"session", "scene", "profile", "settings"}.
 nlohmann::ordered_json subject_json(const SessionReport& report, const ReplayOptions& options);
+// Of the last frame: probes by state and how much the light changes. Of the run: the rays that their update
+// traced in a frame on average.
+nlohmann::ordered_json probes_json(const RunStatistics& run);
 // [{"name", "runs", "reason"}, ...]
-nlohmann::ordered_json probes_json(const ProbeCounts& probes);
 nlohmann::ordered_json plan_json(const FramePlan& plan);
 // {"sessions": [...], "total": {...}, "exit_code": N} of a whole run.
 nlohmann::ordered_json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options,
@@ -25,5 +27,7 @@ std::string json_text(const nlohmann::ordered_json& document);
 
 // One line with every setting that shapes the pictures, for file headers.
 std::string settings_text(const RenderSettings& settings);
+// The same without the size of the polar buffer and the number of light samples.
+std::string features_text(const RenderSettings& settings);
 
 }  // namespace herr

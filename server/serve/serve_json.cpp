@@ -145,7 +145,7 @@ Json plan_reply_json(const ServeSnapshot& snapshot) {
           {"session", snapshot.subject ? Json(snapshot.subject->name) : Json(nullptr)},
           {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()},
           {"probes", snapshot.run.frames > 0 && snapshot.subject && snapshot.subject->plan.probes
-                         ? probes_json(snapshot.run.probes)
+                         ? probes_json(snapshot.run)
                          : Json()}};
 }
 

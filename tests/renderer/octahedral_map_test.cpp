@@ -1,6 +1,7 @@
 // The octahedral map: there and back, seams included; planes without error; its density; ray sets.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -9,6 +10,7 @@
 #include "renderer/probes/probe_grid.h"
 #include "renderer/probes/probe_rays.h"
 #include "tests/renderer/scalar_probes.h"
+#include "tests/renderer/test_scenes.h"
 
 namespace herr {
 namespace {
@@ -119,11 +121,45 @@ TEST(ProbeGridTest, ProbesStandInTheMiddlesOfEqualParts) {
   EXPECT_EQ(grid.position({0, 0, 0}), (glm::dvec3{0.15625, 0.15625, 0.3125}));
   EXPECT_EQ(grid.position({15, 7, 15}), (glm::dvec3{4.84375, 2.34375, 9.6875}));
   for (const int index : {0, 15, 16, 100, 2047}) EXPECT_EQ(grid.index(grid.place(index)), index);
-  const auto order = block_order(grid);
+}
+
+TEST(ProbeGridTest, SixteenProbesInARowAreNeighboursOnEveryWall) {
+  // Morton's curve takes aligned blocks of 4 x 4 one after the other in any plane of the grid.
+  const ProbeGrid grid = grid_over({{0, 0, 0}, {5, 2.5, 10}}, {16, 8, 16});
+  const auto order = neighbour_order(grid);
   EXPECT_EQ(std::set<std::int32_t>(order.begin(), order.end()).size(), 2048u);
-  for (std::size_t i = 0; i < 16; ++i) {  // the first packet: 4 x 4 x 1
-    EXPECT_EQ(grid.place(order[i]), (glm::ivec3{i % 4, i / 4, 0}));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int layer = 0; layer < grid.counts[axis]; ++layer) {
+      std::vector<glm::ivec3> wall;
+      for (const std::int32_t probe : order) {
+        if (grid.place(probe)[axis] == layer) wall.push_back(grid.place(probe));
+      }
+      for (std::size_t first = 0; first < wall.size(); first += 16) {
+        for (std::size_t i = first; i < first + 16; ++i)
+          EXPECT_EQ(wall[i] / 4, wall[first] / 4) << axis << ", " << i;
+      }
+    }
   }
+}
+
+TEST(ProbeGridTest, AWallBeyondTheOutermostProbesNeedsThoseAlone) {
+  // The box's own walls lie half a cell outside the grid, where a look-up clamps to the outermost layer. A
+  // closed room of 6 x 5 x 4 probes needs all of them but 4 x 3 x 2 inside; a floor alone, one layer of 6
+  // x 4.
+  const auto near = [](const Scene& scene) {
+    const auto flags = probes_near_geometry(grid_over({{0, 0, 0}, {6, 5, 4}}, {6, 5, 4}), scene);
+    return std::count(flags.begin(), flags.end(), true);
+  };
+  Scene room;
+  test::add(room, test::box({0, 0, 0}, {6, 5, 4}), test::matte(glm::vec3{0.5f}));
+  EXPECT_EQ(near(room), 6 * 5 * 4 - 4 * 3 * 2);
+  Scene floor;
+  test::add(floor, test::quad({0, 0, 4}, {6, 0, 0}, {0, 0, -4}), test::matte(glm::vec3{0.5f}));
+  EXPECT_EQ(near(floor), 6 * 4);
+  // Inside, a surface between two layers needs both.
+  Scene shelf;
+  test::add(shelf, test::quad({0, 2.2f, 4}, {6, 0, 0}, {0, 0, -4}), test::matte(glm::vec3{0.5f}));
+  EXPECT_EQ(near(shelf), 2 * 6 * 4);
 }
 
 TEST(ProbeGridTest, AFlatBoxIsGivenAThickness) {

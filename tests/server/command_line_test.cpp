@@ -242,6 +242,23 @@ TEST(CommandLine, OtherMistakesAreOneLineOfUsageToo) {
   EXPECT_NE(complaint({"repaly", "walk"}).find("did you mean replay?"), std::string::npos);
 }
 
+TEST(CommandLine, TheTableOfBenchHasColumnsOfItsOwn) {
+  for (const Arguments& arguments : {Arguments{"bench", "--table", "--light-samples", "4"},
+                                     {"bench", "--table", "--quality", "soft"},
+                                     {"bench", "--table", "--repeats", "3"},
+                                     {"bench", "--seconds", "3"},
+                                     {"bench", "--table", "--seconds", "0"}}) {
+    EXPECT_NE(complaint(arguments), "") << arguments.back();
+  }
+  const auto bench = [](const Arguments& arguments) {
+    return std::get<BenchOptions>(parse_command_line(arguments));
+  };
+  EXPECT_FALSE(bench({"bench", "--polar", "64x32"}).table);
+  EXPECT_FALSE(bench({"bench", "--table"}).polar_given);
+  EXPECT_TRUE(bench({"bench", "--table", "--polar", "64x32"}).polar_given);
+  EXPECT_EQ(bench({"bench", "--table", "--seconds", "2.5"}).seconds, 2.5);
+}
+
 TEST(CommandLine, HelpAndVersionNeverFail) {
   for (const Arguments& arguments : {Arguments{"--help"},
                                      {"replay", "--help"},

@@ -215,6 +215,35 @@ TEST_F(Serve, ThePlanSaysWhatRunsAndWhy) {
   EXPECT_EQ(plan[0]["name"], "mirror rays");
   EXPECT_EQ(plan[0]["runs"], true);
   EXPECT_EQ(plan[0]["reason"], "2 of 20 instances reflect");
+  EXPECT_TRUE(get_json("/v1/plan")["probes"].is_null()) << "the plan has no probes";
+}
+
+TEST_F(Serve, ThePlanSaysHowTheProbesOfTheLastFrameFare) {
+  ServeSnapshot snapshot;
+  snapshot.phase = ServePhase::running;
+  auto report = subject();
+  report->plan.probes = true;
+  snapshot.subject = report;
+  FrameRecord record;
+  record.counters.rays[RayKind::primary] = 5000;
+  record.counters.rays[RayKind::probe] = 900;
+  snapshot.run.add(record);
+  record.probes = {
+      .active = 700, .relocated = 30, .inactive = 1348, .updated = 256, .reacting = 2, .variability = 0.125};
+  record.counters.rays[RayKind::probe] = 400, record.counters.rays[RayKind::probe_shadow] = 300;
+  record.counters.rays[RayKind::catcher_probe] = 20;
+  record.counters.rays[RayKind::catcher_probe_shadow] = 2;
+  snapshot.run.add(record);
+  snapshot.rendered = 2;
+  board_.snapshot.set(std::make_shared<const ServeSnapshot>(std::move(snapshot)));
+  const json probes = get_json("/v1/plan")["probes"];
+  EXPECT_EQ(probes["active"], 700);
+  EXPECT_EQ(probes["relocated"], 30);
+  EXPECT_EQ(probes["inactive"], 1348);
+  EXPECT_EQ(probes["updated_per_frame"], 256);
+  EXPECT_EQ(probes["reacting"], 2);
+  EXPECT_EQ(probes["rays_per_frame"], 811);  // of probes only: (900 + 0 + 0 + 400 + 300 + 20 + 2) / 2
+  EXPECT_EQ(probes["variability"], 0.125);
 }
 
 TEST_F(Serve, PicturesAreReducedAndEncodedOncePerFrame) {

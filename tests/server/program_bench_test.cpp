@@ -59,5 +59,30 @@ TEST(BenchSmoke, MeasuresOneFrameOnAvx512) {
   measure_one_frame_on(Isa::avx512);
 }
 
+TEST(BenchSmoke, AveragesRunsAsTheTableOfThePaperDoes) {
+  const std::filesystem::path source = test::source_dir();
+  if (!std::filesystem::exists(source / "scenes/samples/generated/teapot.glb")) {
+    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+  }
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string() + "/out";
+  const std::string line = "cd '" + source.string() + "' && " + test::program_path() +
+                           " bench --table --seconds 0.001 --json --frames 1 --polar 64x32 --probes"
+                           " --profile xr1-half >'" +
+                           out + "'";
+  const int status = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  ASSERT_EQ(WEXITSTATUS(status), 0);
+  const auto json = nlohmann::json::parse(content_of(out));
+  ASSERT_EQ(json["table"].size(), 3u);  // one size, three numbers of light samples
+  for (const auto& cell : json["table"]) {
+    EXPECT_EQ(cell["polar"], "64x32");
+    EXPECT_EQ(cell["frames"], 1);  // any frame takes longer than a millisecond
+    EXPECT_GT(cell["frame_ms"].get<double>(), cell["probe_ms"].get<double>());
+    EXPECT_GT(cell["probe_ms"].get<double>(), 0);
+    EXPECT_GT(cell["raw_ms"].get<double>(), 0);
+  }
+}
+
 }  // namespace
 }  // namespace herr

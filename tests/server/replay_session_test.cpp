@@ -53,6 +53,21 @@ TEST_F(ReplaySession, CountsTrianglesOnceAndNoCatchers) {
   EXPECT_EQ(summary()["scene"]["triangles"], 1);
 }
 
+TEST_F(ReplaySession, TheSummarySaysHowTheProbesOfTheLastFrameFare) {
+  options_.render.probes.on = true;
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  const nlohmann::json probes = summary()["probes"];
+  // 16 x 8 x 16 by default; every awake one is updated in each frame, by 64 rays in each of two sets.
+  EXPECT_EQ(probes["active"].get<int>() + probes["inactive"].get<int>(), 2048);
+  EXPECT_GT(probes["active"], 0);
+  EXPECT_GE(probes["updated_per_frame"], probes["active"]);
+  EXPECT_GT(probes["rays_per_frame"].get<std::int64_t>(), 64 * probes["active"].get<std::int64_t>());
+  EXPECT_GE(probes["relocated"], 0);
+  EXPECT_GT(probes["variability"], 0);
+  EXPECT_LE(probes["variability"], 1);
+}
+
 // Grey, but for one NaN, one infinite and one negative value: three values that cannot be light.
 void write_impossible_light(const fs::path& file) {
   OIIO::ImageSpec spec(64, 48, 3, OIIO::TypeDesc::FLOAT);

@@ -1,0 +1,102 @@
+#include "server/bench/frame_time_table.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "renderer/lighting/light_records.h"
+#include "server/cli/version.h"
+#include "server/replay/summary_json.h"
+#include "server/statistics/number_text.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSizeWidth = 14, kCellWidth = 22;
+
+std::string size_text(const FrameTimeRow& row) {
+  return std::to_string(2 * row.polar_width) + "x" + std::to_string(row.polar_height);
+}
+
+// One line of the table: its name, then one cell for each number of light samples.
+template <typename Cell>
+std::string line(const std::string& name, Cell&& cell) {
+  std::string text = left_aligned(name, kSizeWidth);
+  for (std::size_t i = 0; i < kTableLightSamples.size(); ++i) text += right_aligned(cell(i), kCellWidth);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::vector<FrameTimeRow> empty_table(const RenderSettings& settings, bool one_size) {
+  if (one_size) return {{settings.polar_width, settings.polar_height, {}}};
+  return {{1576 / 2, 768, {}}, {2048 / 2, 1024, {}}};
+}
+
+BenchInput spread_input(const std::vector<BenchInput>& inputs, int k, double display_hz) {
+  const int count = static_cast<int>(inputs.size());
+  const int place = static_cast<int>(std::int64_t{k} * spreading_stride(count) % count);
+  BenchInput input = inputs[static_cast<std::size_t>(place)];
+  input.sample.t_ns = inputs.front().sample.t_ns + std::llround(k * 1e9 / display_hz);
+  return input;
+}
+
+Json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject, double seconds) {
+  Json cells = Json::array();
+  for (const FrameTimeRow& row : rows) {
+    for (std::size_t i = 0; i < kTableLightSamples.size(); ++i) {
+      const BenchRun& run = row.cells[i];
+      cells.push_back({{"polar", size_text(row)},
+                       {"light_samples", kTableLightSamples[i]},
+                       {"frame_ms", run.frame_ms},
+                       {"raw_ms", run.raw_ms},
+                       {"ratio", run.ratio()},
+                       {"probe_ms", run.probe_ms},
+                       {"frames", run.frames}});
+    }
+  }
+  return {{"format_version", 1},
+          {"program", program_with_version()},
+          {"table", cells},
+          {"seconds", seconds},
+          {"session", subject.session},
+          {"scene", subject.scene},
+          {"triangles", subject.triangles},
+          {"profile", subject.profile.name},
+          {"settings", features_text(subject.settings)},
+          {"isa", name_of(subject.settings.isa)},
+          {"threads", subject.settings.threads},
+          {"cpu", subject.cpu_name},
+          {"definitions",
+           {{"frame_ms", "mean wall time of a run's frames, which sum up to `seconds` at least"},
+            {"raw_ms",
+             "mean time of the same rays through bare Embree packets and the same pixels through a bare "
+             "fetch-blend-store kernel, timed after each frame"},
+            {"ratio", "frame_ms / raw_ms"},
+            {"probe_ms", "mean time of the stages probe_rays and probe_update, a part of frame_ms"}}}};
+}
+
+std::string frame_times_table(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject,
+                              double seconds) {
+  std::string text = printable(subject.session) + ", " + printable(subject.scene) + " (" +
+                     std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) +
+                     ", " + features_text(subject.settings) + "\n" + subject.cpu_name + ", " +
+                     std::to_string(subject.settings.threads) + " threads, " + name_of(subject.settings.isa) +
+                     "\n\naverage frame time in ms (frame / raw), each over " + shortest_text(seconds) +
+                     " s of frames\n";
+  text += line("polar buffer", [](std::size_t i) {
+    return std::to_string(kTableLightSamples[i]) + (i == 0 ? " light sample" : " light samples");
+  });
+  for (const FrameTimeRow& row : rows) {
+    text += line(size_text(row), [&](std::size_t i) {
+      return fixed_text(row.cells[i].frame_ms, 1) + " (" + fixed_text(row.cells[i].ratio(), 2) + ")";
+    });
+    if (!subject.settings.probes.on) continue;
+    text += line("  probe update", [&](std::size_t i) { return fixed_text(row.cells[i].probe_ms, 1); });
+  }
+  return text;
+}
+
+}  // namespace herr

@@ -1,0 +1,36 @@
+// Average frame times by size of the polar buffer and number of light samples: the form of the paper's Table
+// 1
+// ("Performance Measurements", averages of 10 seconds), with frame / raw beside each.
+// Before: bench_command opened session and scene. After: printed, for people or as JSON.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/bench_frame.h"
+#include "server/bench/bench_report.h"
+
+namespace herr {
+
+inline constexpr std::array<int, 3> kTableLightSamples{1, 64, 256};
+
+struct FrameTimeRow {
+  int polar_width = 788, polar_height = 768;  // per eye
+  std::array<BenchRun, kTableLightSamples.size()> cells;
+};
+
+// The sizes to measure: that of `settings` alone where it was asked for, else the paper's two.
+std::vector<FrameTimeRow> empty_table(const RenderSettings& settings, bool one_size);
+
+// Input k of a run: the instants of `inputs` in an order that spreads over the session however few frames a
+// run has, each one display period after the last, so that time never runs backwards.
+BenchInput spread_input(const std::vector<BenchInput>& inputs, int k, double display_hz);
+
+nlohmann::ordered_json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject,
+                                        double seconds);
+std::string frame_times_table(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject,
+                              double seconds);
+
+}  // namespace herr

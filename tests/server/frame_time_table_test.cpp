@@ -1,0 +1,74 @@
+// The table of average frame times, for people and for machines, and the order in which its runs take
+// instants.
+#include "server/bench/frame_time_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace herr {
+namespace {
+
+std::vector<FrameTimeRow> two_rows() {
+  std::vector<FrameTimeRow> rows = empty_table(RenderSettings(), false);
+  rows[0].cells[0] = {60, 160.0, 128.0, 20.0};
+  rows[1].cells[2] = {4, 3000.0, 2000.0, 0.0};
+  return rows;
+}
+
+TEST(FrameTimeTable, HasThePapersTwoSizesOrTheOneAskedFor) {
+  // Table 1: both eyes together 1576 x 768 and 2048 x 1024.
+  const std::vector<FrameTimeRow> both = empty_table(RenderSettings(), false);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(2 * both[0].polar_width, 1576);
+  EXPECT_EQ(both[0].polar_height, 768);
+  EXPECT_EQ(2 * both[1].polar_width, 2048);
+  EXPECT_EQ(both[1].polar_height, 1024);
+  RenderSettings small;
+  small.polar_width = 100, small.polar_height = 90;
+  const std::vector<FrameTimeRow> one = empty_table(small, true);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].polar_width, 100);
+  EXPECT_EQ(one[0].polar_height, 90);
+}
+
+TEST(FrameTimeTable, StatesEachCellWithItsRatio) {
+  const nlohmann::ordered_json json = frame_times_json(two_rows(), BenchSubject(), 10);
+  ASSERT_EQ(json["table"].size(), 6u);
+  EXPECT_EQ(json["table"][0]["polar"], "1576x768");
+  EXPECT_EQ(json["table"][0]["light_samples"], 1);
+  EXPECT_EQ(json["table"][0]["frame_ms"], 160.0);
+  EXPECT_EQ(json["table"][0]["ratio"], 1.25);  // 160 / 128
+  EXPECT_EQ(json["table"][5]["polar"], "2048x1024");
+  EXPECT_EQ(json["table"][5]["light_samples"], 256);
+  EXPECT_EQ(json["table"][5]["ratio"], 1.5);  // 3000 / 2000
+  EXPECT_EQ(json["seconds"], 10);
+  const std::string text = frame_times_table(two_rows(), BenchSubject(), 10);
+  EXPECT_NE(text.find("1576x768"), std::string::npos) << text;
+  EXPECT_NE(text.find("160.0 (1.25)"), std::string::npos) << text;
+  EXPECT_NE(text.find("3000.0 (1.50)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("probe update"), std::string::npos) << text;
+  BenchSubject with_probes;
+  with_probes.settings.probes.on = true;
+  EXPECT_NE(frame_times_table(two_rows(), with_probes, 10).find("probe update"), std::string::npos);
+}
+
+TEST(FrameTimeTable, ARunTakesEveryInstantOnceBeforeAnyTwiceAndItsTimeNeverTurns) {
+  for (const int count : {1, 2, 8, 13}) {
+    std::vector<BenchInput> inputs(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+      inputs[static_cast<std::size_t>(i)].sample.t_ns = 1000 * (i + 1);
+      inputs[static_cast<std::size_t>(i)].sample.head.world_from_head.position.x = i;
+    }
+    std::multiset<double> places;
+    for (int k = 0; k < 3 * count; ++k) {
+      const BenchInput input = spread_input(inputs, k, 50);
+      places.insert(input.sample.head.world_from_head.position.x);
+      EXPECT_EQ(input.sample.t_ns, 1000 + std::int64_t{k} * 20'000'000);  // 50 Hz
+    }
+    for (int i = 0; i < count; ++i) EXPECT_EQ(places.count(i), 3u) << count << ": " << i;
+  }
+}
+
+}  // namespace
+}  // namespace herr
