@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "renderer/detail/detail_levels.h"
 #include "renderer/geometry/shading_scene.h"
 
 namespace herr {
@@ -123,6 +124,9 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.catchers_occlude, plan.catchers && t.catchers_may_occlude, "catcher shadow rays",
          "catchers can shadow one another",
          plan.catchers ? "one flat catcher cannot shadow itself" : "no catcher");
+  const std::size_t detailed = detailed_instances(scene);
+  decide(plan.detail_levels, detailed > 0, "detail levels",
+         share(detailed, t.instances, "have coarser forms of their mesh"), "no mesh has coarser forms");
   const auto& n = scene.probes.counts;
   decide(plan.probes, settings.probes.on && t.instances > 0, "probes",
          std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +

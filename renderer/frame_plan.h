@@ -38,6 +38,7 @@ struct FramePlan {
   bool probes = false;          // light that came by other surfaces
   bool catcher_probes = false;  // a second set of probes that sees catchers alone
   bool specular = false;        // some material has a specular lobe
+  bool detail_levels = false;   // some mesh has coarser forms
   bool camera = false;
   bool gaze_marker = false;
   std::vector<PlanEntry> entries;  // all of the above, for people

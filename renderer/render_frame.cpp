@@ -108,9 +108,7 @@ void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
 
 int Renderer::Impl::update_acceleration(const FrameSample& sample) {
   const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
-  int commits = 0;
-  const auto follow = [&] { commits = geometry->follow(world_from_head.position); };
-  threads.inside(std::cref(follow));  // by reference: the capture would not fit in std::function
+  geometry->follow(world_from_head.position);
   for (const Eye eye : kEyes) {
     const auto e = static_cast<std::size_t>(eye);
     Pose pose = world_from_head * sample.head_from_eye[e];
@@ -120,7 +118,27 @@ int Renderer::Impl::update_acceleration(const FrameSample& sample) {
     eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
     eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
   }
+  if (plan.detail_levels) choose_details();
+  int commits = 0;
+  const auto commit = [&] { commits = geometry->commit_changes(); };
+  threads.inside(std::cref(commit));  // by reference: the capture would not fit in std::function
   return commits;
+}
+
+void Renderer::Impl::choose_details() {
+  for (const Eye eye : kEyes) {
+    const auto e = static_cast<std::size_t>(eye);
+    const Pose& pose = eyes[e].anchored_from_eye;
+    detail_eyes[e].position = pose.position + geometry->anchor();
+    detail_eyes[e].gaze = pose.orientation * eyes[e].gaze.gaze;
+    detail_eyes[e].foveated = plan.polar;
+    const PolarMap map = PolarMap::up_to(std::max(eyes[e].theta_max_deg, 1e-3));
+    if (plan.polar) detail_eyes[e].samples_per_deg = map.radial_density(0.0, settings.polar_width);
+  }
+  details.choose(
+      detail_eyes,
+      [this](std::size_t i) -> const glm::dmat4x3& { return scene.instances[i].world_from_object; },
+      [this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
 
 void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {

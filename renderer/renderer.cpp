@@ -49,6 +49,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
       settings(resolved(settings_in)),
       plan(plan_frame(scene_in, settings, session_has_camera)),
       threads(settings.threads),
+      details(scene_in),
       trace_tile(trace_tile_for(settings.isa)),
       composite_strip(composite_strip_for(settings.isa)) {
   threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
@@ -61,6 +62,12 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   }
   if (all.upper.x >= all.lower.x) reach_m = 1.0 + 2.0 * glm::length(all.upper - all.lower);
 
+  for (DetailEye& eye : detail_eyes) eye.samples_per_deg = eye.most_samples_per_deg = 0;
+  for (const Viewport& v : profile.viewports) {
+    DetailEye& eye = detail_eyes[static_cast<std::size_t>(v.eye)];
+    eye.most_samples_per_deg = std::max(eye.most_samples_per_deg, finest_pixels_per_degree(v));
+    eye.samples_per_deg = eye.most_samples_per_deg;  // with a polar buffer that of each frame
+  }
   const std::size_t viewports = profile.viewports.size();
   int widest = 1;
   for (const Viewport& v : profile.viewports) widest = std::max(widest, v.width_px);
@@ -113,12 +120,15 @@ FrameQuality Renderer::full_quality() const {
 RendererState Renderer::state(bool with_probes) const {
   RendererState state;
   if (with_probes && impl_->probes) state.probes = impl_->probes->save();
+  state.details = impl_->details.save();
   if (impl_->geometry->placed()) state.anchor = impl_->geometry->anchor();
   return state;
 }
 
 void Renderer::restore(const RendererState& state) {
   if (!state.anchor) return;
+  impl_->details.restore(state.details,
+                         [&](std::size_t i, std::uint32_t mesh) { impl_->geometry->show_mesh(i, mesh); });
   const auto place = [&] { impl_->geometry->place_at(*state.anchor); };
   impl_->threads.inside(place);
   if (impl_->plan.probes != !state.probes.empty()) {

@@ -45,6 +45,7 @@ struct RenderedFrame {
 struct RendererState {
   std::optional<glm::dvec3> anchor;  // metres, multiples of 16; none before the first frame
   std::vector<std::byte> probes;     // what probes have gathered; empty without probes
+  std::vector<std::byte> details;    // which form of each mesh is shown; empty without coarser forms
 };
 
 // Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "renderer/detail/detail_levels.h"
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/lighting/tile_job.h"
@@ -25,6 +26,8 @@ struct Renderer::Impl {
   FramePlan plan;
   RenderThreads threads;
   std::unique_ptr<EmbreeScene> geometry;
+  DetailLevels details;
+  std::array<DetailEye, 2> detail_eyes;
   std::vector<Bounds> catcher_boxes;
   double reach_m = 1;  // leaves the scene from any place in it
 
@@ -61,6 +64,7 @@ struct Renderer::Impl {
   // The stages of a frame, in order (render_frame.cpp).
   void update_scene(const SceneState& state, const FrameQuality& quality);
   int update_acceleration(const FrameSample& sample);
+  void choose_details();
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
   void aim_rays(const FrameSample& sample, int polar_width);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);

@@ -32,7 +32,8 @@ void Renderer::Impl::build_probes() {
   probe_lights.reserve(scene.lights.size());
   probe_radiance.resize(static_cast<std::size_t>(threads.count()));
   for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
-  const auto place = [&] { geometry->follow(grid.lower + 0.5 * glm::dvec3(grid.counts) * grid.spacing); };
+  geometry->follow(grid.lower + 0.5 * glm::dvec3(grid.counts) * grid.spacing);
+  const auto place = [&] { geometry->commit_changes(); };
   threads.inside(std::cref(place));
   ProbePlacement::settle(*probes, scene, *geometry, threads);
 }

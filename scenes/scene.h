@@ -72,6 +72,12 @@ struct Material {
   TextureSlot normal_texture;           // RGB = tangent space, linear
 };
 
+// A coarser form of a mesh, for where the eye cannot tell.
+struct CoarserMesh {
+  std::uint32_t mesh = 0;  // index into Scene::meshes
+  float error_m = 0;       // how far its surface lies from the full one's, in object space
+};
+
 // One triangle mesh with one material (a glTF primitive). Arrays are all the same length or empty.
 struct TriangleMesh {
   std::string name;
@@ -82,6 +88,7 @@ struct TriangleMesh {
   std::vector<glm::vec4> colours;                // of vertices, linear RGBA in [0, 1]; empty = white
   bool closed = false;  // known to be a closed surface: from within, its inside is seen
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
+  std::vector<CoarserMesh> coarser;  // by ascending error; empty unless a document asks for detail levels
 };
 
 // What an instance shows. A sphere has radius 1 about the origin of object space, a box is [-1, 1]^3; both

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "scenes/detail/simplify_mesh.h"
 #include "scenes/environment_image.h"
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/gltf/node_flattener.h"
@@ -52,7 +53,8 @@ std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& c
 }
 
 void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
-  entry.allow_only({"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material"});
+  entry.allow_only(
+      {"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material", "detail_levels"});
   const glm::dmat4x3 world_from_gltf = parse_placement(entry);
   const std::string name = entry.text_or("name", "");
   const bool catcher = entry.boolean_or("catcher", false);
@@ -64,6 +66,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   auto known = loaded.find(file);
   if (known == loaded.end()) known = loaded.emplace(file, append_gltf(file, scene)).first;
 
+  const bool detail_levels = entry.boolean_or("detail_levels", false);
   std::map<std::uint32_t, std::uint32_t> changed;
   for (const AreaLight& light : known->second.lights) {
     scene.lights.push_back(placed_light(world_from_gltf, light));
@@ -76,6 +79,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
     // "teapot/lid": which entry, and which of its nodes.
     if (!name.empty()) instance.name = instance.name.empty() ? name : name + "/" + instance.name;
     instance.catcher = catcher;
+    if (detail_levels) add_coarser_meshes(scene, instance.mesh);
     if (changes) instance.material = changed_material(instance.material, change, scene, changed);
     scene.instances.push_back(std::move(instance));
   }

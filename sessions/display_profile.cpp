@@ -85,6 +85,15 @@ Viewport parse_viewport(const JsonObject& entry) {
 
 }  // namespace
 
+double finest_pixels_per_degree(const Viewport& v) {
+  // A plane at distance 1: d(tan) / d(angle) = 1 + tan^2 along the way from the middle.
+  const double x = std::max(std::abs(v.tan_left), std::abs(v.tan_right));
+  const double y = std::max(std::abs(v.tan_down), std::abs(v.tan_up));
+  const double per_tan =
+      std::max(v.width_px / (v.tan_right - v.tan_left), v.height_px / (v.tan_up - v.tan_down));
+  return per_tan * (1.0 + x * x + y * y) * glm::radians(1.0);
+}
+
 DisplayProfile xr1_profile() {
   return xr1_over("xr1", 1);
 }

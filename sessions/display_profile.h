@@ -28,6 +28,9 @@ struct Viewport {
   double edge_blend_deg = 0;  // width of the blend at the border of a focus viewport; display metadata
 };
 
+// Pixels per degree where the viewport has the most: at its farthest corner, outwards from its middle.
+double finest_pixels_per_degree(const Viewport& viewport);
+
 struct DisplayProfile {
   std::string name;
   double display_hz = 60;           // 1 ... 1000

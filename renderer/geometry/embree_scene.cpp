@@ -86,19 +86,33 @@ void EmbreeScene::place_instances() {
     rtcSetGeometryTransform(instance_geometries_[i], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
     rtcCommitGeometry(instance_geometries_[i]);
   }
-  top_.commit();
+  placed_ = changed_ = true;
 }
 
-int EmbreeScene::follow(const glm::dvec3& head_position) {
-  if (placed_ && glm::distance(head_position, anchor_) <= kAnchorReach_m) return 0;
-  place_at(glm::round(head_position / kAnchorGrid_m) * kAnchorGrid_m);
+void EmbreeScene::follow(const glm::dvec3& head_position) {
+  if (placed_ && glm::distance(head_position, anchor_) <= kAnchorReach_m) return;
+  anchor_ = glm::round(head_position / kAnchorGrid_m) * kAnchorGrid_m;
+  place_instances();
+}
+
+void EmbreeScene::show_mesh(std::size_t instance, std::uint32_t mesh) {
+  rtcSetGeometryInstancedScene(instance_geometries_[instance], meshes_[mesh].scene.get());
+  rtcCommitGeometry(instance_geometries_[instance]);
+  instances_[instance] = instance_record(scene_, scene_.instances[instance], &meshes_[mesh].baked, textures_);
+  changed_ = true;
+}
+
+int EmbreeScene::commit_changes() {
+  if (!changed_) return 0;
+  top_.commit();
+  changed_ = false;
   return 1;
 }
 
 void EmbreeScene::place_at(const glm::dvec3& anchor) {
   anchor_ = anchor;
   place_instances();
-  placed_ = true;
+  commit_changes();
 }
 
 }  // namespace herr

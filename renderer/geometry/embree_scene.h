@@ -26,9 +26,13 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  // Moves the anchor when the head is more than 24 m from it; returns the number of Embree commits (0 or 1).
-  int follow(const glm::dvec3& head_position);
-  // Puts the anchor where an earlier run had it.
+  // Moves the anchor when the head is more than 24 m from it. Takes effect with commit_changes().
+  void follow(const glm::dvec3& head_position);
+  // Lets an instance of kind mesh show another mesh with the same material; likewise.
+  void show_mesh(std::size_t instance, std::uint32_t mesh);
+  // Makes what changed visible to rays; returns the number of Embree commits (0 or 1).
+  int commit_changes();
+  // Puts the anchor where an earlier run had it, and commits.
   void place_at(const glm::dvec3& anchor);
   // A multiple of 16 m per axis; float coordinates are relative to it.
   const glm::dvec3& anchor() const { return anchor_; }
@@ -53,6 +57,7 @@ class EmbreeScene {
   std::vector<InstanceRecord> instances_;
   glm::dvec3 anchor_{0.0};
   bool placed_ = false;
+  bool changed_ = false;  // since the last commit
 };
 
 }  // namespace herr

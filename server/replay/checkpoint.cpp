@@ -40,13 +40,17 @@ Fingerprint::Entries read_entries(const JsonObject& document, const char* key) {
   return entries;
 }
 
+std::vector<std::byte> read_bytes(const JsonObject& document, const char* key) {
+  if (!document.has(key)) return {};
+  const std::optional<std::vector<std::byte>> bytes = bytes_from_base64(document.text(key));
+  if (!bytes) document.fail(key, "is no base64", kRemedy);
+  return *bytes;
+}
+
 RendererState read_renderer_state(const JsonObject& document) {
   RendererState state;
-  if (document.has("probes")) {
-    const std::optional<std::vector<std::byte>> bytes = bytes_from_base64(document.text("probes"));
-    if (!bytes) document.fail("probes", "is no base64", kRemedy);
-    state.probes = *bytes;
-  }
+  state.probes = read_bytes(document, "probes");
+  state.details = read_bytes(document, "details");
   if (!document.has("anchor_m")) return state;
   state.anchor = document.vec3("anchor_m", -kFarthestAnchor_m, kFarthestAnchor_m);
   for (int axis = 0; axis < 3; ++axis) {
@@ -74,7 +78,7 @@ Checkpoint parse_checkpoint(const std::filesystem::path& file) {
   if (document.integer("format_version", 1, kMostCounted) != kFormatVersion) {
     document.fail("format_version", "is of a later version of this program", kRemedy);
   }
-  document.allow_only({"format_version", "next_frame", "anchor_m", "probes", "left_camera_ns",
+  document.allow_only({"format_version", "next_frame", "anchor_m", "probes", "details", "left_camera_ns",
                        "right_camera_ns", "sanitised_camera_values", "skipped_images", "warnings", "settings",
                        "inputs"});
   Checkpoint checkpoint;
@@ -103,6 +107,7 @@ std::string checkpoint_text(const Fingerprint& fingerprint, const RunState& stat
   if (state.camera_stamps_ns[0]) json["left_camera_ns"] = *state.camera_stamps_ns[0];
   if (state.camera_stamps_ns[1]) json["right_camera_ns"] = *state.camera_stamps_ns[1];
   if (!state.renderer.probes.empty()) json["probes"] = base64_text(state.renderer.probes);
+  if (!state.renderer.details.empty()) json["details"] = base64_text(state.renderer.details);
   json["sanitised_camera_values"] = state.sanitised_camera_values;
   json["skipped_images"] = state.skipped_images;
   json["warnings"] = state.warnings;

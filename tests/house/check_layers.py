@@ -23,6 +23,7 @@ class Foreign:
 # In a pattern, * also matches /.
 FOREIGN = (
     Foreign("tinygltf", ("tiny_gltf.h",), ("scenes/gltf/*.cpp", "scenes/samples/generator/*.cpp"), one_file=True),
+    Foreign("meshoptimizer", ("meshoptimizer.h",), ("scenes/detail/*.cpp",), one_file=True),
     Foreign("cpp-httplib", ("httplib.h",), ("server/*.cpp",), one_file=True),
     Foreign("OpenImageIO", ("OpenImageIO/*",),
             ("sessions/*image*.cpp", "scenes/*image*.cpp", "scenes/*texture*.cpp",

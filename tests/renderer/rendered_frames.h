@@ -28,6 +28,20 @@ inline void expect_same_bits(const RenderedFrame& a, const RenderedFrame& b) {
   }
 }
 
+// Mean absolute difference of the colours of all visible pixels.
+inline double mean_difference(const RenderedFrame& a, const RenderedFrame& b) {
+  double sum = 0;
+  std::int64_t values = 0;
+  for (std::size_t i = 0; i < a.viewports.size(); ++i) {
+    for_each_pixel(a.viewports[i], [&](int x, int y, const Pixel& pixel) {
+      const Pixel other = pixel_at(b.viewports[i], x, y);
+      for (std::size_t channel = 0; channel < 3; ++channel) sum += std::abs(pixel[channel] - other[channel]);
+      values += 3;
+    });
+  }
+  return sum / static_cast<double>(values);
+}
+
 // Half-float values that are neither NaN nor infinite, and nothing that had to be replaced on the way.
 inline void expect_finite(const RenderedFrame& frame) {
   for (std::size_t i = 0; i < frame.viewports.size(); ++i) {

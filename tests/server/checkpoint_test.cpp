@@ -17,6 +17,7 @@ RunState some_state() {
   state.next_frame = 1500;
   state.renderer.anchor = glm::dvec3{-32, 0, 1'000'000'000};
   state.camera_stamps_ns = {TimeNs{1'000'000'001}, std::nullopt};
+  state.renderer.details = {std::byte{2}, std::byte{0}};
   state.renderer.probes = {std::byte{0}, std::byte{255}, std::byte{17}, std::byte{3}};
   state.sanitised_camera_values = 7;
   state.skipped_images = 2;
@@ -38,6 +39,7 @@ TEST(Checkpoint, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.state.next_frame, state.next_frame);
   EXPECT_EQ(read.state.renderer.anchor, state.renderer.anchor);
   EXPECT_EQ(read.state.renderer.probes, state.renderer.probes);
+  EXPECT_EQ(read.state.renderer.details, state.renderer.details);
   EXPECT_EQ(read.state.camera_stamps_ns, state.camera_stamps_ns);
   EXPECT_EQ(read.state.sanitised_camera_values, 7);
   EXPECT_EQ(read.state.skipped_images, 2);
