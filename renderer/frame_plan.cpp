@@ -11,7 +11,7 @@ namespace {
 
 struct Traits {
   std::size_t instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0, transparent = 0,
-              textured = 0, specular = 0;
+              textured = 0, specular = 0, shapes = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -33,6 +33,7 @@ Traits traits_of(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Material& material = scene.materials[instance.material];
     const bool is_mesh = instance.kind == ShapeKind::mesh;
+    if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) ++traits.shapes;
     const bool has_uvs = is_mesh && !scene.meshes[instance.mesh].uvs.empty();
     if (has_uvs && (material.base_colour_texture >= 0 || material.metallic_roughness_texture >= 0))
       ++traits.textured;
@@ -83,6 +84,8 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "foveation is off: one ray per viewport pixel");
   decide(plan.textures, t.textured > 0, "textures", share(t.textured, t.instances, "have textures"),
          "no instance has a texture");
+  decide(plan.shapes, t.shapes > 0, "analytic shapes", share(t.shapes, t.instances, "are spheres or boxes"),
+         "no instance is a sphere or box");
   decide(plan.specular, t.specular > 0, "specular lobe",
          share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight");
   bool several_lights = false;

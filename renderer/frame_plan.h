@@ -29,6 +29,7 @@ struct FramePlan {
   bool occlusion = false;
   bool environment_map = false;
   bool textures = false;
+  bool shapes = false;  // analytic spheres and boxes
   bool catchers = false;
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked

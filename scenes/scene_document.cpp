@@ -8,6 +8,7 @@
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/scene_document_parts.h"
+#include "scenes/scene_document_shapes.h"
 #include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
@@ -105,7 +106,7 @@ void read_environment(const JsonObject& entry, Scene& scene) {
 Scene read_scene_document(const std::filesystem::path& file) {
   const nlohmann::json document = parse_json_file(file);
   const JsonObject root(document, file, "");
-  root.allow_only({"format_version", "name", "gltf", "catchers", "lights", "ambient", "environment",
+  root.allow_only({"format_version", "name", "gltf", "shapes", "catchers", "lights", "ambient", "environment",
                    "environment_map", "world_from_session", "probes"});
   root.integer("format_version", 1, 1);
   Scene scene;
@@ -124,6 +125,7 @@ Scene read_scene_document(const std::filesystem::path& file) {
     scene.world_from_session = parse_pose(root.object("world_from_session"));
   for (const JsonObject& light : root.objects("lights")) scene.lights.push_back(parse_light(light));
   for (const JsonObject& catcher : root.objects("catchers")) append_catcher(catcher, scene);
+  for (const JsonObject& shape : root.objects("shapes")) append_shape(shape, scene);
 
   LoadedFiles loaded;
   for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);

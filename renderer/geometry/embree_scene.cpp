@@ -38,12 +38,20 @@ EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads)
     : scene_(scene), device_(isa, threads), top_(device_) {
   for (const Instance& instance : scene.instances) check_transform(instance.world_from_object, instance.name);
   for (const TriangleMesh& mesh : scene.meshes) meshes_.push_back(build_mesh(device_, mesh));
+  build_shapes(isa);
   build_textures();
   build_instances();
 }
 
 EmbreeScene::~EmbreeScene() {
   for (RTCGeometry geometry : instance_geometries_) rtcReleaseGeometry(geometry);
+}
+
+void EmbreeScene::build_shapes(Isa isa) {
+  for (const Instance& instance : scene_.instances) {
+    if (instance.kind == ShapeKind::sphere && !sphere_) sphere_ = build_shape(device_, isa, instance.kind);
+    if (instance.kind == ShapeKind::box && !box_) box_ = build_shape(device_, isa, instance.kind);
+  }
 }
 
 void EmbreeScene::build_textures() {
@@ -58,6 +66,8 @@ void EmbreeScene::build_textures() {
 
 // The bottom-level scene that an instance places.
 RTCScene EmbreeScene::bottom_of(const Instance& instance) const {
+  if (instance.kind == ShapeKind::sphere) return sphere_->get();
+  if (instance.kind == ShapeKind::box) return box_->get();
   return meshes_[instance.mesh].scene.get();
 }
 

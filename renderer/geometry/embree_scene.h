@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "renderer/geometry/embree_device.h"
 #include "renderer/geometry/instance_records.h"
 #include "renderer/geometry/mesh_geometry.h"
 #include "renderer/geometry/shading_scene.h"
+#include "renderer/geometry/shape_geometry.h"
 #include "renderer/render_settings.h"
 #include "scenes/scene.h"
 
@@ -42,6 +44,7 @@ class EmbreeScene {
   const std::vector<InstanceRecord>& instances() const { return instances_; }
 
  private:
+  void build_shapes(Isa isa);
   void build_textures();
   void build_instances();
   void place_instances();
@@ -50,6 +53,7 @@ class EmbreeScene {
   const Scene& scene_;
   EmbreeDevice device_;
   std::vector<MeshGeometry> meshes_;
+  std::optional<EmbreeSceneHandle> sphere_, box_;  // where an instance shows one
   EmbreeSceneHandle top_;
   std::vector<RTCGeometry> instance_geometries_;
   std::vector<std::vector<std::uint32_t>> texture_texels_;

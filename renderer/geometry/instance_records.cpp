@@ -1,5 +1,7 @@
 #include "renderer/geometry/instance_records.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -44,6 +46,16 @@ void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,
   record.metallic_roughness_texture = texture(material.metallic_roughness_texture);
 }
 
+// A point on an analytic shape is only as good as the ray in the shape's own space, where its coordinates are
+// about 1: eight roundings of the largest half extent (going there, crossing, coming back), and twice that.
+constexpr double kShapeOffset = 0x1p-20;
+
+void set_shape(const Instance& instance, InstanceRecord& record) {
+  const glm::dmat4x3& m = instance.world_from_object;
+  const double reach = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  record.shape_offset_m = static_cast<float>(kShapeOffset * reach);
+}
+
 }  // namespace
 
 InstanceRecord instance_record(const Scene& scene, const Instance& instance, const BakedMesh* baked,
@@ -54,6 +66,7 @@ InstanceRecord instance_record(const Scene& scene, const Instance& instance, con
   record.catcher = instance.catcher;
   set_matrix(instance, record);
   set_material(material, record);
+  if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) set_shape(instance, record);
   if (baked) set_mesh(material, *baked, !scene.meshes[instance.mesh].uvs.empty(), textures, record);
   return record;
 }

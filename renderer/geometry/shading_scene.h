@@ -37,6 +37,7 @@ struct InstanceRecord {
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
+  float shape_offset_m = 0;  // of kind sphere or box: secondary rays start at least this far off
   bool catcher = false;
   ShapeKind kind = ShapeKind::mesh;
 };

@@ -138,6 +138,26 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   store_lanes(n.z, lanes, out.nz.data() + slot);
 }
 
+// An analytic shape's normal is the one that the hit brings, curved or flat: outward, in object space.
+HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet, const V3& viewer, MF lanes,
+                            HitBatch& out, int slot) {
+  const float* m = instance.normal_from_object;
+  const V3 outward = load3(packet.hit.Ng_x, packet.hit.Ng_y, packet.hit.Ng_z);
+  V3 n = normalise(V3{dot(set3(m), outward), dot(set3(m + 3), outward), dot(set3(m + 6), outward)});
+  const MF inside = hn::Lt(dot(n, viewer), hn::Zero(kF));
+  n = select(inside, scale(n, set(-1.0f)), n);
+  const float index = instance.refractive_index;
+  store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
+  store_lanes(n.x, lanes, out.nx.data() + slot);
+  store_lanes(n.y, lanes, out.ny.data() + slot);
+  store_lanes(n.z, lanes, out.nz.data() + slot);
+  store_lanes(n.x, lanes, out.gx.data() + slot);
+  store_lanes(n.y, lanes, out.gy.data() + slot);
+  store_lanes(n.z, lanes, out.gz.data() + slot);
+  const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
+  store_lanes(offset, lanes, out.offset.data() + slot);
+}
+
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
 // a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
 template <bool kTextures>
@@ -177,7 +197,11 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
     left = hn::AndNot(lanes, left);
     const InstanceRecord& instance = shading.instances[id];
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
-    store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+    if (instance.kind == ShapeKind::mesh) {
+      store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+    } else {
+      store_shape(instance, packet, viewer, lanes, out, slot);
+    }
     store_material<kTextures>(instance, record, at, shading.plan->refraction, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);

@@ -179,6 +179,8 @@ Json scene_json(const InspectReport& report) {
           {"meshes", scene.meshes},
           {"triangles", scene.triangles},
           {"catcher_triangles", scene.catcher_triangles},
+          {"spheres", scene.spheres},
+          {"boxes", scene.boxes},
           {"stored_triangles", scene.stored_triangles},
           {"degenerate_triangles", scene.degenerate_triangles},
           {"materials", scene.materials},

@@ -30,7 +30,10 @@ void add_objects(const Scene& scene, SceneFacts& facts) {
   for (const Instance& instance : scene.instances) {
     SceneObject& object = objects[instance.name.substr(0, instance.name.find('/'))];
     ++object.instances;
-    object.triangles += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());
+    if (instance.kind == ShapeKind::mesh)
+      object.triangles += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());
+    facts.spheres += instance.kind == ShapeKind::sphere ? 1 : 0;
+    facts.boxes += instance.kind == ShapeKind::box ? 1 : 0;
     object.catcher = object.catcher || instance.catcher;
     facts.catchers += instance.catcher ? 1 : 0;
   }

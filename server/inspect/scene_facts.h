@@ -22,6 +22,7 @@ struct SceneFacts {
   std::vector<SceneObject> objects;  // most triangles first
   std::int64_t instances = 0, catchers = 0, meshes = 0;
   std::int64_t triangles = 0, catcher_triangles = 0;
+  std::int64_t spheres = 0, boxes = 0;    // analytic shapes, catchers included
   std::int64_t stored_triangles = 0;      // each mesh once
   std::int64_t degenerate_triangles = 0;  // of the stored ones: without area, no ray can hit them
   std::int64_t materials = 0, mirrors = 0, emitters = 0;

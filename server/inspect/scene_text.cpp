@@ -51,6 +51,9 @@ std::string scene_text(const InspectReport& report) {
   text += line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
                              std::to_string(scene.meshes) + " meshes, " + megabytes(scene.geometry_bytes) +
                              " (acceleration structures come on top)");
+  if (scene.spheres + scene.boxes > 0)
+    text += line("shapes", std::to_string(scene.spheres) + " spheres, " + std::to_string(scene.boxes) +
+                               " boxes, met analytically");
   text += line("materials", std::to_string(scene.materials) + ", " + std::to_string(scene.mirrors) +
                                 " reflect, " + std::to_string(scene.emitters) + " emit light");
   text += line("textures", std::to_string(scene.textures) + ", " +
