@@ -5,13 +5,14 @@
 
 #include "renderer/detail/detail_levels.h"
 #include "renderer/geometry/shading_scene.h"
+#include "renderer/geometry/surface_details.h"
 
 namespace herr {
 namespace {
 
 struct Traits {
   std::size_t instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0, transparent = 0,
-              textured = 0, specular = 0, shapes = 0;
+              textured = 0, specular = 0, shapes = 0, detailed = 0, masked = 0, blended = 0, front_only = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -35,6 +36,10 @@ Traits traits_of(const Scene& scene) {
     const bool is_mesh = instance.kind == ShapeKind::mesh;
     if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) ++traits.shapes;
     const bool has_uvs = is_mesh && !scene.meshes[instance.mesh].uvs.empty();
+    traits.detailed += has_details(scene, instance) ? 1 : 0;
+    traits.blended += blends(scene, instance) ? 1 : 0;
+    traits.masked += has_holes(scene, instance) && !blends(scene, instance) ? 1 : 0;
+    traits.front_only += shows_fronts_only(scene, instance) ? 1 : 0;
     if (has_uvs && (material.base_colour_texture >= 0 || material.metallic_roughness_texture >= 0))
       ++traits.textured;
     if (instance.catcher) {
@@ -86,6 +91,18 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "no instance has a texture");
   decide(plan.shapes, t.shapes > 0, "analytic shapes", share(t.shapes, t.instances, "are spheres or boxes"),
          "no instance is a sphere or box");
+  decide(plan.surface_details, t.detailed > 0, "surface details",
+         share(t.detailed, t.instances,
+               "have vertex colours, further textures, weighted highlights, alpha or are unlit"),
+         "every surface is made of factors and at most two textures");
+  decide(plan.alpha_mask, t.masked > 0, "alpha masks", share(t.masked, t.instances, "have holes"),
+         "no surface has holes");
+  decide(plan.alpha_blend, t.blended > 0, "alpha layers",
+         share(t.blended, t.instances, "blend; eyes look through at most ") + std::to_string(kMostLayers),
+         "no surface blends");
+  decide(plan.front_only, t.front_only > 0, "back faces left out",
+         share(t.front_only, t.instances, "are open and single-sided"),
+         "every surface is closed or double-sided");
   decide(plan.specular, t.specular > 0, "specular lobe",
          share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight");
   bool several_lights = false;
@@ -96,14 +113,16 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "one sample: the light's centre");
   const bool many = plan.many_light_samples;
   decide(plan.adaptive_light_samples,
-         many && settings.first_light_samples > 0 && settings.first_light_samples < settings.light_samples &&
+         many && !plan.alpha_blend && settings.first_light_samples > 0 &&
+             settings.first_light_samples < settings.light_samples &&
              settings.light_samples <= kMostOrderedSamples,
          "adaptive light samples",
          std::to_string(settings.first_light_samples) + " strata first, the rest where they disagree",
          settings.first_light_samples > 0 && settings.light_samples > kMostOrderedSamples
              ? "more than " + std::to_string(kMostOrderedSamples) + " samples are all traced"
-         : many ? "all strata for every hit"
-                : "one sample");
+         : many && plan.alpha_blend ? "blended surfaces let shares of the light pass"
+         : many                     ? "all strata for every hit"
+                                    : "one sample");
   const bool has_ambient = scene.ambient != glm::vec3{0.0f} || (settings.probes.on && t.instances > 0);
   decide(plan.occlusion, settings.occlusion_rays > 0 && has_ambient, "ambient occlusion",
          std::to_string(settings.occlusion_rays) + " short rays per hit",

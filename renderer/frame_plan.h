@@ -14,6 +14,9 @@ namespace herr {
 // object has two, a hollow one four.
 inline constexpr int kMostInterfaces = 8;
 
+// Blended surfaces that eyes look through at most, one behind another.
+inline constexpr int kMostLayers = 8;
+
 struct PlanEntry {
   std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
@@ -29,7 +32,11 @@ struct FramePlan {
   bool occlusion = false;
   bool environment_map = false;
   bool textures = false;
-  bool shapes = false;  // analytic spheres and boxes
+  bool shapes = false;           // analytic spheres and boxes
+  bool surface_details = false;  // vertex colours, further textures, highlights of their own, unlit, alpha
+  bool alpha_mask = false;       // hits are asked whether they lie in a hole
+  bool alpha_blend = false;      // eyes look on through what they hit; shadow rays pass by shares
+  bool front_only = false;  // eyes' hits are asked whether they lie on the back of a single-sided surface
   bool catchers = false;
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked

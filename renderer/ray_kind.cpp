@@ -30,6 +30,8 @@ const char* name_of(RayKind kind) {
       return "catcher_probe";
     case RayKind::catcher_probe_shadow:
       return "catcher_probe_shadow";
+    case RayKind::behind:
+      return "behind";
   }
   return "unknown";
 }

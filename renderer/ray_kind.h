@@ -22,8 +22,9 @@ enum class RayKind : std::uint8_t {
   probe_shadow,       // from what probes see to lights
   catcher_probe,      // the same for the probes of catchers alone, past virtual objects
   catcher_probe_shadow,
+  behind,  // from the eye, on through surfaces that blend
 };
-inline constexpr std::size_t kRayKinds = 13;
+inline constexpr std::size_t kRayKinds = 14;
 // Without "rays": "primary", "catcher_shadow", ...
 const char* name_of(RayKind kind);
 

@@ -95,6 +95,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   for (std::size_t w = 0; w < workers; ++w) {
     tile_scratch.push_back(std::make_unique<TileScratch>());
     if (settings.first_light_samples > 0) tile_scratch.back()->adaptive = std::make_unique<AdaptiveLight>();
+    if (plan.alpha_blend) tile_scratch.back()->layers = std::make_unique<AlphaLayers>();
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
   if (plan.probes) build_probes();

@@ -11,6 +11,7 @@ PolarSamples::PolarSamples(int max_width, int height) : height_(height) {
   sin_theta_.resize(columns);
   cos_theta_.resize(columns);
   margin_.resize(columns);
+  spread_.resize(columns);
   sin_phi4_.resize(rows);
   cos_phi4_.resize(rows);
   for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j) {
@@ -39,11 +40,15 @@ void PolarSamples::update(const PolarMap& map, int width) {
     const double gap = std::hypot(next - theta + (i == 0 ? theta : 0.0), ring * phi_step);
     constexpr double kRounding = 1.001;  // the tables and dot products are float
     margin_[column] = static_cast<float>(std::min(gap, 2.0) * kRounding + 1e-6);
+    // Between the borders of the column, at u = i / W and (i + 1) / W, and of the row.
+    const double inner = map.theta_from_u(i / static_cast<double>(width)) / kDegreesPerRadian;
+    const double outer = map.theta_from_u((i + 1) / static_cast<double>(width)) / kDegreesPerRadian;
+    spread_[column] = static_cast<float>(std::sqrt((outer - inner) * std::abs(std::sin(theta)) * phi_step));
     theta = next;
   }
   for (std::size_t i = static_cast<std::size_t>(width);
        i < std::min(sin_theta_.size(), static_cast<std::size_t>(width) + 32); ++i) {
-    sin_theta_[i] = cos_theta_[i] = margin_[i] = 0.0f;
+    sin_theta_[i] = cos_theta_[i] = margin_[i] = spread_[i] = 0.0f;
   }
 }
 

@@ -28,6 +28,8 @@ class PolarSamples {
   // Sine of the angle within which a viewport pixel may use this column's sample: the diagonal of the gap to
   // the next samples outwards. A sample farther than this outside every viewport is seen by no pixel.
   const float* margin() const { return margin_.data(); }
+  // Per column: the angle between samples, radians: of a square as large as the cell of radius and angle.
+  const float* spread() const { return spread_.data(); }
   // Per row, each value four times in a row (packets are 4 columns wide), padded likewise.
   const float* sin_phi4() const { return sin_phi4_.data(); }
   const float* cos_phi4() const { return cos_phi4_.data(); }
@@ -35,7 +37,7 @@ class PolarSamples {
  private:
   int width_ = 0, height_;
   PolarMap map_;
-  std::vector<float> sin_theta_, cos_theta_, margin_, sin_phi4_, cos_phi4_;
+  std::vector<float> sin_theta_, cos_theta_, margin_, spread_, sin_phi4_, cos_phi4_;
 };
 
 }  // namespace herr

@@ -1,6 +1,7 @@
 #include "renderer/foveation/ray_grids.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace herr {
 namespace {
@@ -12,6 +13,11 @@ void store(float (&out)[3], const glm::dvec3& v) {
 bool contains(const Viewport& outer, const Viewport& inner) {
   return outer.tan_left <= inner.tan_left && outer.tan_right >= inner.tan_right &&
          outer.tan_down <= inner.tan_down && outer.tan_up >= inner.tan_up;
+}
+
+// The angle between pixels in the middle of a viewport, as if they were square.
+double pixel_rad(const Viewport& v) {
+  return std::sqrt((v.tan_right - v.tan_left) / v.width_px * (v.tan_up - v.tan_down) / v.height_px);
 }
 
 // A viewport that lies within another of the same eye adds nothing to what the eye can see. Of equal ones the
@@ -44,6 +50,11 @@ void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Ey
   store(grid.gaze, turn * view.gaze.gaze);
   grid.samples = &samples;
   grid.frustum_count = 0;
+  double finest_rad = 1;
+  for (const Viewport& viewport : viewports) {
+    if (viewport.eye == eye) finest_rad = std::min(finest_rad, pixel_rad(viewport));
+  }
+  grid.finest_pixel_rad = static_cast<float>(finest_rad);
   for (std::size_t i = 0; i < viewports.size(); ++i) {
     if (viewports[i].eye != eye || is_covered(viewports, i)) continue;
     const FrustumPlanes planes = frustum_planes(viewports[i]);
@@ -65,6 +76,7 @@ void set_planar_grid(const EyeView& view, const Viewport& v, RadianceBuffer& buf
   store(grid.gaze, turn * glm::dvec3{0, 0, -1});
   grid.tan_left = static_cast<float>(v.tan_left);
   grid.tan_up = static_cast<float>(v.tan_up);
+  grid.finest_pixel_rad = static_cast<float>(pixel_rad(v));
   grid.step_x = static_cast<float>((v.tan_right - v.tan_left) / v.width_px);
   grid.step_y = static_cast<float>((v.tan_up - v.tan_down) / v.height_px);
   grid.sink = {buffer.texels(), buffer.ratios(), buffer.row_stride(), v.width_px, v.height_px, false};

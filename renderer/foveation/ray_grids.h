@@ -40,6 +40,8 @@ struct RayGrid {
   int frustum_count = 0;
   float tan_left = 0, tan_up = 0, step_x = 0,
         step_y = 0;  // planar: tangents at the upper left corner, per pixel
+  float finest_pixel_rad =
+      0;  // polar: between pixels in the middle of the eye's finest viewport; planar: of this one
   TexelSink sink;
   std::uint32_t key = 0;  // frame and eye
 };

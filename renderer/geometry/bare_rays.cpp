@@ -21,7 +21,7 @@ void fill(const RecordedRays& rays, std::size_t first, std::size_t count, float 
     packet.tnear[i] = packet.time[i] = 0;
     packet.tfar[i] = tfar;
     packet.mask[i] = mask;
-    packet.flags[i] = 0;
+    packet.flags[i] = packet.id[i] = 0;
     valid[i] = i < count && !rays.is_gap(first + i) ? -1 : 0;
   }
 }
@@ -30,8 +30,8 @@ template <int kRays>
 std::size_t trace_packets(RTCScene scene, RayKind kind, const RecordedRays& rays, std::size_t first,
                           std::size_t count) {
   const bool probe = kind == RayKind::probe || kind == RayKind::catcher_probe;
-  const bool closest =
-      probe || kind == RayKind::primary || kind == RayKind::mirror || kind == RayKind::refraction;
+  const bool closest = probe || kind == RayKind::primary || kind == RayKind::behind ||
+                       kind == RayKind::mirror || kind == RayKind::refraction;
   const bool past_objects = kind == RayKind::catcher_shadow || kind == RayKind::catcher_occlusion ||
                             kind == RayKind::catcher_probe || kind == RayKind::catcher_probe_shadow;
   const unsigned mask = past_objects ? kCatcherMask : kAllMask;

@@ -37,7 +37,35 @@ struct RayPacket<16> {
   using RayHit = RTCRayHit16;
 };
 
+// Bits of a ray's flags, which Embree carries and does not read. What hit filters (alpha_filter) do with it:
+inline constexpr unsigned kFrontOnly = 1;      // skips back faces where the instance asks for that
+inline constexpr unsigned kSecondLook = 2;     // blended surfaces are there where they cover at least half
+inline constexpr unsigned kPassesThrough = 4;  // an occlusion ray of trace_passing: the lane in bits 8 ...
+inline constexpr unsigned kLaneShift = 8;
+
 #if RTC_VERSION_MAJOR >= 4
+
+// The share of light that passes the blended surfaces which the rays of an occlusion packet met.
+struct PassingContext {
+  RTCRayQueryContext context;
+  float passes[16];
+};
+inline float* passes_of(const RTCFilterFunctionNArguments& args) {
+  return reinterpret_cast<PassingContext*>(args.context)->passes;
+}
+
+// As occluded_packet, for rays with kPassesThrough.
+template <int kRays>
+inline void passing_packet(const int* valid, RTCScene scene, typename RayPacket<kRays>::Ray* rays,
+                           PassingContext& passing) {
+  rtcInitRayQueryContext(&passing.context);
+  RTCOccludedArguments args;
+  rtcInitOccludedArguments(&args);
+  args.context = &passing.context;
+  if constexpr (kRays == 16) rtcOccluded16(valid, scene, rays, &args);
+  if constexpr (kRays == 8) rtcOccluded8(valid, scene, rays, &args);
+  if constexpr (kRays == 4) rtcOccluded4(valid, scene, rays, &args);
+}
 
 template <int kRays>
 inline void intersect_packet(const int* valid, RTCScene scene, bool coherent,
@@ -60,6 +88,23 @@ inline void occluded_packet(const int* valid, RTCScene scene, typename RayPacket
 }
 
 #else
+
+struct PassingContext {
+  RTCIntersectContext context;
+  float passes[16];
+};
+inline float* passes_of(const RTCFilterFunctionNArguments& args) {
+  return reinterpret_cast<PassingContext*>(args.context)->passes;
+}
+
+template <int kRays>
+inline void passing_packet(const int* valid, RTCScene scene, typename RayPacket<kRays>::Ray* rays,
+                           PassingContext& passing) {
+  rtcInitIntersectContext(&passing.context);
+  if constexpr (kRays == 16) rtcOccluded16(valid, scene, &passing.context, rays);
+  if constexpr (kRays == 8) rtcOccluded8(valid, scene, &passing.context, rays);
+  if constexpr (kRays == 4) rtcOccluded4(valid, scene, &passing.context, rays);
+}
 
 template <int kRays>
 inline void intersect_packet(const int* valid, RTCScene scene, bool coherent,

@@ -1,7 +1,6 @@
 #include "renderer/geometry/embree_scene.h"
 
 #include <cmath>
-#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -37,7 +36,7 @@ void check_transform(const glm::dmat4x3& m, const std::string& name) {
 EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads)
     : scene_(scene), device_(isa, threads), top_(device_) {
   for (const Instance& instance : scene.instances) check_transform(instance.world_from_object, instance.name);
-  for (const TriangleMesh& mesh : scene.meshes) meshes_.push_back(build_mesh(device_, mesh));
+  build_meshes();
   build_shapes(isa);
   build_textures();
   build_instances();
@@ -54,13 +53,29 @@ void EmbreeScene::build_shapes(Isa isa) {
   }
 }
 
+void EmbreeScene::build_meshes() {
+  std::vector<MeshFilter> filters(scene_.meshes.size());
+  for (const Instance& instance : scene_.instances) {
+    if (instance.kind != ShapeKind::mesh) continue;
+    MeshFilter& filter = filters[instance.mesh];
+    if (has_holes(scene_, instance) || shows_fronts_only(scene_, instance)) filter.instances = &table_;
+    filter.blends |= blends(scene_, instance);
+    // Its coarser forms stand in its place.
+    for (const CoarserMesh& form : scene_.meshes[instance.mesh].coarser) {
+      MeshFilter& coarser = filters[form.mesh];
+      if (filter.instances) coarser.instances = filter.instances;
+      coarser.blends |= filter.blends;
+    }
+  }
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    meshes_.push_back(build_mesh(device_, scene_.meshes[i], filters[i]));
+  }
+}
+
 void EmbreeScene::build_textures() {
   for (const TextureImage& texture : scene_.textures) {
-    auto& texels = texture_texels_.emplace_back(texture.rgba.size() / 4);
-    std::memcpy(texels.data(), texture.rgba.data(), texels.size() * 4);
-    textures_.push_back({texels.data(), texture.width_px, texture.height_px, texture.srgb,
-                         static_cast<std::uint8_t>(texture.wrap_u),
-                         static_cast<std::uint8_t>(texture.wrap_v)});
+    texture_levels_.push_back(build_levels(texture));
+    textures_.push_back(texture_levels_.back().record);
   }
 }
 
@@ -80,9 +95,22 @@ void EmbreeScene::build_instances() {
     rtcSetGeometryMask(geometry, instance.catcher ? kCatcherMask : kObjectMask);
     rtcAttachGeometryByID(top_.get(), geometry, static_cast<unsigned>(i));
     instance_geometries_.push_back(geometry);
-    const BakedMesh* baked = instance.kind == ShapeKind::mesh ? &meshes_[instance.mesh].baked : nullptr;
-    instances_.push_back(instance_record(scene_, instance, baked, textures_));
+    instances_.emplace_back();
+    details_.emplace_back();
+    describe(i, instance.kind == ShapeKind::mesh ? &meshes_[instance.mesh].baked : nullptr);
   }
+  table_.records = instances_.data();
+}
+
+// What shading reads of an instance that shows `baked` (null: no mesh).
+void EmbreeScene::describe(std::size_t i, const BakedMesh* baked) {
+  const Instance& instance = scene_.instances[i];
+  instances_[i] = instance_record(scene_, instance, baked, textures_);
+  const auto detail = detail_record(scene_, instance, baked, textures_);
+  if (!detail) return;
+  if (!details_[i]) details_[i] = std::make_unique<DetailRecord>();
+  *details_[i] = *detail;
+  instances_[i].detail = details_[i].get();
 }
 
 void EmbreeScene::place_instances() {
@@ -108,7 +136,7 @@ void EmbreeScene::follow(const glm::dvec3& head_position) {
 void EmbreeScene::show_mesh(std::size_t instance, std::uint32_t mesh) {
   rtcSetGeometryInstancedScene(instance_geometries_[instance], meshes_[mesh].scene.get());
   rtcCommitGeometry(instance_geometries_[instance]);
-  instances_[instance] = instance_record(scene_, scene_.instances[instance], &meshes_[mesh].baked, textures_);
+  describe(instance, &meshes_[mesh].baked);
   changed_ = true;
 }
 

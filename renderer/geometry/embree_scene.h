@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "renderer/geometry/mesh_geometry.h"
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/geometry/shape_geometry.h"
+#include "renderer/geometry/surface_details.h"
+#include "renderer/geometry/texture_levels.h"
 #include "renderer/render_settings.h"
 #include "scenes/scene.h"
 
@@ -45,8 +48,10 @@ class EmbreeScene {
 
  private:
   void build_shapes(Isa isa);
+  void build_meshes();
   void build_textures();
   void build_instances();
+  void describe(std::size_t instance, const BakedMesh* baked);
   void place_instances();
   RTCScene bottom_of(const Instance& instance) const;
 
@@ -56,9 +61,11 @@ class EmbreeScene {
   std::optional<EmbreeSceneHandle> sphere_, box_;  // where an instance shows one
   EmbreeSceneHandle top_;
   std::vector<RTCGeometry> instance_geometries_;
-  std::vector<std::vector<std::uint32_t>> texture_texels_;
+  std::vector<TextureLevels> texture_levels_;
   std::vector<TextureRecord> textures_;
   std::vector<InstanceRecord> instances_;
+  std::vector<std::unique_ptr<DetailRecord>> details_;  // per instance, null where it has none
+  InstanceTable table_;                                 // what hit filters look into
   glm::dvec3 anchor_{0.0};
   bool placed_ = false;
   bool changed_ = false;  // since the last commit

@@ -1,9 +1,12 @@
 #include "renderer/geometry/instance_records.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+
+#include "renderer/geometry/surface_details.h"
 
 namespace herr {
 namespace {
@@ -16,6 +19,8 @@ void set_matrix(const Instance& instance, InstanceRecord& record) {
       record.normal_from_object[3 * row + column] = static_cast<float>(normal_matrix[column][row]);
     }
   }
+  const double volume = std::abs(glm::determinant(glm::dmat3(m[0], m[1], m[2])));
+  record.object_per_world2 = static_cast<float>(std::pow(volume, -2.0 / 3.0));
 }
 
 void set_material(const Material& material, InstanceRecord& record) {
@@ -42,8 +47,10 @@ void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,
   const auto texture = [&](int index) {
     return index >= 0 && has_uvs ? &textures[static_cast<std::size_t>(index)] : nullptr;
   };
-  record.base_colour_texture = texture(material.base_colour_texture);
-  record.metallic_roughness_texture = texture(material.metallic_roughness_texture);
+  if (material.base_colour_uv_set == 0) record.base_colour_texture = texture(material.base_colour_texture);
+  if (material.metallic_roughness_uv_set == 0) {
+    record.metallic_roughness_texture = texture(material.metallic_roughness_texture);
+  }
 }
 
 // A point on an analytic shape is only as good as the ray in the shape's own space, where its coordinates are
@@ -64,6 +71,7 @@ InstanceRecord instance_record(const Scene& scene, const Instance& instance, con
   InstanceRecord record;
   record.kind = instance.kind;
   record.catcher = instance.catcher;
+  record.front_only = shows_fronts_only(scene, instance);
   set_matrix(instance, record);
   set_material(material, record);
   if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) set_shape(instance, record);

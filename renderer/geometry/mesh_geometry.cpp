@@ -4,7 +4,7 @@
 
 namespace herr {
 
-MeshGeometry build_mesh(const EmbreeDevice& device, const TriangleMesh& mesh) {
+MeshGeometry build_mesh(const EmbreeDevice& device, const TriangleMesh& mesh, const MeshFilter& filter) {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetGeometryMask(geometry, kAllMask);
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -14,9 +14,11 @@ MeshGeometry build_mesh(const EmbreeDevice& device, const TriangleMesh& mesh) {
   check_embree(device.get());
   std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
   std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
+  if (filter.instances != nullptr) filter_hits(geometry, *filter.instances);
   rtcCommitGeometry(geometry);
   MeshGeometry built{EmbreeSceneHandle(device), {}};
-  rtcSetSceneBuildQuality(built.scene.get(), RTC_BUILD_QUALITY_HIGH);
+  rtcSetSceneBuildQuality(built.scene.get(),
+                          filter.blends ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
   rtcAttachGeometryByID(built.scene.get(), geometry, 0);
   rtcReleaseGeometry(geometry);
   built.scene.commit();

@@ -15,15 +15,47 @@ namespace herr {
 struct alignas(32) TriangleRecord {
   std::uint32_t normal[3];  // octahedral, two 16-bit snorms: x low, y high
   std::uint32_t uv[3];      // two 16-bit unorms over the mesh's uv range: u low, v high
-  std::uint32_t unused[2];
+  float texel_density = 0;  // area in coordinates over area in object space, 1/m^2
+  std::uint32_t unused = 0;
 };
 static_assert(sizeof(TriangleRecord) == 32);
 
+// Linear RGBA of a triangle's corners, two 16-bit unorms a word: R low and G high, B low and A high.
+struct alignas(32) ColourRecord {
+  std::uint32_t rgba[6] = {};
+  std::uint32_t unused[2] = {};
+};
+static_assert(sizeof(ColourRecord) == 32);
+
+inline constexpr int kMostLevels = 15;  // 16384 texels down to 1
+
 struct TextureRecord {
-  const std::uint32_t* rgba8 = nullptr;  // R in the low byte
-  int width = 0, height = 0;
+  const std::uint32_t* rgba8 = nullptr;  // R in the low byte; level behind level
+  int width = 0, height = 0;             // of level 0; level n has max(1, width >> n)
   bool srgb = true;
   std::uint8_t wrap_u = 0, wrap_v = 0;  // TextureWrap
+  bool nearest = false;                 // magnified texels stay squares
+  int levels = 1;
+  std::array<std::int32_t, kMostLevels> first_texel{};  // of each level
+};
+
+// A texture where an instance uses it, with the coordinates that it reads.
+struct TextureUse {
+  const TextureRecord* texture = nullptr;       // null: none
+  const TriangleRecord* coordinates = nullptr;  // one per triangle; only uv and texel_density
+  float uv_lower[2] = {}, uv_scale[2] = {};     // uv = lower + scale * unorm
+};
+
+// What most instances do without; only where a material or mesh asks for it.
+struct DetailRecord {
+  const ColourRecord* colours = nullptr;  // of vertices, one per triangle
+  // The two base textures stand here instead of in the instance's record where they read a second set.
+  TextureUse base_colour, metallic_roughness, emission, specular_use, specular_colour, transmission;
+  TextureUse coverage;  // alpha = that of the base colour texture, wherever that stands
+  float specular = 1, specular_rgb[3] = {1, 1, 1};
+  float alpha = 1, alpha_cutoff = 0.5f;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  bool unlit = false;
 };
 
 struct InstanceRecord {
@@ -37,7 +69,10 @@ struct InstanceRecord {
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
-  float shape_offset_m = 0;  // of kind sphere or box: secondary rays start at least this far off
+  float shape_offset_m = 0;              // of kind sphere or box: secondary rays start at least this far off
+  const DetailRecord* detail = nullptr;  // null: nothing more
+  float object_per_world2 = 1;           // squared length in object space of a metre (mean over directions)
+  bool front_only = false;               // eyes do not see its back faces
   bool catcher = false;
   ShapeKind kind = ShapeKind::mesh;
 };

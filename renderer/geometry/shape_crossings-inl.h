@@ -54,7 +54,7 @@ class SphereCrossing {
     const V larger = hn::Add(closest, hn::CopySign(half_, closest));
     const V product = hn::Mul(hn::Sub(dot<D>(o, o), one), inverse2);
     const V smaller = hn::Div(product, larger);
-    const auto ahead = hn::Ge(closest, hn::Zero(D()));
+    const auto ahead = hn::Gt(larger, hn::Zero(D()));  // not closest: that may be -0
     enter = hn::IfThenElse(ahead, smaller, larger);
     leave = hn::IfThenElse(ahead, larger, smaller);
   }

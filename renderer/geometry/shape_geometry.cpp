@@ -19,11 +19,13 @@ struct FirstHit {
   hn::Vec<D> t;
 };
 
-// The first crossing in (tnear, tfar]: the entry, or for a ray from within the exit.
+// The first crossing in (tnear, tfar]: the entry, or for a ray from within the exit. A ray without a
+// direction crosses nothing; its exit from the box is at infinity.
 template <class D, class Crossing>
 HWY_INLINE FirstHit<D> first_hit(const CallbackRays<D>& rays, const Crossing& crossing) {
-  const auto in_reach = [&](hn::Vec<D> t)
-                            HWY_ATTR { return hn::And(hn::Gt(t, rays.tnear()), hn::Le(t, rays.tfar())); };
+  const auto in_reach = [&](hn::Vec<D> t) HWY_ATTR {
+    return hn::And(hn::Gt(t, rays.tnear()), hn::And(hn::Le(t, rays.tfar()), hn::Lt(t, hn::Inf(D()))));
+  };
   const auto entering = in_reach(crossing.enter);
   const auto hits =
       hn::And(hn::And(rays.valid(), crossing.meets), hn::Or(entering, in_reach(crossing.leave)));

@@ -1,6 +1,7 @@
 #include "renderer/geometry/triangle_records.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -25,6 +26,49 @@ std::uint32_t unorm16(float x) {
   return static_cast<std::uint32_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 65535.0f));
 }
 
+// Area in coordinates over area in space of one triangle; 0 where it has no area.
+float texel_density(const TriangleMesh& mesh, const std::vector<glm::vec2>& uvs,
+                    const std::array<std::uint32_t, 3>& t) {
+  const glm::dvec3 a(mesh.positions[t[0]]);
+  const double area =
+      glm::length(glm::cross(glm::dvec3(mesh.positions[t[1]]) - a, glm::dvec3(mesh.positions[t[2]]) - a));
+  const glm::dvec2 p{uvs[t[0]]};
+  const glm::dvec2 e = glm::dvec2{uvs[t[1]]} - p, f = glm::dvec2{uvs[t[2]]} - p;
+  const double uv_area = std::abs(e.x * f.y - e.y * f.x);
+  return area > 0 ? static_cast<float>(std::min(uv_area / area, 1e30)) : 0.0f;
+}
+
+// Fills in the coordinates of records that are there already.
+void bake_coordinates(const TriangleMesh& mesh, const std::vector<glm::vec2>& uvs, BakedCoordinates& baked) {
+  if (uvs.empty()) return;
+  glm::vec2 upper = baked.uv_lower = uvs.front();
+  for (const glm::vec2& uv : uvs) {
+    baked.uv_lower = glm::min(baked.uv_lower, uv);
+    upper = glm::max(upper, uv);
+  }
+  baked.uv_scale = upper - baked.uv_lower;
+  const glm::vec2 safe_scale = glm::max(baked.uv_scale, glm::vec2{1e-20f});
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& triangle = mesh.triangles[i];
+    TriangleRecord& record = baked.records[i];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const glm::vec2 uv = (uvs[triangle[corner]] - baked.uv_lower) / safe_scale;
+      record.uv[corner] = unorm16(uv.x) | unorm16(uv.y) << 16;
+    }
+    record.texel_density = texel_density(mesh, uvs, triangle);
+  }
+}
+
+ColourRecord bake_colours(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  ColourRecord record;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const glm::vec4& c = mesh.colours[triangle[corner]];
+    record.rgba[2 * corner] = unorm16(c.x) | unorm16(c.y) << 16;
+    record.rgba[2 * corner + 1] = unorm16(c.z) | unorm16(c.w) << 16;
+  }
+  return record;
+}
+
 }  // namespace
 
 std::uint32_t encode_octahedral(const glm::vec3& n) {
@@ -44,26 +88,21 @@ glm::vec3 decode_octahedral(std::uint32_t code) {
 
 BakedMesh bake_triangles(const TriangleMesh& mesh) {
   BakedMesh baked;
-  if (!mesh.uvs.empty()) {
-    glm::vec2 upper = baked.uv_lower = mesh.uvs.front();
-    for (const glm::vec2& uv : mesh.uvs) {
-      baked.uv_lower = glm::min(baked.uv_lower, uv);
-      upper = glm::max(upper, uv);
-    }
-    baked.uv_scale = upper - baked.uv_lower;
-  }
-  const glm::vec2 safe_scale = glm::max(baked.uv_scale, glm::vec2{1e-20f});
-  baked.records.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    TriangleRecord record{};
+  baked.records.resize(mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      record.normal[corner] = encode_octahedral(mesh.normals[triangle[corner]]);
-      if (mesh.uvs.empty()) continue;
-      const glm::vec2 uv = (mesh.uvs[triangle[corner]] - baked.uv_lower) / safe_scale;
-      record.uv[corner] = unorm16(uv.x) | unorm16(uv.y) << 16;
+      baked.records[i].normal[corner] = encode_octahedral(mesh.normals[mesh.triangles[i][corner]]);
     }
-    baked.records.push_back(record);
   }
+  bake_coordinates(mesh, mesh.uvs, baked);
+  for (const auto& uvs : mesh.more_uvs) {
+    BakedCoordinates& set = baked.more.emplace_back();
+    set.records.resize(mesh.triangles.size());
+    bake_coordinates(mesh, uvs, set);
+  }
+  if (mesh.colours.empty()) return baked;
+  baked.colours.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) baked.colours.push_back(bake_colours(mesh, triangle));
   return baked;
 }
 

@@ -13,10 +13,14 @@
 
 namespace herr {
 
-struct BakedMesh {
+struct BakedCoordinates {
   std::vector<TriangleRecord> records;  // one per triangle
   glm::vec2 uv_lower{0.0f};
   glm::vec2 uv_scale{0.0f};  // uv = lower + scale * (unorm / 65535)
+};
+struct BakedMesh : BakedCoordinates {
+  std::vector<BakedCoordinates> more;  // of TriangleMesh::more_uvs, without normals
+  std::vector<ColourRecord> colours;   // empty where the mesh has none
 };
 BakedMesh bake_triangles(const TriangleMesh& mesh);
 

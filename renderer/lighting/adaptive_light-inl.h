@@ -200,7 +200,7 @@ HWY_INLINE void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive)
 }
 
 // One light at hits [0, count) of a batch. `first` samples are traced for every hit.
-template <bool kSpecular>
+template <Lobe kLobe>
 HWY_INLINE void adaptive_light(const TileJob& job, const LightRecord& light, int first, HitBatch& hits,
                                int count, RayKind kind) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
@@ -217,7 +217,7 @@ HWY_INLINE void adaptive_light(const TileJob& job, const LightRecord& light, int
     note_seen(job, light, s, hits, count);
     for (int slot = 0; slot < count; slot += kLanes) {
       if (s < first) count_seen(job, light, s, hits, slot);
-      add_sample<kSpecular>(job, light, s, hits, slot);
+      add_sample<kLobe>(job, light, s, hits, slot);
     }
   }
 }

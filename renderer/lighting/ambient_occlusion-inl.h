@@ -84,8 +84,8 @@ HWY_INLINE void ambient_occlusion(const TileJob& job, int packets) {
     queue_occlusion_rays(job, ray, packets);
     trace_visibility(
         job, hits, RayKind::occlusion, RayKind::catcher_occlusion,
-        [&](std::size_t hit) { hits.open[hit] -= share; },
-        [&](std::size_t hit) { hits.open_without[hit] -= share; });
+        [&](std::size_t hit, float passes) { hits.open[hit] -= share * (1.0f - passes); },
+        [&](std::size_t hit, float passes) { hits.open_without[hit] -= share * (1.0f - passes); });
   }
 }
 

@@ -14,7 +14,7 @@ namespace herr {
 namespace HWY_NAMESPACE {
 
 // Direct light of every light at hits [0, count) of a batch.
-template <bool kSpecular>
+template <Lobe kLobe>
 void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
   for (Lane<float>* lane : {&hits.lr, &hits.lg, &hits.lb}) clear(*lane, count);
   if (job.shading->plan->catchers) {
@@ -22,14 +22,16 @@ void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
   }
   const int first = job.shading->first_light_samples;
   for (const LightRecord& light : job.shading->lights) {
-    if (first > 0 && first < light.samples && light.samples <= kMostOrderedSamples) {
-      adaptive_light<kSpecular>(job, light, first, hits, count, kind);
+    // Where surfaces blend, what is seen of a sample is no yes or no that neighbours could foretell.
+    const bool decidable = !job.shading->plan->alpha_blend;
+    if (decidable && first > 0 && first < light.samples && light.samples <= kMostOrderedSamples) {
+      adaptive_light<kLobe>(job, light, first, hits, count, kind);
       continue;
     }
     for (int s = 0; s < light.samples; ++s) {
       queue_shadow_rays(job, light, s, hits, count);
       find_visibility(job, hits, kind);
-      for (int slot = 0; slot < count; slot += kLanes) add_sample<kSpecular>(job, light, s, hits, slot);
+      for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, hits, slot);
     }
   }
 }

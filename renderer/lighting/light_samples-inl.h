@@ -44,7 +44,7 @@ HWY_INLINE VF falloff(const LightRecord& light, VF distance2, const V3& directio
 }
 
 // Adds one light sample, with the visibility found by tracing.
-template <bool kSpecular>
+template <Lobe kLobe>
 HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, HitBatch& hits, int slot) {
   const TileScratch& scratch = *job.scratch;
   const V3 to_light = way_to_light(light, s, hits, slot);
@@ -61,7 +61,7 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
       hn::Mul(set(1.0f / static_cast<float>(light.samples)), falloff(light, distance2, direction));
   const VF geometry = hn::IfThenElseZero(lit, hn::Mul(n_l, share));
   const VF seen = hn::Mul(geometry, visible);
-  V3 f = reflectance<kSpecular>(hits, slot, n, direction, n_l);
+  V3 f = reflectance<kLobe>(hits, slot, n, direction, n_l);
   if (job.shading->plan->catchers) {
     // On a catcher the sum is irradiance itself, twice: with the virtual objects and without.
     const MF catcher = of_kind(hits, slot, HitKind::catcher);
@@ -95,8 +95,9 @@ HWY_INLINE void queue_shadow_rays(const TileJob& job, const LightRecord& light, 
 HWY_INLINE void find_visibility(const TileJob& job, const HitBatch& hits, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   trace_visibility(
-      job, hits, kind, RayKind::catcher_shadow, [&](std::size_t hit) { scratch.visible[hit] = 0.0f; },
-      [&](std::size_t hit) { scratch.visible_without[hit] = 0.0f; });
+      job, hits, kind, RayKind::catcher_shadow,
+      [&](std::size_t hit, float passes) { scratch.visible[hit] = passes; },
+      [&](std::size_t hit, float passes) { scratch.visible_without[hit] = passes; });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,6 +35,17 @@ HWY_INLINE void set_rays(Ray& packet, const V3& origin, const V3& direction, flo
   hn::Store(hn::Zero(kF), kF, packet.time);
   hn::Store(hn::Set(kU, mask), kU, packet.mask);
   hn::Store(hn::Zero(kU), kU, packet.flags);
+  hn::Store(hn::Zero(kU), kU, packet.id);
+}
+
+// Writes into the rays how wide they are, for hit filters: two numbers without sign of 16 bits, the upper
+// halves of floats, the width at the origin low and what it grows by per metre high.
+HWY_INLINE void widen(Ray& packet, const HitBatch& hits, int slot) {
+  const auto half = [](VF value) HWY_ATTR {
+    return hn::ShiftRight<15>(hn::BitCast(kU, hn::Max(value, hn::Zero(kF))));
+  };
+  const VU width = half(load(&hits.cone_width[slot])), spread = half(load(&hits.cone_spread[slot]));
+  hn::Store(hn::Or(width, hn::ShiftLeft<16>(spread)), kU, packet.id);
 }
 
 // Rays that look for the nearest hit.

@@ -16,13 +16,17 @@ namespace HWY_NAMESPACE {
 
 constexpr float kInvPi = 0.318309886f;
 
+// Which highlights surfaces have: none, those of any dielectric or metal, or of a strength of their own
+// (HitBatch::f90).
+enum class Lobe : std::uint8_t { none, usual, weighted };
+
 // Outgoing radiance per unit of irradiance along the light's direction: Lambert plus GGX.
-template <bool kSpecular>
+template <Lobe kLobe>
 HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3& light, VF n_l) {
   const VF inv_pi = set(kInvPi);
   V3 f{hn::Mul(load(&hits.dr[slot]), inv_pi), hn::Mul(load(&hits.dg[slot]), inv_pi),
        hn::Mul(load(&hits.db[slot]), inv_pi)};
-  if constexpr (kSpecular) {
+  if constexpr (kLobe != Lobe::none) {
     const VF one = set(1.0f), tiny = set(1e-8f);
     const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
     const V3 h = normalise(V3{hn::Add(light.x, v.x), hn::Add(light.y, v.y), hn::Add(light.z, v.z)});
@@ -41,9 +45,11 @@ HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3&
     const VF k = hn::Sub(one, l_h), k2 = hn::Mul(k, k);
     const VF grazing = hn::Mul(hn::Mul(k2, k2), k);  // Schlick
     const VF common = hn::Mul(lobe, shadowing);
+    VF f90 = one;
+    if constexpr (kLobe == Lobe::weighted) f90 = load(&hits.f90[slot]);
     const auto add = [&](VF diffuse, const Lane<float>& f0_lane) HWY_ATTR {
       const VF f0 = load(&f0_lane[slot]);
-      return hn::MulAdd(common, hn::MulAdd(grazing, hn::Sub(one, f0), f0), diffuse);
+      return hn::MulAdd(common, hn::MulAdd(grazing, hn::Sub(f90, f0), f0), diffuse);
     };
     f = {add(f.x, hits.fr), add(f.y, hits.fg), add(f.z, hits.fb)};
   }

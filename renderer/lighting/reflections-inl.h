@@ -23,12 +23,14 @@ HWY_INLINE V3 mirrored(const V3& v, const V3& n, const V3& g) {
   return select(hn::Gt(dot(bent, g), hn::Zero(kF)), bent, reflect(g));
 }
 
-// Share of the mirror ray that is seen, per channel: mirror * (F0 + (1 - F0) (1 - n.v)^5).
-HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine) {
+// Share of the mirror ray that is seen, per channel: mirror * (F0 + (F90 - F0) (1 - n.v)^5); F90 is 1 unless
+// highlights are `weighted`.
+HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine, bool weighted) {
   const VF one = set(1.0f), grazing = schlick_weight(cosine), mirror = load(&hits.mirror[slot]);
+  const VF f90 = weighted ? load(&hits.f90[slot]) : one;
   const auto channel = [&](const Lane<float>& f0_lane) HWY_ATTR {
     const VF f0 = load(&f0_lane[slot]);
-    return hn::Mul(mirror, hn::MulAdd(grazing, hn::Sub(one, f0), f0));
+    return hn::Mul(mirror, hn::MulAdd(grazing, hn::Sub(f90, f0), f0));
   };
   return {channel(hits.fr), channel(hits.fg), channel(hits.fb)};
 }
@@ -47,7 +49,7 @@ HWY_INLINE void queue_mirror_rays(const TileJob& job, int count) {
     if (hn::AllFalse(kF, mirrors)) continue;
     const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
     const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
-    const V3 weight = mirror_weight(hits, slot, dot(n, v));
+    const V3 weight = mirror_weight(hits, slot, dot(n, v), job.shading->plan->surface_details);
     const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
     if (hn::AllFalse(kF, reflects)) continue;
     hn::Store(weight.x, kF, &scratch.weight_r[slot]);
@@ -59,7 +61,7 @@ HWY_INLINE void queue_mirror_rays(const TileJob& job, int count) {
 }
 
 // The whole stage for first hits [0, count).
-template <bool kTextures, bool kSpecular>
+template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_INLINE void reflect_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   if (job.shading->plan->catcher_mirrors) {
@@ -69,9 +71,9 @@ HWY_INLINE void reflect_light(const TileJob& job, int count) {
   const int rays = scratch.queue.count;
   if (rays == 0) return;
   remember_senders(scratch);
-  trace_second_rays<kTextures>(job, RayKind::mirror, 0x517cc1b7u);
+  trace_second_rays<kDetail>(job, RayKind::mirror, 0x517cc1b7u);
   job.cycles->lap(Stage::second_hits);
-  direct_light<kSpecular>(job, scratch.second, rays, RayKind::mirror_shadow);
+  direct_light<kLobe>(job, scratch.second, rays, RayKind::mirror_shadow);
   light_indirectly(job, rays);
   gather_second_light(job, rays);
   job.cycles->lap(Stage::second_light);

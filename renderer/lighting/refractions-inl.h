@@ -95,7 +95,7 @@ HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count,
 }
 
 // The whole stage for first hits [0, count).
-template <bool kTextures, bool kSpecular>
+template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_INLINE void refract_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   const VI lane = hn::Iota(kI, 0);
@@ -105,15 +105,14 @@ HWY_INLINE void refract_light(const TileJob& job, int count) {
     std::swap(scratch.queue, scratch.onward);
     const int rays = scratch.queue.count;
     remember_senders(scratch);
-    trace_second_rays<kTextures>(job, RayKind::refraction,
-                                 0x2545f491u + static_cast<std::uint32_t>(interface));
+    trace_second_rays<kDetail>(job, RayKind::refraction, 0x2545f491u + static_cast<std::uint32_t>(interface));
     scratch.onward.count = 0;
     if (interface < kMostInterfaces) {
       queue_refractions(job, scratch.second, rays, false,
                         [&](int slot) HWY_ATTR { return hn::LoadU(kI, &scratch.sender[slot]); });
     }
     job.cycles->lap(Stage::second_hits);
-    direct_light<kSpecular>(job, scratch.second, rays, RayKind::refraction_shadow);
+    direct_light<kLobe>(job, scratch.second, rays, RayKind::refraction_shadow);
     light_indirectly(job, rays);
     gather_second_light(job, rays);
     job.cycles->lap(Stage::second_light);

@@ -57,7 +57,8 @@ struct Texel {
   V3 light, ratio;
 };
 
-HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
+// What the first hits themselves show and keep.
+HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
   const ShadingInputs& shading = *job.shading;
   const HitBatch& hits = job.scratch->first;
   const int slot = packet * kLanes;
@@ -95,6 +96,15 @@ HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
       texel.light = select(catcher, load3(&hits.sr[slot], &hits.sg[slot], &hits.sb[slot]), texel.light);
     }
   }
+  return texel;
+}
+
+// Puts the background behind: debug colours or the environment, where no feed is shown.
+HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
+  const ShadingInputs& shading = *job.shading;
+  const HitBatch& hits = job.scratch->first;
+  const int slot = packet * kLanes;
+  const VF zero = hn::Zero(kF);
   if (shading.debug_tiles && job.grid->polar) {
     const V3 colour = debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
                                    job.scratch->packet_y[static_cast<std::size_t>(packet)]);
@@ -110,7 +120,6 @@ HWY_INLINE Texel shade_texel(const TileJob& job, int packet, VI kind) {
                    hn::MulAdd(environment.z, texel.ratio.z, texel.light.z)};
     texel.ratio = {zero, zero, zero};
   }
-  return texel;
 }
 
 // Copies one texel to its place and to the padding that repeats it.
@@ -153,19 +162,23 @@ HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& 
   }
 }
 
-HWY_INLINE void resolve(const TileJob& job, int packets) {
+HWY_INLINE void store_texels(const TileJob& job, int packet, VI kind, Texel texel) {
   const TexelSink& sink = job.grid->sink;
   std::int64_t& nonfinite = job.counters->nonfinite_values;
+  const MF lanes = hn::RebindMask(kF, hn::Ne(kind, hn::Zero(kI)));
+  put_background(job, packet, texel);
+  texel.light = {finite_half(texel.light.x, lanes, nonfinite), finite_half(texel.light.y, lanes, nonfinite),
+                 finite_half(texel.light.z, lanes, nonfinite)};
+  texel.ratio = {finite_half(texel.ratio.x, lanes, nonfinite), finite_half(texel.ratio.y, lanes, nonfinite),
+                 finite_half(texel.ratio.z, lanes, nonfinite)};
+  store_plane(job, sink.texels, texel.light, texel.ratio.y, packet, kind);
+  if (sink.ratios) store_plane(job, sink.ratios, texel.ratio, hn::Zero(kF), packet, kind);
+}
+
+HWY_INLINE void resolve(const TileJob& job, int packets) {
   for (int packet = 0; packet < packets; ++packet) {
     const VI kind = hn::Load(kI, &job.scratch->first.kind[packet * kLanes]);
-    const MF lanes = hn::RebindMask(kF, hn::Ne(kind, hn::Zero(kI)));
-    Texel texel = shade_texel(job, packet, kind);
-    texel.light = {finite_half(texel.light.x, lanes, nonfinite), finite_half(texel.light.y, lanes, nonfinite),
-                   finite_half(texel.light.z, lanes, nonfinite)};
-    texel.ratio = {finite_half(texel.ratio.x, lanes, nonfinite), finite_half(texel.ratio.y, lanes, nonfinite),
-                   finite_half(texel.ratio.z, lanes, nonfinite)};
-    store_plane(job, sink.texels, texel.light, texel.ratio.y, packet, kind);
-    if (sink.ratios) store_plane(job, sink.ratios, texel.ratio, hn::Zero(kF), packet, kind);
+    store_texels(job, packet, kind, surface_texel(job, packet, kind));
   }
 }
 

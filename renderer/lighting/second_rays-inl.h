@@ -41,7 +41,7 @@ HWY_INLINE void remember_senders(TileScratch& scratch) {
 
 // Traces the queued rays and stores their surfaces in the second batch, slot i for ray i. `salt` tells the
 // random numbers of this pass from those of others.
-template <bool kTextures>
+template <SurfaceDetail kDetail>
 HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt) {
   TileScratch& scratch = *job.scratch;
   const RayQueue& queue = scratch.queue;
@@ -56,11 +56,21 @@ HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
     set_rays(packet, origin, direction);
+    const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &scratch.sender[start]));
+    if (kDetail != SurfaceDetail::plain) {
+      // Flat mirrors and thin glass widen nothing: the ray goes on as wide as it was.
+      const auto inherit = [&](const Lane<float>& from, Lane<float>& to) HWY_ATTR {
+        hn::Store(hn::GatherIndex(kF, from.data(), sender), kF, &to[start]);
+      };
+      inherit(scratch.first.cone_width, scratch.second.cone_width);
+      inherit(scratch.first.cone_spread, scratch.second.cone_spread);
+      widen(packet.ray, scratch.second, start);
+    }
+    hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
     set_valid(valid, lanes);
     record(job, kind, packet.ray, valid, false);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
-    surface_of_packet<kTextures>(packet, lanes, *job.shading, true, scratch.second, start);
-    const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &scratch.sender[start]));
+    surface_of_packet<kDetail>(packet, lanes, *job.shading, true, scratch.second, start);
     const VU key = hn::BitCast(
         kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), sender));
     hn::Store(hash(key, salt), kU, &scratch.second.key[start]);

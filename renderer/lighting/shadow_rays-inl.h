@@ -92,8 +92,21 @@ HWY_INLINE void push_one(RayQueue& queue, const RayQueue& from, int i) {
   queue.hit[to] = from.hit[at];
 }
 
-// Traces the queue's rays over their whole length, t in [0, 1); calls blocked(i) for each that meets
-// something of `mask`.
+// Finds which of a packet's rays meet something. Blended surfaces stop none: `passes` is the share of light
+// that goes past them, and such rays count as blocked where it is negligible.
+HWY_INLINE MF occluded_by_shares(const int* valid, RTCScene scene, MF lanes, Ray& packet, VF& passes) {
+  PassingContext passing;
+  for (float& share : passing.passes) share = 1.0f;
+  const VU lane = hn::BitCast(kU, hn::Iota(kI, 0));
+  hn::Store(hn::Or(hn::ShiftLeft<kLaneShift>(lane), hn::Set(kU, kPassesThrough)), kU, packet.flags);
+  passing_packet<kLanes>(valid, scene, &packet, passing);
+  passes = loadu(passing.passes);
+  const MF hit = hn::Or(hn::Lt(load(packet.tfar), hn::Zero(kF)), hn::Lt(passes, set(1.0f / 512.0f)));
+  return hn::And(lanes, hit);
+}
+
+// Traces the queue's rays over their whole length, t in [0, 1); calls blocked(i, passes) for each that meets
+// something of `mask`: the share of light that passes is 0, or more behind blended surfaces.
 template <typename Blocked>
 HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsigned mask, RayKind kind,
                                 const Blocked& blocked) {
@@ -110,21 +123,32 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
     set_rays(packet, origin, direction, kShadowRayEnd, mask);
     set_valid(valid, lanes);
     record(job, kind, packet, valid, false);
-    occluded_packet<kLanes>(valid, job.shading->scene, &packet);
-    // Embree sets tfar to -inf where something is in the way.
-    const MF hit = hn::And(lanes, hn::Lt(load(packet.tfar), hn::Zero(kF)));
+    VF passes = set(1.0f);
+    MF hit;
+    if (job.shading->plan->alpha_blend) {
+      hit = occluded_by_shares(valid, job.shading->scene, lanes, packet, passes);
+      passes = hn::IfThenZeroElse(hit, passes);
+      hit = hn::Or(hit, hn::And(lanes, hn::Lt(passes, set(1.0f))));
+    } else {
+      occluded_packet<kLanes>(valid, job.shading->scene, &packet);
+      // Embree sets tfar to -inf where something is in the way.
+      hit = hn::And(lanes, hn::Lt(load(packet.tfar), hn::Zero(kF)));
+      passes = hn::Zero(kF);
+    }
     if (hn::AllFalse(kF, hit)) continue;
     alignas(64) int hit_lane[kMaxLanes];
+    alignas(64) float share[kMaxLanes];
     hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, hit)), kI, hit_lane);
+    hn::Store(passes, kF, share);
     for (int i = 0; i < kLanes; ++i) {
-      if (hit_lane[i] != 0) blocked(start + i);
+      if (hit_lane[i] != 0) blocked(start + i, share[i]);
     }
   }
 }
 
 // Traces the queue's rays against everything, and those of catchers that are blocked against catchers alone:
 // what blocks a catcher may be another catcher, which is there without the virtual objects too. Calls
-// blocked(hit) and blocked_without(hit).
+// blocked(hit, passes) and blocked_without(hit, passes).
 template <typename Blocked, typename BlockedWithout>
 HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKind kind, RayKind catcher_kind,
                                  const Blocked& blocked, const BlockedWithout& blocked_without) {
@@ -133,15 +157,15 @@ HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKi
   scratch.blocked.count = 0;
   // Probes of catchers alone know no virtual object.
   const unsigned mask = kind == RayKind::catcher_probe_shadow ? kCatcherMask : kAllMask;
-  trace_occlusion(job, scratch.queue, mask, kind, [&](int i) HWY_ATTR {
+  trace_occlusion(job, scratch.queue, mask, kind, [&](int i, float passes) HWY_ATTR {
     const auto hit = static_cast<std::size_t>(scratch.queue.hit[static_cast<std::size_t>(i)]);
-    blocked(hit);
+    blocked(hit, passes);
     if (!catchers_occlude || hits.kind[hit] != static_cast<int>(HitKind::catcher)) return;
     push_one(scratch.blocked, scratch.queue, i);
   });
   if (scratch.blocked.count == 0) return;
-  trace_occlusion(job, scratch.blocked, kCatcherMask, catcher_kind, [&](int i) HWY_ATTR {
-    blocked_without(static_cast<std::size_t>(scratch.blocked.hit[static_cast<std::size_t>(i)]));
+  trace_occlusion(job, scratch.blocked, kCatcherMask, catcher_kind, [&](int i, float passes) HWY_ATTR {
+    blocked_without(static_cast<std::size_t>(scratch.blocked.hit[static_cast<std::size_t>(i)]), passes);
   });
 }
 

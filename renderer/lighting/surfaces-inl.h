@@ -9,7 +9,7 @@
 #endif
 
 #include "renderer/lighting/generate_rays-inl.h"
-#include "renderer/lighting/texture-inl.h"
+#include "renderer/lighting/surface_details-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -33,70 +33,47 @@ HWY_INLINE V3 decode_normal(VU code) {
   return {hn::Sub(x, hn::CopySign(fold, x)), hn::Sub(y, hn::CopySign(fold, y)), z};
 }
 
-struct Barycentric {
-  VF w, u, v;
-};
-
-HWY_INLINE VF unorm_lane(VU packed, bool high) {
-  const VU bits = high ? hn::ShiftRight<16>(packed) : hn::And(packed, hn::Set(kU, 0xffffu));
-  return hn::ConvertTo(kF, hn::BitCast(kI, bits));
-}
-
 // Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance,
 // and what passes where the frame follows light through `transparent` surfaces.
-template <bool kTextures>
+template <SurfaceDetail kDetail>
 HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const Barycentric& at,
-                               bool transparent, MF lanes, HitBatch& out, int slot) {
-  Rgb base{set(instance.base_colour[0]), set(instance.base_colour[1]), set(instance.base_colour[2])};
-  VF metallic = set(instance.metallic), roughness = set(instance.roughness);
-  if constexpr (kTextures) {
-    if (instance.base_colour_texture || instance.metallic_roughness_texture) {
-      const auto* words = reinterpret_cast<const std::uint32_t*>(instance.triangles);
-      const VU uv0 = hn::GatherIndex(kU, words + 3, record), uv1 = hn::GatherIndex(kU, words + 4, record),
-               uv2 = hn::GatherIndex(kU, words + 5, record);
-      const auto interpolate = [&](bool high, int axis) HWY_ATTR {
-        const VF q =
-            hn::MulAdd(at.w, unorm_lane(uv0, high),
-                       hn::MulAdd(at.u, unorm_lane(uv1, high), hn::Mul(at.v, unorm_lane(uv2, high))));
-        return hn::MulAdd(q, set(instance.uv_scale[axis]), set(instance.uv_lower[axis]));
-      };
-      const VF u = interpolate(false, 0), v = interpolate(true, 1);
-      if (instance.base_colour_texture) {
-        const Rgb texel = fetch_bilinear(*instance.base_colour_texture, u, v);
-        base = {hn::Mul(base.r, texel.r), hn::Mul(base.g, texel.g), hn::Mul(base.b, texel.b)};
-      }
-      if (instance.metallic_roughness_texture) {
-        const Rgb texel = fetch_bilinear(*instance.metallic_roughness_texture, u, v);
-        roughness = hn::Mul(roughness, texel.g);
-        metallic = hn::Mul(metallic, texel.b);
-      }
-    }
+                               VF object_width2, bool transparent, MF lanes, HitBatch& out, int slot) {
+  MaterialAt m = material_factors(instance);
+  if constexpr (kDetail != SurfaceDetail::plain) {
+    apply_base_textures(instance, record, at, object_width2, lanes, m);
   }
-  VF dielectric = hn::Sub(set(1.0f), metallic);
-  const VF f0 = set(instance.dielectric_f0);
   const auto put = [&](VF value, Lane<float>& lane)
                        HWY_ATTR { store_lanes(value, lanes, lane.data() + slot); };
+  if constexpr (kDetail == SurfaceDetail::all) {
+    put(set(1.0f), out.coverage);
+    if (instance.detail) {
+      apply_details(*instance.detail, record, at, object_width2, lanes, m);
+      if (instance.detail->alpha_mode == AlphaMode::blend) put(m.base.a, out.coverage);
+    }
+    put(hn::MulAdd(m.metallic, hn::Sub(set(1.0f), m.f90), m.f90), out.f90);
+  }
+  VF dielectric = hn::Sub(set(1.0f), m.metallic);
   if (transparent) {
     // What passes the surface is not scattered by it.
-    const VF transmission = hn::Mul(dielectric, set(instance.transmission));
+    const VF transmission = hn::Mul(dielectric, m.transmission);
     dielectric = hn::Sub(dielectric, transmission);
     put(transmission, out.transmission);
-    put(f0, out.dielectric_f0);
-    put(base.r, out.tr);
-    put(base.g, out.tg);
-    put(base.b, out.tb);
+    put(set(instance.dielectric_f0), out.dielectric_f0);
+    put(m.base.r, out.tr);
+    put(m.base.g, out.tg);
+    put(m.base.b, out.tb);
   }
-  put(hn::Mul(base.r, dielectric), out.dr);
-  put(hn::Mul(base.g, dielectric), out.dg);
-  put(hn::Mul(base.b, dielectric), out.db);
-  put(hn::MulAdd(metallic, hn::Sub(base.r, f0), f0), out.fr);
-  put(hn::MulAdd(metallic, hn::Sub(base.g, f0), f0), out.fg);
-  put(hn::MulAdd(metallic, hn::Sub(base.b, f0), f0), out.fb);
-  const VF alpha = hn::Max(hn::Mul(roughness, roughness), set(kSmallestAlpha));
+  put(hn::Mul(m.base.r, dielectric), out.dr);
+  put(hn::Mul(m.base.g, dielectric), out.dg);
+  put(hn::Mul(m.base.b, dielectric), out.db);
+  put(hn::MulAdd(m.metallic, hn::Sub(m.base.r, m.f0.x), m.f0.x), out.fr);
+  put(hn::MulAdd(m.metallic, hn::Sub(m.base.g, m.f0.y), m.f0.y), out.fg);
+  put(hn::MulAdd(m.metallic, hn::Sub(m.base.b, m.f0.z), m.f0.z), out.fb);
+  const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
   put(hn::Mul(alpha, alpha), out.alpha2);
-  put(set(instance.emission[0]), out.er);
-  put(set(instance.emission[1]), out.eg);
-  put(set(instance.emission[2]), out.eb);
+  put(m.emission.x, out.er);
+  put(m.emission.y, out.eg);
+  put(m.emission.z, out.eb);
   put(set(instance.mirror), out.mirror);
   put(set(instance.catcher ? 1.0f : 0.0f), out.real);
 }
@@ -160,7 +137,9 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
 // a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
-template <bool kTextures>
+// Where textures are read, rays have a width: HitBatch::cone_width and cone_spread are theirs at the origin
+// before, and the width is the hit's afterwards.
+template <SurfaceDetail kDetail>
 HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
                                   bool see_catchers, HitBatch& out, int slot) {
   const VU geometry = hn::Load(kU, packet.hit.geomID);
@@ -189,6 +168,12 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
   const VF u = load(packet.hit.u), v = load(packet.hit.v);
   const Barycentric at{hn::Sub(hn::Sub(set(1.0f), u), v), u, v};
   const VI records = hn::ShiftLeft<3>(hn::BitCast(kI, hn::Load(kU, packet.hit.primID)));
+  VF area = hn::Zero(kF);  // of the ray's cross section on the surface, but for its slope
+  if constexpr (kDetail != SurfaceDetail::plain) {
+    const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
+    store_lanes(width, hit, &out.cone_width[slot]);
+    area = hn::Mul(width, width);
+  }
   MF left = hit;
   while (!hn::AllFalse(kF, left)) {
     const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
@@ -202,7 +187,12 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
     } else {
       store_shape(instance, packet, viewer, lanes, out, slot);
     }
-    store_material<kTextures>(instance, record, at, shading.plan->refraction, lanes, out, slot);
+    VF object_width2 = area;
+    if constexpr (kDetail != SurfaceDetail::plain) {
+      const VF slope = hn::Abs(dot(load3(&out.gx[slot], &out.gy[slot], &out.gz[slot]), viewer));
+      object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
+    }
+    store_material<kDetail>(instance, record, at, object_width2, shading.plan->refraction, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
   }

@@ -31,6 +31,9 @@ inline constexpr std::size_t kBlocksInTile = kBlocksAlong * kBlocksAlong;
 template <typename T>
 using Lane = std::array<T, kTileRays + kMaxLanes>;
 
+// How much a kernel knows of surfaces. plain: factors. textures: base colour and metallic-roughness, one set
+// of coordinates. all: whatever a DetailRecord holds.
+enum class SurfaceDetail : std::uint8_t { plain, textures, all };
 // none: no sample here; miss: the ray left the scene.
 enum class HitKind : std::int32_t { none = 0, object = 1, catcher = 2, miss = 3 };
 
@@ -51,8 +54,12 @@ struct alignas(64) HitBatch {
   Lane<float> dielectric_f0;  // reflectance of the bare interface at normal incidence
   Lane<float> tr, tg, tb;     // colour of light that passes
   Lane<float> real;           // 1 on a catcher that is seen as an object
-  Lane<std::int32_t> kind;    // HitKind
-  Lane<std::uint32_t> key;    // random numbers: frame, eye and sample
+  // With textures: width of the ray, metres, and what it grows by per metre.
+  Lane<float> cone_width, cone_spread;
+  // With surface details: what a blended surface covers, 1 elsewhere; specular reflectance at grazing angles.
+  Lane<float> coverage, f90;
+  Lane<std::int32_t> kind;  // HitKind
+  Lane<std::uint32_t> key;  // random numbers: frame, eye and sample
   // Objects: radiance by direct light. Catchers: irradiance with all objects in place.
   Lane<float> lr, lg, lb;
   // Catchers: irradiance without the virtual objects.
@@ -87,6 +94,13 @@ struct alignas(64) AdaptiveLight {
   Lane<std::uint8_t> sum, sum_without;  // of neighbouring samples seen
 };
 
+// What the layers of blended surfaces add up to, front to back, per first hit.
+struct alignas(64) AlphaLayers {
+  Lane<float> light_r, light_g, light_b, ratio_r, ratio_g, ratio_b;  // as in texels
+  Lane<float> through;                                               // share of what is behind that is seen
+  Lane<std::int32_t> kind;                                           // HitKind of the first layer
+};
+
 struct alignas(64) TileScratch {
   alignas(64) unsigned char packets[sizeof(RTCRayHit16) * kTileRays / 16];  // of whichever width
   std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
@@ -96,6 +110,7 @@ struct alignas(64) TileScratch {
   Lane<float> visible, visible_without;      // of the light sample in work, per hit
   Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
   Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
+  std::unique_ptr<AlphaLayers> layers;       // where surfaces blend
   std::unique_ptr<AdaptiveLight>
       adaptive;  // where light samples are adaptive; after the lanes, which it would shift
 };

@@ -82,7 +82,7 @@ void trace_distances(RTCScene scene, const glm::dvec3& origin, unsigned mask,
       packet.ray.org_x[i] = from.x, packet.ray.org_y[i] = from.y, packet.ray.org_z[i] = from.z;
       packet.ray.dir_x[i] = d.x, packet.ray.dir_y[i] = d.y, packet.ray.dir_z[i] = d.z;
       packet.ray.tnear[i] = 0, packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
-      packet.ray.time[i] = 0, packet.ray.mask[i] = mask, packet.ray.flags[i] = 0;
+      packet.ray.time[i] = 0, packet.ray.mask[i] = mask, packet.ray.flags[i] = packet.ray.id[i] = 0;
       packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
       valid[i] = used ? -1 : 0;
     }

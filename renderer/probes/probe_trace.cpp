@@ -7,6 +7,8 @@
 
 #include <hwy/highway.h>
 
+#include <cmath>
+
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/surfaces-inl.h"
@@ -41,7 +43,7 @@ HWY_INLINE ProbeOrigins probe_origins(const ProbeJob& job) {
 }
 
 // Traces rays [first, first + rays) of every probe; slot 16 r + p holds ray first + r of probe p.
-template <bool kTextures>
+template <SurfaceDetail kDetail>
 HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origins, int first, int rays) {
   const TileJob& tile = job.tile;
   HitBatch& hits = tile.scratch->first;
@@ -62,8 +64,16 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     set_valid(valid, lanes);
     record(tile, kind, packet.ray, valid, true);
     tile.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
+    hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
+    if constexpr (kDetail != SurfaceDetail::plain) {
+      // A cone of the solid angle that each ray stands for, as wide as it is high.
+      const float spread = std::sqrt(12.5663706f / static_cast<float>(job.volume->directions.rays()));
+      hn::Store(hn::Zero(kF), kF, &hits.cone_width[slot]);
+      hn::Store(set(spread), kF, &hits.cone_spread[slot]);
+      widen(packet.ray, hits, slot);
+    }
     if (!hn::AllFalse(kF, lanes)) intersect_packet<kLanes>(valid, tile.shading->scene, false, &packet);
-    surface_of_packet<kTextures>(packet, lanes, *tile.shading, true, hits, slot);
+    surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot);
     hn::Store(hn::Zero(kU), kU, &hits.key[slot]);
   }
 }
@@ -131,14 +141,16 @@ void TraceProbesKernel(const ProbeJob& job) {
   for (int first = 0; first < all; first += kRaysAtOnce) {
     const int rays = all - first < kRaysAtOnce ? all - first : kRaysAtOnce;
     const int count = rays * kProbeLanes;
-    if (tile.shading->plan->textures) {
-      trace_directions<true>(job, origins, first, rays);
+    if (tile.shading->plan->surface_details) {
+      trace_directions<SurfaceDetail::all>(job, origins, first, rays);
+    } else if (tile.shading->plan->textures) {
+      trace_directions<SurfaceDetail::textures>(job, origins, first, rays);
     } else {
-      trace_directions<false>(job, origins, first, rays);
+      trace_directions<SurfaceDetail::plain>(job, origins, first, rays);
     }
     make_matte(hits, count);
-    direct_light<false>(tile, hits, count,
-                        job.set == 0 ? RayKind::probe_shadow : RayKind::catcher_probe_shadow);
+    direct_light<Lobe::none>(tile, hits, count,
+                             job.set == 0 ? RayKind::probe_shadow : RayKind::catcher_probe_shadow);
     indirect_light(tile, hits, count);
     store_radiance(job, first, rays);
   }

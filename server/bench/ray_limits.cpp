@@ -28,6 +28,8 @@ double polar_samples(const BenchResult& result) {
 
 std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, std::size_t lights,
                              const RenderSettings& settings) {
+  // Of a sample that looks through blended surfaces, each layer has hits and second rays of its own.
+  const double layers = plan.alpha_blend ? kMostLayers : 1;
   const double per_hit = static_cast<double>(lights) * settings.light_samples;
   const double shadow = per_sample(result, "shadow"), mirror = per_sample(result, "mirror");
   const double mirror_shadow = per_sample(result, "mirror_shadow");
@@ -44,18 +46,19 @@ std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, s
   // A second ray asks whether another catcher blocks; hits in mirrors and behind glass ask it too.
   const std::vector<Limit> limits{
       {"primary", 1.0},
-      {"shadow", per_hit},
+      {"shadow", layers * per_hit},
       {"catcher_shadow", plan.catchers_occlude ? shadow + mirror_shadow + refraction_shadow : 0.0},
-      {"mirror", plan.mirror_rays ? 1.0 : 0.0},
+      {"mirror", plan.mirror_rays ? layers : 0.0},
       {"mirror_shadow", mirror * per_hit},
-      {"refraction", plan.refraction ? kMostInterfaces : 0.0},
+      {"refraction", plan.refraction ? layers * kMostInterfaces : 0.0},
       {"refraction_shadow", refraction * per_hit},
-      {"occlusion", plan.occlusion ? settings.occlusion_rays : 0.0},
+      {"occlusion", plan.occlusion ? layers * settings.occlusion_rays : 0.0},
       {"catcher_occlusion", plan.catchers_occlude ? occlusion : 0.0},
       {"probe", plan.probes ? probe_limit : 0.0},
       {"probe_shadow", per_sample(result, "probe") * static_cast<double>(lights)},
       {"catcher_probe", plan.catcher_probes ? probe_limit : 0.0},
-      {"catcher_probe_shadow", per_sample(result, "catcher_probe") * static_cast<double>(lights)}};
+      {"catcher_probe_shadow", per_sample(result, "catcher_probe") * static_cast<double>(lights)},
+      {"behind", layers - 1}};
   for (const Limit& limit : limits) {
     const double traced = per_sample(result, limit.name);
     if (traced <= limit.most * (1 + kRoundingSlack)) continue;

@@ -63,6 +63,30 @@ TEST(FramePlanTest, TextureCodeDoesNotChangeASceneWithoutTextures) {
   expect_same_picture(plain_scene(), &FramePlan::textures);
 }
 
+TEST(FramePlanTest, CodeForSurfaceDetailsDoesNotChangeASceneWithoutThem) {
+  expect_same_picture(plain_scene(), &FramePlan::surface_details);
+  Scene textured = plain_scene();
+  textured.textures.push_back({"blue", 2, 1, true, {}, {}, {10, 20, 200, 255, 250, 20, 10, 255}});
+  textured.materials[0].base_colour_texture = textured.materials[1].metallic_roughness_texture = 0;
+  expect_same_picture(textured, &FramePlan::surface_details);
+}
+
+TEST(FramePlanTest, CodeForHolesAndSidesDoesNotChangeASceneWithoutThem) {
+  expect_same_picture(plain_scene(), &FramePlan::alpha_mask);
+  expect_same_picture(plain_scene(), &FramePlan::front_only);
+}
+
+TEST(FramePlanTest, CodeForLayersDoesNotChangeASceneWithoutBlendedSurfaces) {
+  const RenderedFrame lean =
+      render_planned(catcher_scene(), [](Renderer::Impl& impl) { ASSERT_FALSE(impl.plan.alpha_blend); });
+  const RenderedFrame full = render_planned(catcher_scene(), [](Renderer::Impl& impl) {
+    impl.plan.alpha_blend = impl.plan.surface_details = true;
+    for (auto& scratch : impl.tile_scratch) scratch->layers = std::make_unique<AlphaLayers>();
+  });
+  test::expect_same_bits(lean, full);
+  EXPECT_EQ(full.counters.rays[RayKind::behind], 0);
+}
+
 TEST(FramePlanTest, SpecularCodeDoesNotChangeASceneOfCatchersAlone) {
   Scene scene = catcher_scene();
   scene.instances[1].catcher = true;

@@ -104,8 +104,10 @@ void expect_exact(Isa isa, ShapeKind kind, bool grazing, int count) {
   EXPECT_EQ(tally.far_off, 0);
   EXPECT_EQ(tally.bad_normals, 0);
   EXPECT_GT(tally.hits, count / 5);
-  // Of random rays next to none; grazing ones pass as near as 1e-7, where rounding begins.
-  EXPECT_LT(tally.undecided, grazing ? count / 5 : count / 1000);
+  // Of random rays next to none. Grazing ones pass by 1e-7 ... 1e-2, evenly over the five decades, from 1 ...
+  // 1000 radii away. What rounding decides grows with that distance r in the worst case, below about 1.2e-7
+  // r: on average (log10(1.2) + 1.5) / 5 = 32 % of them.
+  EXPECT_LT(tally.undecided, grazing ? count * 35 / 100 : count / 1000);
 }
 
 class ShapeRayTest : public testing::TestWithParam<Isa> {
@@ -175,7 +177,7 @@ TEST_P(ShapeRayTest, RaysOnPlanesLimbsAndSurfacesAreNeitherLostNorDoubled) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, ShapeRayTest, testing::Values(Isa::sse4, Isa::avx2, Isa::avx512),
-                         [](const auto& info) { return std::string(name_of(info.param)); });
+                         [](const auto& which) { return std::string(name_of(which.param)); });
 
 }  // namespace
 }  // namespace herr

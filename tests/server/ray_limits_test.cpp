@@ -49,6 +49,17 @@ TEST(RayLimits, AreNotExceededByAFrameThatTracesAllThatItsPlanAllows) {
   EXPECT_EQ(rays_beyond_plan(BenchResult(), FramePlan(), 0, RenderSettings()), "");
 }
 
+TEST(RayLimits, RaysGoOnBehindBlendedSurfacesAsOftenAsThereAreLayers) {
+  BenchResult result = fullest();
+  result.kinds.push_back({"behind", 7000, 7.0, 0, 0});
+  FramePlan plan = everything();
+  EXPECT_NE(rays_beyond_plan(result, plan, kLights, settings()).find(" behind rays"), std::string::npos);
+  plan.alpha_blend = true;
+  EXPECT_EQ(rays_beyond_plan(result, plan, kLights, settings()), "");
+  result.kinds.back().rays_per_sample = kMostLayers - 0.999;
+  EXPECT_NE(rays_beyond_plan(result, plan, kLights, settings()).find(" behind rays"), std::string::npos);
+}
+
 TEST(RayLimits, OneRayMoreOfAnyKindIsNamed) {
   for (std::size_t kind = 0; kind < fullest().kinds.size(); ++kind) {
     BenchResult result = fullest();

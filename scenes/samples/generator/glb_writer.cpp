@@ -67,7 +67,8 @@ std::size_t add_material(GlbDraft& draft, const GlbMaterial& material) {
     draft.document["textures"].push_back({{"source", draft.document["images"].size() - 1}});
     pbr["baseColorTexture"] = {{"index", draft.document["textures"].size() - 1}};
   }
-  Json entry{{"name", material.name}, {"pbrMetallicRoughness", pbr}};
+  // Leaves, rings and shells are thin: both of their sides are seen.
+  Json entry{{"name", material.name}, {"pbrMetallicRoughness", pbr}, {"doubleSided", true}};
   if (material.emission != glm::vec3(0.0f)) entry["emissiveFactor"] = as_json(material.emission);
   draft.document["materials"].push_back(entry);
   return draft.document["materials"].size() - 1;

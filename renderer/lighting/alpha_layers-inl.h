@@ -1,0 +1,98 @@
+// Blended surfaces, front to back: each layer of nearest hits is lit whole and covers what lies behind by its
+// alpha; rays that are not yet covered go on from there. After kMostLayers the next surface counts as opaque.
+// Where less than 1/512 would still be seen, nothing more is traced.
+#if defined(HERR_ALPHA_LAYERS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_ALPHA_LAYERS_INL
+#undef HERR_ALPHA_LAYERS_INL
+#else
+#define HERR_ALPHA_LAYERS_INL
+#endif
+
+#include "renderer/lighting/resolve-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE void begin_layers(const TileJob& job, int packets) {
+  AlphaLayers& layers = *job.scratch->layers;
+  const int count = packets * kLanes;
+  for (Lane<float>* lane : {&layers.light_r, &layers.light_g, &layers.light_b, &layers.ratio_r,
+                            &layers.ratio_g, &layers.ratio_b}) {
+    clear(*lane, count);
+  }
+  for (int slot = 0; slot < count; slot += kLanes) {
+    hn::Store(set(1.0f), kF, &layers.through[slot]);
+    hn::Store(hn::Load(kI, &job.scratch->first.kind[slot]), kI, &layers.kind[slot]);
+  }
+}
+
+// Sends `lanes` of a packet on through what they hit; the others have no sample any more.
+HWY_INLINE void go_on(const TileJob& job, int packet, MF lanes) {
+  TileScratch& scratch = *job.scratch;
+  HitBatch& hits = scratch.first;
+  const int slot = packet * kLanes;
+  const V3 direction = scale(load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]), set(-1.0f));
+  const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+  const V3 origin =
+      mul_add(hn::Neg(load(&hits.offset[slot])), g, load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]));
+  const MF valid = hn::And(lanes, traceable(origin, direction));
+  const auto wanted = static_cast<std::size_t>(hn::CountTrue(kF, lanes)), rays = hn::CountTrue(kF, valid);
+  job.counters->rays[RayKind::behind] += static_cast<std::int64_t>(rays);
+  job.counters->invalid_rays += static_cast<std::int64_t>(wanted - rays);
+  set_rays(packets_of(scratch)[packet], origin, direction);
+  set_valid(scratch.packet_valid[static_cast<std::size_t>(packet)].data(), valid);
+  const VI miss = hn::Set(kI, static_cast<int>(HitKind::miss));
+  hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, lanes), miss), kI, &hits.kind[slot]);
+}
+
+// Adds the layer that was just lit and aims the rays of the next; false where there is none.
+HWY_INLINE bool add_layer(const TileJob& job, int packets, bool last) {
+  AlphaLayers& layers = *job.scratch->layers;
+  const HitBatch& hits = job.scratch->first;
+  bool more = false;
+  for (int packet = 0; packet < packets; ++packet) {
+    const int slot = packet * kLanes;
+    const VI kind = hn::Load(kI, &hits.kind[slot]);
+    const MF lanes = hn::RebindMask(kF, hn::Ne(kind, hn::Zero(kI)));
+    if (hn::AllFalse(kF, lanes)) continue;
+    const Texel texel = surface_texel(job, packet, kind);
+    const VF one = set(1.0f), through = load(&layers.through[slot]);
+    VF covers = hn::IfThenElse(of_kind(hits, slot, HitKind::object), load(&hits.coverage[slot]), one);
+    VF beyond = hn::Mul(through, hn::Sub(one, covers));
+    const MF goes_on = last ? first_lanes(0) : hn::And(lanes, hn::Gt(beyond, set(kNegligibleWeight)));
+    covers = hn::IfThenElse(goes_on, covers, one);
+    beyond = hn::IfThenElseZero(goes_on, beyond);
+    const VF weight = hn::IfThenElseZero(lanes, hn::Mul(through, covers));
+    const auto add = [&](Lane<float>& lane, VF value) HWY_ATTR {
+      const VF sum = hn::MulAdd(weight, value, load(&lane[slot]));
+      store_lanes(sum, lanes, &lane[slot]);
+    };
+    add(layers.light_r, texel.light.x);
+    add(layers.light_g, texel.light.y);
+    add(layers.light_b, texel.light.z);
+    add(layers.ratio_r, texel.ratio.x);
+    add(layers.ratio_g, texel.ratio.y);
+    add(layers.ratio_b, texel.ratio.z);
+    store_lanes(beyond, lanes, &layers.through[slot]);
+    go_on(job, packet, goes_on);
+    more |= !hn::AllFalse(kF, goes_on);
+  }
+  return more;
+}
+
+HWY_INLINE void resolve_layers(const TileJob& job, int packets) {
+  const AlphaLayers& layers = *job.scratch->layers;
+  for (int packet = 0; packet < packets; ++packet) {
+    const int slot = packet * kLanes;
+    store_texels(job, packet, hn::Load(kI, &layers.kind[slot]),
+                 {load3(&layers.light_r[slot], &layers.light_g[slot], &layers.light_b[slot]),
+                  load3(&layers.ratio_r[slot], &layers.ratio_g[slot], &layers.ratio_b[slot])});
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif
