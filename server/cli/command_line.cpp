@@ -290,7 +290,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->replay;
   }
   if (parser->serve_command->parsed()) {
-    check_replay_options(parser->serve.replay);
+    check_serve_options(parser->serve);
     check_required(parser->serve.replay);
     return parser->serve;
   }

@@ -35,6 +35,21 @@ void read_polar_size(const std::string& text, RenderSettings& render) {
   render.polar_height = size.height;
 }
 
+// As a Host header has it, in lower case, without a port.
+std::string parse_host_name(const std::string& text) {
+  std::string name = text;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  // The parser of the command line takes brackets for those of a list, and away.
+  if (name.find(':') != std::string::npos && !name.starts_with('[')) name = "[" + name + "]";
+  const bool ipv6 = name.size() > 2 && name.front() == '[' && name.back() == ']';
+  const std::string allowed = ipv6 ? "[]0123456789abcdef:." : "0123456789abcdefghijklmnopqrstuvwxyz-._";
+  if (name.empty() || name.size() > 253 || name.find_first_not_of(allowed) != std::string::npos)
+    throw UsageError("--allowed-host: '" + printable(text) +
+                     "' is no name of a host; give one without scheme and port");
+  return name;
+}
+
 // Light that bounces between surfaces.
 void add_probe_flags(CLI::App& app, ProbeSettings& probes) {
   app.add_flag_callback(
@@ -260,23 +275,40 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
   options.replay.sheet = SheetChoice::none;
   add_session_flags(app, options.replay);
   value_flag(app, "--host", "ADDRESS", "address of this machine to listen on (default 127.0.0.1)",
-             [&](const std::string& text) {
-               // Without a password, what is served is for this machine alone.
-               if (text != "localhost" && text != "::1" && !is_ipv4_loopback(text)) {
-                 throw UsageError("--host: '" + printable(text) +
-                                  "' is not an address of loopback; use 127.0.0.1, ::1 or localhost");
-               }
-               options.host = text;
-             });
+             [&](const std::string& text) { options.host = non_empty("--host", text); });
   value_flag(app, "--port", "N", "port, 0 ... 65535; 0: a free one (default 8080)",
              [&](const std::string& text) {
                options.port = static_cast<int>(parse_whole_number("--port", text, 0, 65535));
              });
+  app.add_option_function<std::vector<std::string>>(
+         "--allowed-host",
+         [&](const std::vector<std::string>& names) {
+           for (const std::string& name : names) options.allowed_hosts.push_back(parse_host_name(name));
+         },
+         "further name under which clients may address the server; may be given several times")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
+  file_flag(app, "--auth-token-file",
+            "file of mode 0600 with the token that clients must show; a must off loopback",
+            [&](const std::string& text) { options.auth_token_file = text; });
   add_look_flags(app, options.replay.render);
   add_time_flags(app, options.replay);
   add_render_flags(app, options.replay.render);
   app.add_flag_callback(
       "--keep-going", [&] { options.replay.session.keep_going = true; }, "skip bad rows and images");
+}
+
+void check_serve_options(const ServeOptions& options) {
+  check_replay_options(options.replay);
+  // Without a token, what is served is for this machine alone.
+  const bool loopback =
+      options.host == "localhost" || options.host == "::1" || is_ipv4_loopback(options.host);
+  if (!loopback && options.auth_token_file.empty())
+    throw UsageError(
+        "--host: '" + printable(options.host) +
+        "' is not an address of loopback, where anybody could look in; give --auth-token-file, or "
+        "use 127.0.0.1, ::1 or localhost");
 }
 
 void check_isa(const RenderSettings& settings) {

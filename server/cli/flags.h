@@ -49,5 +49,6 @@ void add_serve_flags(CLI::App& app, ServeOptions& options);
 void check_isa(const RenderSettings& settings);
 // What no single flag can know. Throws UsageError.
 void check_replay_options(const ReplayOptions& options);
+void check_serve_options(const ServeOptions& options);
 
 }  // namespace herr

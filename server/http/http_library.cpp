@@ -78,6 +78,8 @@ const char* status_text(int status) {
   switch (status) {
     case 400:
       return "Bad Request";
+    case 401:
+      return "Unauthorized";
     case 403:
       return "Forbidden";
     case 405:
@@ -105,6 +107,11 @@ HttpResponse refusal_of(int status) {
   HttpResponse response;
   response.status = status;
   response.body = std::to_string(status) + " " + status_text(status) + "\n";
+  if (status == 401) {
+    response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"herr\"");
+    // For browsers, which ask for a password and know no bearers: any name, the token as the password.
+    response.headers.emplace_back("WWW-Authenticate", "Basic realm=\"herr\", charset=\"UTF-8\"");
+  }
   if (status == 405) response.headers.emplace_back("Allow", "GET, HEAD");
   if (status == 503) response.headers.emplace_back("Retry-After", "1");
   return response;

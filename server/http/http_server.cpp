@@ -32,6 +32,12 @@ constexpr milliseconds kStopTime{1000};    // for answers under way when the ser
 constexpr milliseconds kAcceptPause{100};  // when the process has no file descriptor left
 constexpr milliseconds kLongestPoll{1000};
 
+std::vector<std::string> allowed_names(const HttpServer::Config& config) {
+  std::vector<std::string> names = host_names_for(config.host);
+  names.insert(names.end(), config.allowed_hosts.begin(), config.allowed_hosts.end());
+  return names;
+}
+
 }  // namespace
 
 std::vector<std::string> host_names_for(const std::string& host) {
@@ -90,7 +96,7 @@ class HttpServer::Loop {
 };
 
 HttpServer::Loop::Loop(Config config, HttpHandler handler)
-    : config_(std::move(config)), host_names_(host_names_for(config_.host)), library_(std::move(handler)) {
+    : config_(std::move(config)), host_names_(allowed_names(config_)), library_(std::move(handler)) {
   wake_fd_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
   if (wake_fd_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
   try {
@@ -209,7 +215,7 @@ void HttpServer::Loop::handle_head(std::uint64_t id, Connection& connection) {
   }
   // A client that has shut its sending side down may still read.
   const RequestHead head =
-      judge_head(std::string_view(connection.received()).substr(0, *length), host_names_);
+      judge_head(std::string_view(connection.received()).substr(0, *length), host_names_, config_.token);
   if (head.status != 0) {
     refuse(connection, head.status, head.reason, head.head_only);
     return;

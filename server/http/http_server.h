@@ -38,6 +38,8 @@ class HttpServer {
     std::string host = "127.0.0.1";
     int port = 0;             // 0: a free one
     std::string slow_prefix;  // paths that begin with this go to a lane of low priority; empty: none
+    std::vector<std::string> allowed_hosts;  // further names that a client may address, lower case, no port
+    std::string token;                       // what clients must show; empty: nothing
     HttpLimits limits;
   };
   // Binds and answers from now on. Throws BindError.

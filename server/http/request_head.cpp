@@ -1,7 +1,10 @@
 #include "server/http/request_head.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+
+#include "server/replay/base64.h"
 
 namespace herr {
 namespace {
@@ -68,8 +71,8 @@ bool is_target(std::string_view target) {
 
 // What the headers say that matters here.
 struct Headers {
-  std::size_t count = 0, hosts = 0;
-  std::string_view host, origin;
+  std::size_t count = 0, hosts = 0, authorizations = 0;
+  std::string_view host, origin, authorization;
   bool has_origin = false, has_body = false, broken = false;
 };
 
@@ -94,6 +97,9 @@ Headers read_headers(std::string_view lines) {
     if (name == "host") {
       ++headers.hosts;
       headers.host = value;
+    } else if (name == "authorization") {
+      ++headers.authorizations;
+      headers.authorization = value;
     } else if (name == "origin") {
       headers.has_origin = true;
       headers.origin = value;
@@ -104,7 +110,31 @@ Headers read_headers(std::string_view lines) {
   return headers;
 }
 
+// The value of an Authorization header shows the token.
+bool shows_token(std::string_view authorization, std::string_view token) {
+  const std::size_t blank = authorization.find(' ');
+  if (blank == std::string_view::npos) return false;
+  const std::string scheme = lower_text(authorization.substr(0, blank));
+  const std::string_view credentials = trimmed(authorization.substr(blank));
+  if (scheme == "bearer") return is_same_secret(credentials, token);
+  if (scheme != "basic") return false;
+  const std::optional<std::vector<std::byte>> bytes = bytes_from_base64(credentials);
+  if (!bytes) return false;
+  const std::string_view pair(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  const std::size_t colon = pair.find(':');
+  return colon != std::string_view::npos && is_same_secret(pair.substr(colon + 1), token);
+}
+
 }  // namespace
+
+bool is_same_secret(std::string_view given, std::string_view secret) {
+  unsigned difference = given.size() == secret.size() && !secret.empty() ? 0 : 1;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const char expected = secret.empty() ? '\0' : secret[i % secret.size()];
+    difference |= static_cast<unsigned>(static_cast<unsigned char>(given[i] ^ expected));
+  }
+  return difference == 0;
+}
 
 std::optional<std::size_t> head_length(std::string_view bytes) {
   const std::size_t end = bytes.find("\r\n\r\n");
@@ -112,7 +142,8 @@ std::optional<std::size_t> head_length(std::string_view bytes) {
   return end + 4;
 }
 
-RequestHead judge_head(std::string_view head, const std::vector<std::string>& host_names) {
+RequestHead judge_head(std::string_view head, const std::vector<std::string>& host_names,
+                       std::string_view token) {
   if (head.find('\0') != std::string_view::npos) return refusal(400, "syntax");
   const std::size_t line_end = head.find(kLineEnd);
   if (line_end == std::string_view::npos) return refusal(400, "syntax");
@@ -129,7 +160,7 @@ RequestHead judge_head(std::string_view head, const std::vector<std::string>& ho
   // From here on the request is HTTP and is told what exactly is wrong with it.
   const Headers headers = read_headers(head.substr(line_end + kLineEnd.size()));
   if (headers.count > kMostHeaders) return refusal(431, "headers", head_only);
-  if (headers.broken || headers.hosts > 1 || (http11 && headers.hosts == 0)) {
+  if (headers.broken || headers.hosts > 1 || headers.authorizations > 1 || (http11 && headers.hosts == 0)) {
     return refusal(400, "syntax", head_only);
   }
   // HTTP/1.0 may leave the host out; no browser does.
@@ -138,6 +169,9 @@ RequestHead judge_head(std::string_view head, const std::vector<std::string>& ho
   }
   if (headers.has_origin && !is_among(origin_name(headers.origin), host_names)) {
     return refusal(403, "origin", head_only);
+  }
+  if (!token.empty() && !shows_token(headers.authorization, token)) {
+    return refusal(401, "token", head_only);
   }
   if (!head_only && method != "GET") return refusal(405, "method");
   if (headers.has_body) return refusal(413, "body", head_only);

@@ -26,7 +26,12 @@ struct RequestHead {
 };
 
 // `head` ends with the empty line. `host_names` are the names in lower case under which the server may be
-// addressed, without ports, IPv6 in brackets.
-RequestHead judge_head(std::string_view head, const std::vector<std::string>& host_names);
+// addressed, without ports, IPv6 in brackets. `token`: what a client must show, as "Authorization: Bearer"
+// or, for browsers, as the password of "Basic"; empty: nothing.
+RequestHead judge_head(std::string_view head, const std::vector<std::string>& host_names,
+                       std::string_view token = {});
+
+// Takes the same time wherever `given` differs from `secret`.
+bool is_same_secret(std::string_view given, std::string_view secret);
 
 }  // namespace herr

@@ -1,6 +1,7 @@
 #include "server/serve/endpoints.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "server/replay/summary_json.h"
 #include "server/serve/metrics_page.h"
+#include "server/serve/page_files.h"
 #include "server/serve/prometheus_text.h"
 #include "server/serve/serve_json.h"
 #include "server/serve/start_page.h"
@@ -56,6 +58,31 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
   return value;
 }
 
+// A part of the page; none for another name.
+std::optional<HttpResponse> page_part(const std::string& path) {
+  constexpr std::string_view kFolder = "/page/";
+  constexpr std::array<std::pair<std::string_view, const char*>, 4> kParts{
+      {{"page.css", "text/css; charset=utf-8"},
+       {"page.js", "text/javascript; charset=utf-8"},
+       {"chart.js", "text/javascript; charset=utf-8"},
+       {"icon.svg", "image/svg+xml"}}};
+  for (const auto& [name, type] : kParts) {
+    if (path != std::string(kFolder) + std::string(name)) continue;
+    HttpResponse response;
+    response.content_type = type;
+    response.body = page_file(name);
+    return response;
+  }
+  return std::nullopt;
+}
+
+HttpResponse png_of(const ServedPictures& pictures) {
+  HttpResponse response;
+  response.content_type = "image/png";
+  response.headers.emplace_back("X-Herr-Sequence", std::to_string(pictures.sequence));
+  return response;
+}
+
 }  // namespace
 
 Endpoints::Endpoints(const ReplayOptions& options, const ServeBoard& board,
@@ -85,9 +112,13 @@ HttpResponse Endpoints::operator()(const HttpRequest& request) {
     HttpResponse response;
     response.content_type = "text/html; charset=utf-8";
     response.headers.emplace_back("Content-Security-Policy", kPagePolicy);
-    response.body = start_page(*snapshot, options_, now_ns);
+    // Whoever looks at the page will look at the polar buffers: its next version has them.
+    board_.polar_asked_ns = now_ns;
+    const std::shared_ptr<const ServedPictures> pictures = board_.pictures.get();
+    response.body = start_page(*snapshot, options_, now_ns, pictures && pictures->has_polar);
     return response;
   }
+  if (const std::optional<HttpResponse> part = page_part(path)) return *part;
   return plain(404, "404 Not Found; / lists what is here");
 }
 
@@ -99,6 +130,15 @@ HttpResponse Endpoints::frames(const HttpRequest& request, const ServeSnapshot& 
   return json(frames_json(snapshot, *sequence));
 }
 
+HttpResponse Endpoints::polar_picture(const ServedPictures& pictures, std::size_t eye) {
+  if (!pictures.subject->plan.polar) return plain(404, "404 no polar buffer: foveation is off");
+  board_.polar_asked_ns = now_ns_();
+  if (!pictures.has_polar) return not_yet("the next frame will have it");
+  HttpResponse response = png_of(pictures);
+  response.body = pictures_.polar_png(pictures, eye);
+  return response;
+}
+
 HttpResponse Endpoints::picture(const HttpRequest& request) {
   const std::string_view name =
       std::string_view(request.path).substr(std::string_view(kPicturePrefix).size());
@@ -108,13 +148,14 @@ HttpResponse Endpoints::picture(const HttpRequest& request) {
   }
   const std::shared_ptr<const ServedPictures> pictures = board_.pictures.get();
   if (!pictures) return not_yet("no frame yet");
+  for (std::size_t eye = 0; eye < kPolarPictures.size(); ++eye) {
+    if (name == std::string(kPolarPictures[eye]) + ".png") return polar_picture(*pictures, eye);
+  }
   const std::vector<Viewport>& viewports = pictures->subject->profile.viewports;
   const auto found = std::find_if(viewports.begin(), viewports.end(),
                                   [&](const Viewport& viewport) { return viewport.name + ".png" == name; });
   if (found == viewports.end()) return plain(404, "404 no such viewport; /v1/status lists them");
-  HttpResponse response;
-  response.content_type = "image/png";
-  response.headers.emplace_back("X-Herr-Sequence", std::to_string(pictures->sequence));
+  HttpResponse response = png_of(*pictures);
   response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - viewports.begin()),
                                 full != request.query.end() && full->second == "1");
   return response;

@@ -27,6 +27,7 @@ class Endpoints {
 
  private:
   HttpResponse picture(const HttpRequest& request);
+  HttpResponse polar_picture(const ServedPictures& pictures, std::size_t eye);
   HttpResponse frames(const HttpRequest& request, const ServeSnapshot& snapshot) const;
 
   const ReplayOptions& options_;

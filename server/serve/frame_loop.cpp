@@ -2,16 +2,21 @@
 
 #include <utility>
 
+#include "renderer/polar_picture.h"
 #include "server/replay/frame_description.h"
 #include "server/replay/frame_quality.h"
 #include "server/replay/output_folder.h"
 #include "server/replay/steady_time.h"
+#include "server/serve/latest_picture.h"
 
 namespace herr {
 namespace {
 
 // Histograms are a third of a megabyte: copied ten times a second they cost nothing that one could measure.
 constexpr TimeNs kPublishIntervalNs = 100'000'000;
+// Polar buffers are copied, some megabytes a frame, for this long after somebody has asked for one or for the
+// page.
+constexpr TimeNs kPolarWatchNs = 10'000'000'000;
 
 }  // namespace
 
@@ -124,6 +129,11 @@ void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropp
   pictures->sequence = recent.sequence;
   pictures->coverage = !subject_->plan.camera;
   pictures->subject = subject_;
+  pictures->has_polar = finished_ns - board_.polar_asked_ns < kPolarWatchNs;
+  for (std::size_t eye = 0; pictures->has_polar && eye < pictures->polar.size(); ++eye) {
+    pictures->has_polar =
+        thin_polar_buffer(*opened_->renderer, static_cast<Eye>(eye), kReducedPicturePx, pictures->polar[eye]);
+  }
   board_.pictures.set(pictures);
   publish(state_.rendered == 1);
 }

@@ -3,7 +3,9 @@
 // Before: ServedPictures of the board. After: GET /v1/frames/latest/{viewport}.png.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -16,6 +18,8 @@
 namespace herr {
 
 inline constexpr int kReducedPicturePx = 512;
+// Names of the polar buffers' pictures, per eye; no viewport can have them.
+inline constexpr std::array<const char*, 2> kPolarPictures{"polar-left", "polar-right"};
 
 // Thread-safe; one caller encodes while the others wait. Call it on a thread of low priority.
 class LatestPicture {
@@ -23,6 +27,8 @@ class LatestPicture {
   // The bytes of the PNG of viewport `index` of `pictures`. Without a camera feed the full size has alpha,
   // the reduced one a dark background.
   std::string png(const ServedPictures& pictures, std::size_t index, bool full);
+  // Of the polar buffer of eye 0 or 1, over the feed as a dark grey. `pictures` must have it.
+  std::string polar_png(const ServedPictures& pictures, std::size_t eye);
   std::int64_t encoded() const;  // in all
 
  private:
@@ -30,7 +36,11 @@ class LatestPicture {
     std::int64_t sequence = 0;
     std::string bytes;
   };
+  // `draw` fills image_ unless the picture is encoded already.
+  std::string encode_once(Encoded& encoded, std::int64_t sequence, const std::function<void()>& draw);
+
   mutable std::mutex mutex_;
+  std::array<Encoded, 2> polar_cache_;
   std::map<std::pair<std::size_t, bool>, Encoded> cache_;
   Srgb8Image image_;
   std::vector<std::uint8_t> bytes_;

@@ -3,7 +3,10 @@
 // Before: frame_loop publishes. After: endpoints read.
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -37,6 +40,8 @@ struct ServedPictures {
   bool coverage = false;  // no camera feed is behind the pictures: alpha counts
   std::shared_ptr<const SessionReport> subject;
   RenderedFrame frame;
+  std::array<ViewportImage, 2> polar;  // thinned polar buffers per eye, where somebody looks at them
+  bool has_polar = false;
 };
 
 // Thread-safe.
@@ -61,6 +66,8 @@ class Latest {
 struct ServeBoard {
   Latest<ServeSnapshot> snapshot;  // never empty once a loop or command exists
   Latest<ServedPictures> pictures;
+  // When somebody last asked for a polar buffer; steady clock. They are copied for a while after that.
+  mutable std::atomic<TimeNs> polar_asked_ns{std::numeric_limits<TimeNs>::min() / 2};
 };
 
 }  // namespace herr

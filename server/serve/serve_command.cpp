@@ -13,6 +13,7 @@
 #include "server/cli/terminal.h"
 #include "server/http/http_server.h"
 #include "server/replay/steady_time.h"
+#include "server/serve/auth_token.h"
 #include "server/serve/endpoints.h"
 #include "server/serve/frame_loop.h"
 #include "server/statistics/latency_table.h"
@@ -25,6 +26,8 @@ std::unique_ptr<HttpServer> start_server(const ServeOptions& options, HttpHandle
   config.host = options.host;
   config.port = options.port;
   config.slow_prefix = kPicturePrefix;
+  config.allowed_hosts = options.allowed_hosts;
+  if (!options.auth_token_file.empty()) config.token = read_auth_token(options.auth_token_file);
   try {
     return std::make_unique<HttpServer>(std::move(config), std::move(handler));
   } catch (const BindError& error) {

@@ -49,7 +49,7 @@ Json statistics_json(const RunStatistics& statistics) {
   return json;
 }
 
-Json frame_json(const RecentFrame& frame) {
+Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
   const FrameRecord& record = frame.record;
   Json stages = Json::object();
   for (std::size_t i = 0; i < kStageCount; ++i) {
@@ -59,6 +59,7 @@ Json frame_json(const RecentFrame& frame) {
           {"lap", frame.lap},
           {"frame", record.frame},
           {"t_ns", record.t_ns},
+          {"finished_s", seconds(frame.finished_ns - started_ns)},
           {"frame_ms", record.times.frame_ms},
           {"stages_ms", stages},
           {"sample_ms", record.sample_ms},
@@ -132,7 +133,8 @@ Json frames_json(const ServeSnapshot& snapshot, std::int64_t since) {
       [](std::int64_t sequence, const RecentFrame& frame) { return sequence < frame.sequence; });
   const auto count = std::min<std::ptrdiff_t>(recent.end() - first, kMostFramesInAnswer);
   Json frames = Json::array();
-  std::for_each(first, first + count, [&](const RecentFrame& frame) { frames.push_back(frame_json(frame)); });
+  std::for_each(first, first + count,
+                [&](const RecentFrame& frame) { frames.push_back(frame_json(frame, snapshot.started_ns)); });
   return {{"format_version", 1},
           {"oldest", recent.empty() ? Json(nullptr) : Json(recent.front().sequence)},
           {"newest", recent.empty() ? Json(nullptr) : Json(recent.back().sequence)},

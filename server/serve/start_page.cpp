@@ -2,42 +2,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "server/cli/version.h"
 #include "server/replay/summary_json.h"
+#include "server/serve/latest_picture.h"
+#include "server/serve/page_files.h"
 #include "server/serve/serve_json.h"
 #include "server/statistics/number_text.h"
 #include "sessions/input_error.h"
 
 namespace herr {
 namespace {
-
-constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="refresh" content="5">
-<title>HERR replay</title>
-<style>
-:root { color-scheme: light dark }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 68rem; margin: 2rem auto; padding: 0 1rem }
-h1 { font-size: 1.4rem; margin-bottom: 0 }
-h2 { font-size: 1.1rem; margin: 2rem 0 .5rem }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums }
-th, td { padding: .15rem .9rem .15rem 0; text-align: right; font-weight: normal }
-th:first-child, td:first-child { text-align: left }
-thead th, .sum td { border-bottom: 1px solid currentColor }
-.sum td { font-weight: bold }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1rem }
-figure { margin: 0 }
-img { width: 100%; height: auto; background: #222 }
-figcaption, .quiet { opacity: .75 }
-.warning { border-left: .3rem solid #c80; padding-left: .7rem }
-</style>
-</head>
-<body>
-)";
 
 std::string shown(const std::string& text) {
   return html_escaped(printable(text));
@@ -65,7 +44,8 @@ std::string words_of(const char* name) {
 // As Table 1 of the paper: the last ten seconds, stage by stage.
 std::string latency_section(const RunStatistics& window) {
   std::string html =
-      "<h2>Latency, last 10 s</h2>\n<table>\n<thead><tr><th>milliseconds</th><th>mean</th><th>median</th>"
+      "<h2>Latency, last 10 s</h2>\n<div "
+      "class=\"wide\"><table>\n<thead><tr><th>milliseconds</th><th>mean</th><th>median</th>"
       "<th>95 %</th><th>99 %</th><th>max</th></tr></thead>\n<tbody>\n";
   const auto row = [&](const std::string& name, const LatencyHistogram& times, bool sum = false) {
     html += std::string("<tr") + (sum ? " class=\"sum\"" : "") + "><td>" + name + "</td>" + cells(times) +
@@ -81,7 +61,7 @@ std::string latency_section(const RunStatistics& window) {
   row("age of pose", window.pose_age);
   row("age of gaze", window.gaze_age);
   row("age of camera", window.camera_age);
-  return html + "</tbody>\n</table>\n";
+  return html + "</tbody>\n</table></div>\n";
 }
 
 std::string count_cells(const char* name, const RunStatistics& statistics, double length_s) {
@@ -94,39 +74,54 @@ std::string count_cells(const char* name, const RunStatistics& statistics, doubl
 
 std::string counts_section(const ServeSnapshot& snapshot, const RunStatistics& window, TimeNs now_ns) {
   const double run_s = static_cast<double>(now_ns - snapshot.started_ns) * kSecondsPerNs;
-  return "<h2>Frames</h2>\n<table>\n<thead><tr><th></th><th>rendered</th><th>per second</th><th>missed</th>"
+  return "<h2>Frames</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th>rendered</th><th>per "
+         "second</th><th>missed</th>"
          "<th>dropped</th><th>repeated</th></tr></thead>\n<tbody>\n" +
          count_cells("last 10 s", window, std::min(run_s, 10.0)) + count_cells("run", snapshot.run, run_s) +
-         "</tbody>\n</table>\n";
+         "</tbody>\n</table></div>\n";
 }
 
-std::string pictures_section(const ServeSnapshot& snapshot) {
+std::string figure(const std::string& name, int width_px, int height_px, const std::string& caption) {
+  const std::string path = "/v1/frames/latest/" + name + ".png";
+  return "<figure><a href=\"" + path + "?full=1\"><img src=\"" + path + "\" alt=\"" + name + "\" width=\"" +
+         std::to_string(width_px) + "\" height=\"" + std::to_string(height_px) + "\"></a><figcaption>" +
+         caption + "<span class=\"sequence\"></span></figcaption></figure>\n";
+}
+
+std::string pictures_section(const ServeSnapshot& snapshot, bool polar) {
+  const SessionReport& subject = *snapshot.subject;
   std::string html = "<h2>Newest frame</h2>\n<div class=\"pictures\">\n";
-  for (const Viewport& viewport : snapshot.subject->profile.viewports) {
+  for (const Viewport& viewport : subject.profile.viewports) {
     // Names of viewports are of [a-z0-9_].
-    const std::string link = "/v1/frames/latest/" + viewport.name + ".png";
-    html += "<figure><a href=\"" + link + "?full=1\"><img src=\"" + link + "\" alt=\"" + viewport.name +
-            "\" width=\"" + std::to_string(viewport.width_px) + "\" height=\"" +
-            std::to_string(viewport.height_px) + "\"></a><figcaption>" + words_of(viewport.name.c_str()) +
-            ", " + std::to_string(viewport.width_px) + " × " + std::to_string(viewport.height_px) +
-            "</figcaption></figure>\n";
+    html += figure(viewport.name, viewport.width_px, viewport.height_px,
+                   words_of(viewport.name.c_str()) + ", " + std::to_string(viewport.width_px) + " × " +
+                       std::to_string(viewport.height_px));
+  }
+  for (const char* name : kPolarPictures) {
+    if (!polar) break;
+    html += figure(name, subject.settings.polar_width, subject.settings.polar_height,
+                   std::string(name) + ": gaze at the left border, angle upwards");
   }
   return html + "</div>\n";
 }
 
 std::string plan_section(const FramePlan& plan) {
-  std::string html =
-      "<h2>Frame plan</h2>\n<table>\n<thead><tr><th>stage</th><th>runs</th><th></th></tr></thead>\n<tbody>\n";
+  const auto left_out = std::count_if(plan.entries.begin(), plan.entries.end(),
+                                      [](const PlanEntry& entry) { return !entry.runs; });
+  std::string html = "<h2>Frame plan, " + std::to_string(left_out) +
+                     " left out</h2>\n<div class=\"wide\"><table class=\"words\">\n<thead><tr><th>stage</th>"
+                     "<th></th><th></th></tr></thead>\n<tbody>\n";
   for (const PlanEntry& entry : plan.entries) {
-    html += "<tr><td>" + shown(entry.name) + "</td><td>" + (entry.runs ? "yes" : "no") +
-            "</td><td style=\"text-align: left\">" + shown(entry.reason) + "</td></tr>\n";
+    html += std::string("<tr") + (entry.runs ? "" : " class=\"out\"") + "><td>" + shown(entry.name) +
+            "</td><td>" + (entry.runs ? "runs" : "left out") + "</td><td>" + shown(entry.reason) +
+            "</td></tr>\n";
   }
-  return html + "</tbody>\n</table>\n";
+  return html + "</tbody>\n</table></div>\n";
 }
 
 std::string heading(const ServeSnapshot& snapshot, const ReplayOptions& options) {
-  std::string html = "<h1>HERR replay</h1>\n<p class=\"quiet\">" + std::string(program_with_version()) +
-                     ", " + name_of(snapshot.phase);
+  std::string html =
+      "<p class=\"quiet\">" + std::string(program_with_version()) + ", " + name_of(snapshot.phase);
   if (!snapshot.subject) return html + "</p>\n<p>The session is being opened.</p>\n";
   const SessionReport& subject = *snapshot.subject;
   html += "</p>\n<p>Session <b>" + shown(subject.name) + "</b>, scene <b>" + shown(subject.scene_name) +
@@ -141,6 +136,20 @@ std::string heading(const ServeSnapshot& snapshot, const ReplayOptions& options)
     html += "<p class=\"warning\">" + shown(warning) + "</p>\n";
   }
   return html;
+}
+
+// The page's template with its marks replaced, in their order; what is put in is not searched again.
+std::string filled(std::string_view page,
+                   const std::vector<std::pair<std::string_view, std::string>>& parts) {
+  std::string html;
+  for (const auto& [mark, part] : parts) {
+    const std::size_t at = page.find(mark);
+    if (at == std::string_view::npos) throw std::logic_error("page.html lacks a mark");
+    html += page.substr(0, at);
+    html += part;
+    page.remove_prefix(at + mark.size());
+  }
+  return html.append(page);
 }
 
 }  // namespace
@@ -171,19 +180,23 @@ std::string html_escaped(const std::string& text) {
   return result;
 }
 
-std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns) {
-  std::string html = kHead + heading(snapshot, options);
+std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns,
+                       bool polar) {
+  std::string numbers, pictures, links;
   if (snapshot.subject && snapshot.rendered > 0) {
     const RunStatistics window = window_statistics(snapshot.recent, now_ns);
-    html += pictures_section(snapshot) + counts_section(snapshot, window, now_ns) + latency_section(window) +
-            plan_section(snapshot.subject->plan);
+    pictures = pictures_section(snapshot, polar);
+    numbers = counts_section(snapshot, window, now_ns) + latency_section(window) +
+              plan_section(snapshot.subject->plan);
   }
-  html += "<h2>For programs</h2>\n<p>";
   for (const char* path :
        {"/v1/status", "/v1/latency", "/v1/frames", "/v1/plan", "/metrics", "/livez", "/readyz"}) {
-    html += "<a href=\"" + std::string(path) + "\">" + path + "</a> ";
+    links += "<a href=\"" + std::string(path) + "\">" + path + "</a> ";
   }
-  return html + "</p>\n</body>\n</html>\n";
+  return filled(page_file("page.html"), {{"{{heading}}", heading(snapshot, options)},
+                                         {"{{pictures}}", pictures},
+                                         {"{{numbers}}", numbers},
+                                         {"{{links}}", links}});
 }
 
 }  // namespace herr

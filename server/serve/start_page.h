@@ -1,4 +1,5 @@
-// GET /: what runs and how fast, readable without scripts; it reloads itself.
+// GET /: what runs and how fast. The numbers stand in the page as it is sent; its script (page/page.js) keeps
+// them, the pictures and the charts up to date, and without scripts it reloads itself.
 // Before: ServeSnapshot. After: a browser.
 #pragma once
 
@@ -9,13 +10,16 @@
 
 namespace herr {
 
-// Only the page's own style and pictures of this server may load.
+// Files and answers of this server alone, and pictures that the script has fetched from it.
 inline constexpr const char* kPagePolicy =
-    "default-src 'none'; img-src 'self'; style-src 'unsafe-inline'; frame-ancestors 'none'";
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 // `text` with &, <, >, " and ' as entities.
 std::string html_escaped(const std::string& text);
 
-std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns);
+// `polar`: pictures of the polar buffers are there.
+std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns,
+                       bool polar);
 
 }  // namespace herr

@@ -31,6 +31,16 @@ ReplayOptions replay(Arguments arguments) {
   return std::get<ReplayOptions>(parse_command_line(arguments));
 }
 
+TEST(CommandLine, ServeLeavesLoopbackOnlyWithAToken) {
+  EXPECT_NE(complaint({"serve", "s", "--host", "0.0.0.0"}).find("give --auth-token-file"), std::string::npos);
+  EXPECT_EQ(complaint({"serve", "s", "--host", "0.0.0.0", "--auth-token-file", "t"}), "");
+  EXPECT_NE(complaint({"serve", "s", "--allowed-host", "http://x"}).find("no name of a host"),
+            std::string::npos);
+  const auto named = std::get<ServeOptions>(
+      parse_command_line({"serve", "s", "--allowed-host", "A.example", "--allowed-host", "[fe80::1]"}));
+  EXPECT_EQ(named.allowed_hosts, (std::vector<std::string>{"a.example", "[fe80::1]"}));
+}
+
 TEST(CommandLine, APathFromAVariableThatWasNotSetIsNamed) {
   EXPECT_NE(complaint({"replay", ""}).find("SESSION: the path is empty"), std::string::npos);
   EXPECT_NE(complaint({"serve", ""}).find("SESSION: the path is empty"), std::string::npos);

@@ -74,6 +74,38 @@ TEST(RequestHead, RefusesEachFaultWithItsOwnStatus) {
   for (const auto& [head, status] : table) EXPECT_EQ(status_of(head), status) << head.substr(0, 80);
 }
 
+TEST(RequestHead, WithATokenNothingIsAnsweredWithoutIt) {
+  const std::string token = "abcdefghij-0123456789";
+  const auto status = [&](const std::string& lines) {
+    return judge_head("GET / HTTP/1.1\r\nHost: localhost\r\n" + lines + "\r\n", {"localhost"}, token).status;
+  };
+  EXPECT_EQ(status("Authorization: Bearer " + token + "\r\n"), 0);
+  EXPECT_EQ(status("authorization:  bEARER   " + token + " \r\n"), 0);
+  // Browsers send "name:password" in base64: "me:abcdefghij-0123456789" and ":abcdefghij-0123456789".
+  EXPECT_EQ(status("Authorization: Basic bWU6YWJjZGVmZ2hpai0wMTIzNDU2Nzg5\r\n"), 0);
+  EXPECT_EQ(status("Authorization: Basic OmFiY2RlZmdoaWotMDEyMzQ1Njc4OQ==\r\n"), 0);
+  for (const std::string& line :
+       {std::string(), std::string("Authorization: \r\n"), "Authorization: " + token + "\r\n",
+        std::string("Authorization: Bearer\r\n"), "Authorization: Bearer " + token + "x\r\n",
+        "Authorization: Bearer " + token.substr(1) + "\r\n",
+        "Authorization: Bearer " + token + token + "\r\n", "Authorization: Digest " + token + "\r\n",
+        std::string("Authorization: Basic !!!!\r\n"),
+        // The token alone, without a colon before it.
+        std::string("Authorization: Basic YWJjZGVmZ2hpai0wMTIzNDU2Nzg5\r\n"), "Cookie: " + token + "\r\n"})
+    EXPECT_EQ(status(line), 401) << line;
+  EXPECT_EQ(status("Authorization: Bearer " + token + "\r\nAuthorization: Bearer " + token + "\r\n"), 400);
+  // Strangers learn nothing about which methods there are, nor a page elsewhere about the token.
+  EXPECT_EQ(judge_head("PUT / HTTP/1.1\r\nHost: localhost\r\n\r\n", {"localhost"}, token).status, 401);
+  EXPECT_EQ(status("Origin: http://evil.example\r\nAuthorization: Bearer " + token + "\r\n"), 403);
+}
+
+TEST(RequestHead, OnlyTheWholeSecretIsTheSame) {
+  EXPECT_TRUE(is_same_secret("secret", "secret"));
+  for (const char* other : {"", "secre", "secrets", "Secret", "secreT", "secretsecret", "terces"})
+    EXPECT_FALSE(is_same_secret(other, "secret")) << other;
+  EXPECT_FALSE(is_same_secret("", "")) << "no secret lets nobody in";
+}
+
 TEST(RequestHead, EveryPrefixAndEveryChangedByteIsJudgedWithoutHarm) {
   const std::string head = "GET /v1/status HTTP/1.1\r\nHost: [::1]:80\r\nOrigin: http://localhost\r\n\r\n";
   for (std::size_t i = 0; i < head.size(); ++i) {

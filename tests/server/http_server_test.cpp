@@ -75,6 +75,27 @@ TEST_F(Http, RefusesWritingMethodsAndSaysWhichAreThere) {
   EXPECT_EQ(server->counters().requests.at(405), 6);
 }
 
+TEST_F(Http, AsksForTheTokenAndTakesFurtherNames) {
+  HttpServer::Config config;
+  config.allowed_hosts = {"frames.example"};
+  config.token = "0123456789abcdef";
+  const HttpServer server(config, echo);
+  const Reply without = get(server.port(), "/x");
+  EXPECT_EQ(without.status, 401);
+  EXPECT_EQ(without.header("WWW-Authenticate"), "Bearer realm=\"herr\"");
+  EXPECT_NE(without.head.find("WWW-Authenticate: Basic realm=\"herr\""), std::string::npos);
+  EXPECT_EQ(without.body, "401 Unauthorized\n");
+  const auto ask_as = [&](const std::string& host) {
+    return ask(server.port(),
+               request_text("/x", "GET", "Host: " + host + "\r\nAuthorization: Bearer 0123456789abcdef\r\n"))
+        .status;
+  };
+  EXPECT_EQ(ask_as("localhost"), 200);
+  EXPECT_EQ(ask_as("frames.example:443"), 200);
+  EXPECT_EQ(ask_as("other.example"), 421);
+  EXPECT_EQ(server.counters().rejected.at("token"), 1);
+}
+
 TEST_F(Http, AnExceptionIsA500WithoutItsText) {
   const auto server = serve();
   const Reply reply = get(server->port(), "/throw");
