@@ -12,7 +12,8 @@ namespace {
 
 struct Traits {
   std::size_t instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0, transparent = 0,
-              textured = 0, specular = 0, shapes = 0, detailed = 0, masked = 0, blended = 0, front_only = 0;
+              textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0, blended = 0,
+              front_only = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -33,6 +34,7 @@ Traits traits_of(const Scene& scene) {
   traits.instances = scene.instances.size();
   for (const Instance& instance : scene.instances) {
     const Material& material = scene.materials[instance.material];
+    if (instance.kind == ShapeKind::voxels) ++traits.voxels;
     const bool is_mesh = instance.kind == ShapeKind::mesh;
     if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) ++traits.shapes;
     const bool has_uvs = is_mesh && !scene.meshes[instance.mesh].uvs.empty();
@@ -89,6 +91,8 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "foveation is off: one ray per viewport pixel");
   decide(plan.textures, t.textured > 0, "textures", share(t.textured, t.instances, "have textures"),
          "no instance has a texture");
+  decide(plan.voxels, t.voxels > 0, "voxels", share(t.voxels, t.instances, "are grids of voxels"),
+         "no instance is a grid of voxels");
   decide(plan.shapes, t.shapes > 0, "analytic shapes", share(t.shapes, t.instances, "are spheres or boxes"),
          "no instance is a sphere or box");
   decide(plan.surface_details, t.detailed > 0, "surface details",

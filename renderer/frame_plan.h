@@ -32,6 +32,7 @@ struct FramePlan {
   bool occlusion = false;
   bool environment_map = false;
   bool textures = false;
+  bool voxels = false;           // octrees, and rays that know how wide they are
   bool shapes = false;           // analytic spheres and boxes
   bool surface_details = false;  // vertex colours, further textures, highlights of their own, unlit, alpha
   bool alpha_mask = false;       // hits are asked whether they lie in a hole

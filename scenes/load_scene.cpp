@@ -9,6 +9,7 @@
 #include "scenes/scene.h"
 #include "scenes/scene_document.h"
 #include "scenes/transform_checks.h"
+#include "scenes/voxels/load_vox.h"
 #include "sessions/input_error.h"
 
 namespace herr {
@@ -40,6 +41,21 @@ Scene load_bare_gltf(const std::filesystem::path& file) {
   return scene;
 }
 
+// A .vox file alone: a voxel is 0.1 m long, as in a scene document, and it is lit like a bare glTF.
+Scene load_bare_vox(const std::filesystem::path& file) {
+  Scene scene;
+  scene.name = file.stem().string();
+  scene.instances = append_vox(file, scene);
+  const double size = kVoxSize_m;
+  const glm::dmat4x3 metres{glm::dvec3{size, 0, 0}, glm::dvec3{0, size, 0}, glm::dvec3{0, 0, size},
+                            glm::dvec3{0.0}};
+  for (Instance& instance : scene.instances)
+    instance.world_from_object = compose(metres, instance.world_from_object);
+  scene.lights.push_back(light_above(scene_bounds(scene)));
+  scene.ambient = scene.environment = glm::vec3(0.2f);
+  return scene;
+}
+
 // No vertex may lie so far out that the ray tracer's floats overflow.
 void check_bounds(const Scene& scene, const std::filesystem::path& file) {
   const Bounds bounds = scene_bounds(scene);
@@ -60,9 +76,11 @@ Scene load_scene(const std::filesystem::path& file) {
     scene = read_scene_document(file);
   } else if (extension == ".gltf" || extension == ".glb") {
     scene = load_bare_gltf(file);
+  } else if (extension == ".vox") {
+    scene = load_bare_vox(file);
   } else {
     throw InputError(file, 0, "is not of a format that can be shown",
-                     "name a .scene.json, .gltf or .glb file (convert other "
+                     "name a .scene.json, .gltf, .glb or .vox file (convert other "
                      "models to .glb first)");
   }
   check_bounds(scene, file);

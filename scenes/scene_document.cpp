@@ -9,6 +9,7 @@
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/scene_document_parts.h"
 #include "scenes/scene_document_shapes.h"
+#include "scenes/scene_document_voxels.h"
 #include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
@@ -20,26 +21,6 @@ constexpr double kBrightestRadiance = 1e9;
 
 // A glTF file as it was appended to the scene, for entries that name it again.
 using LoadedFiles = std::map<std::filesystem::path, GltfContent>;
-
-// The file that an entry names: below the folder of the scene document, so that a scene can be copied as a
-// folder.
-std::filesystem::path named_file(const JsonObject& entry) {
-  const std::string name = entry.text("file");
-  const std::filesystem::path relative(name);
-  bool climbs = name.empty() || relative.is_absolute() || name.find('\0') != std::string::npos;
-  for (const auto& part : relative) climbs = climbs || part == "..";
-  if (climbs) {
-    entry.fail("file", "is \"" + printable(name) + "\", which is not below the folder of the scene",
-               "write a path relative to the scene file, without \"..\"");
-  }
-  const std::filesystem::path file = (entry.file().parent_path() / relative).lexically_normal();
-  std::error_code ignored;  // a file that cannot even be looked up is reported as missing
-  if (std::filesystem::exists(file, ignored)) return file;
-  bool generated = false;
-  for (const auto& part : relative) generated = generated || part == "generated";
-  entry.fail("file", "names " + printable(file.string()) + ", which does not exist",
-             generated ? "build first: `cmake --build` makes the generated meshes" : "check the path");
-}
 
 // The material of an instance with the entry's changes; made once per entry and material.
 std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& change, Scene& scene,
@@ -63,7 +44,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   const MaterialOverride change =
       changes ? parse_material_override(entry.object("material")) : MaterialOverride{};
 
-  const std::filesystem::path file = named_file(entry);
+  const std::filesystem::path file = named_file(entry, "file");
   auto known = loaded.find(file);
   if (known == loaded.end()) known = loaded.emplace(file, append_gltf(file, scene)).first;
 
@@ -88,7 +69,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
 
 void read_environment(const JsonObject& entry, Scene& scene) {
   entry.allow_only({"file", "turn_deg", "scale"});
-  const std::filesystem::path file = named_file(entry);
+  const std::filesystem::path file = named_file(entry, "file");
   const auto turn_deg = static_cast<float>(entry.number_or("turn_deg", -360, 360, 0));
   const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightestRadiance, 1));
   std::int64_t sanitised = 0;
@@ -106,8 +87,8 @@ void read_environment(const JsonObject& entry, Scene& scene) {
 Scene read_scene_document(const std::filesystem::path& file) {
   const nlohmann::json document = parse_json_file(file);
   const JsonObject root(document, file, "");
-  root.allow_only({"format_version", "name", "gltf", "shapes", "catchers", "lights", "ambient", "environment",
-                   "environment_map", "world_from_session", "probes"});
+  root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "lights", "ambient",
+                   "environment", "environment_map", "world_from_session", "probes"});
   root.integer("format_version", 1, 1);
   Scene scene;
   scene.files.push_back(file);
@@ -129,6 +110,7 @@ Scene read_scene_document(const std::filesystem::path& file) {
 
   LoadedFiles loaded;
   for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);
+  append_voxel_entries(root.objects("voxels"), scene);
   if (scene.lights.empty()) {
     scene.warnings.push_back(printable(file.string()) +
                              ": no lights: only the ambient term and emission light it");

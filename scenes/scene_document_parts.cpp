@@ -101,6 +101,24 @@ glm::dvec3 parse_direction(const JsonObject& object) {
 
 }  // namespace
 
+std::filesystem::path named_file(const JsonObject& entry, const char* key) {
+  const std::string name = entry.text(key);
+  const std::filesystem::path relative(name);
+  bool climbs = name.empty() || relative.is_absolute() || name.find('\0') != std::string::npos;
+  for (const auto& part : relative) climbs = climbs || part == "..";
+  if (climbs) {
+    entry.fail(key, "is \"" + printable(name) + "\", which is not below the folder of the scene",
+               "write a path relative to the scene file, without \"..\"");
+  }
+  const std::filesystem::path file = (entry.file().parent_path() / relative).lexically_normal();
+  std::error_code ignored;  // a file that cannot even be looked up is reported as missing
+  if (std::filesystem::exists(file, ignored)) return file;
+  bool generated = false;
+  for (const auto& part : relative) generated = generated || part == "generated";
+  entry.fail(key, "names " + printable(file.string()) + ", which does not exist",
+             generated ? "build first: `cmake --build` makes the generated meshes" : "check the path");
+}
+
 glm::dquat parse_orientation(const JsonObject& object, const char* key) {
   if (!object.has(key)) return {1.0, 0.0, 0.0, 0.0};
   const std::vector<double> q = object.numbers(key, 4, -1.001, 1.001);

@@ -21,7 +21,8 @@ void fill(const RecordedRays& rays, std::size_t first, std::size_t count, float 
     packet.tnear[i] = packet.time[i] = 0;
     packet.tfar[i] = tfar;
     packet.mask[i] = mask;
-    packet.flags[i] = packet.id[i] = 0;
+    packet.flags[i] = 0;
+    packet.id[i] = i < count ? rays.footprint[first + i] : 0;
     valid[i] = i < count && !rays.is_gap(first + i) ? -1 : 0;
   }
 }

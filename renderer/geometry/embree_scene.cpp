@@ -38,6 +38,7 @@ EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads)
   for (const Instance& instance : scene.instances) check_transform(instance.world_from_object, instance.name);
   build_meshes();
   build_shapes(isa);
+  for (const VoxelGrid& grid : scene.voxel_grids) voxels_.push_back(build_voxels(device_, isa, grid));
   build_textures();
   build_instances();
 }
@@ -81,6 +82,7 @@ void EmbreeScene::build_textures() {
 
 // The bottom-level scene that an instance places.
 RTCScene EmbreeScene::bottom_of(const Instance& instance) const {
+  if (instance.kind == ShapeKind::voxels) return voxels_[instance.grid].scene.get();
   if (instance.kind == ShapeKind::sphere) return sphere_->get();
   if (instance.kind == ShapeKind::box) return box_->get();
   return meshes_[instance.mesh].scene.get();

@@ -16,6 +16,7 @@
 #include "renderer/geometry/shape_geometry.h"
 #include "renderer/geometry/surface_details.h"
 #include "renderer/geometry/texture_levels.h"
+#include "renderer/geometry/voxel_geometry.h"
 #include "renderer/render_settings.h"
 #include "scenes/scene.h"
 
@@ -58,6 +59,7 @@ class EmbreeScene {
   const Scene& scene_;
   EmbreeDevice device_;
   std::vector<MeshGeometry> meshes_;
+  std::vector<VoxelGeometry> voxels_;
   std::optional<EmbreeSceneHandle> sphere_, box_;  // where an instance shows one
   EmbreeSceneHandle top_;
   std::vector<RTCGeometry> instance_geometries_;

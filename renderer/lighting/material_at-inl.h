@@ -71,6 +71,18 @@ HWY_INLINE void multiply_rough(MaterialAt& m, const Rgba& texel) {
   m.metallic = hn::Mul(m.metallic, texel.b);
 }
 
+// The colour of voxels comes with the hit: see voxel_geometry.
+HWY_INLINE void multiply_voxel_colour(VF hit_u, MaterialAt& m) {
+  const VU bits = hn::BitCast(kU, hit_u);
+  const auto channel = [](VU root) HWY_ATTR {
+    const VF value =
+        hn::Mul(hn::ConvertTo(kF, hn::BitCast(kI, hn::And(root, hn::Set(kU, 1023u)))), set(1.0f / 1023.0f));
+    return hn::Mul(value, value);
+  };
+  multiply_base(
+      m, {channel(bits), channel(hn::ShiftRight<10>(bits)), channel(hn::ShiftRight<20>(bits)), set(1.0f)});
+}
+
 HWY_INLINE void apply_base_textures(const InstanceRecord& instance, VI record, const Barycentric& at,
                                     VF object_width2, MF lanes, MaterialAt& m) {
   if (!instance.base_colour_texture && !instance.metallic_roughness_texture) return;

@@ -9,6 +9,7 @@
 
 #include <limits>
 
+#include "renderer/geometry/footprint-inl.h"
 #include "renderer/lighting/tile_job.h"
 #include "renderer/simd_types-inl.h"
 
@@ -38,14 +39,12 @@ HWY_INLINE void set_rays(Ray& packet, const V3& origin, const V3& direction, flo
   hn::Store(hn::Zero(kU), kU, packet.id);
 }
 
-// Writes into the rays how wide they are, for hit filters: two numbers without sign of 16 bits, the upper
-// halves of floats, the width at the origin low and what it grows by per metre high.
+// Writes into the rays how wide they are, for hit filters and voxels.
 HWY_INLINE void widen(Ray& packet, const HitBatch& hits, int slot) {
-  const auto half = [](VF value) HWY_ATTR {
-    return hn::ShiftRight<15>(hn::BitCast(kU, hn::Max(value, hn::Zero(kF))));
-  };
-  const VU width = half(load(&hits.cone_width[slot])), spread = half(load(&hits.cone_spread[slot]));
-  hn::Store(hn::Or(width, hn::ShiftLeft<16>(spread)), kU, packet.id);
+  const VF zero = hn::Zero(kF);
+  hn::Store(footprint_code(hn::Max(load(&hits.cone_width[slot]), zero),
+                           hn::Max(load(&hits.cone_spread[slot]), zero)),
+            kU, packet.id);
 }
 
 // Rays that look for the nearest hit.
@@ -65,7 +64,7 @@ HWY_INLINE void record(const TileJob& job, RayKind kind, const Ray& packet, cons
   for (int i = 0; i < kLanes; ++i) {
     if (valid[i] != 0) {
       job.recorder->add(kind, packet.org_x[i], packet.org_y[i], packet.org_z[i], packet.dir_x[i],
-                        packet.dir_y[i], packet.dir_z[i]);
+                        packet.dir_y[i], packet.dir_z[i], packet.id[i]);
     } else if (gaps) {
       job.recorder->add_gap(kind);
     }

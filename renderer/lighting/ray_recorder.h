@@ -16,18 +16,20 @@ namespace herr {
 // packets can be traced again.
 struct RecordedRays {
   std::vector<float> ox, oy, oz, dx, dy, dz;
+  std::vector<std::uint32_t> footprint;  // Embree's id of the ray: how wide it is
 
   std::size_t size() const { return ox.size(); }  // gaps included
   bool is_gap(std::size_t i) const { return std::isnan(ox[i]); }
-  void add(float o_x, float o_y, float o_z, float d_x, float d_y, float d_z) {
+  void add(float o_x, float o_y, float o_z, float d_x, float d_y, float d_z, std::uint32_t id) {
     ox.push_back(o_x), oy.push_back(o_y), oz.push_back(o_z);
     dx.push_back(d_x), dy.push_back(d_y), dz.push_back(d_z);
+    footprint.push_back(id);
   }
   // The same rays without gaps.
   RecordedRays dense() const {
     RecordedRays out;
     for (std::size_t i = 0; i < size(); ++i) {
-      if (!is_gap(i)) out.add(ox[i], oy[i], oz[i], dx[i], dy[i], dz[i]);
+      if (!is_gap(i)) out.add(ox[i], oy[i], oz[i], dx[i], dy[i], dz[i], footprint[i]);
     }
     return out;
   }
@@ -36,10 +38,10 @@ struct RecordedRays {
 struct RayRecorder {
   std::array<RecordedRays, kRayKinds> rays;
 
-  void add(RayKind kind, float ox, float oy, float oz, float dx, float dy, float dz) {
-    rays[static_cast<std::size_t>(kind)].add(ox, oy, oz, dx, dy, dz);
+  void add(RayKind kind, float ox, float oy, float oz, float dx, float dy, float dz, std::uint32_t id) {
+    rays[static_cast<std::size_t>(kind)].add(ox, oy, oz, dx, dy, dz, id);
   }
-  void add_gap(RayKind kind) { add(kind, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0); }
+  void add_gap(RayKind kind) { add(kind, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 0, 0, 0); }
 };
 
 }  // namespace herr

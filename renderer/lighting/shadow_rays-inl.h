@@ -105,11 +105,20 @@ HWY_INLINE MF occluded_by_shares(const int* valid, RTCScene scene, MF lanes, Ray
   return hn::And(lanes, hit);
 }
 
+// With voxels: rays of the queue from `start` on are as wide as those that found the hits they come from.
+HWY_INLINE void widen_shadow_rays(Ray& packet, const HitBatch& hits, const RayQueue& queue, int start,
+                                  const V3& direction, MF used) {
+  const VI hit = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &queue.hit[start]));
+  const VF length = hn::Sqrt(hn::Max(dot(direction, direction), set(1e-30f)));
+  const VF width = hn::Max(hn::GatherIndex(kF, hits.cone_width.data(), hit), hn::Zero(kF));
+  hn::Store(footprint_code(hn::Div(width, length), hn::Zero(kF)), kU, packet.id);
+}
+
 // Traces the queue's rays over their whole length, t in [0, 1); calls blocked(i, passes) for each that meets
 // something of `mask`: the share of light that passes is 0, or more behind blended surfaces.
 template <typename Blocked>
-HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsigned mask, RayKind kind,
-                                const Blocked& blocked) {
+HWY_INLINE void trace_occlusion(const TileJob& job, const HitBatch& hits, const RayQueue& queue,
+                                unsigned mask, RayKind kind, const Blocked& blocked) {
   alignas(64) Ray packet;
   alignas(64) int valid[kMaxLanes];
   job.counters->rays[kind] += queue.count;
@@ -121,6 +130,7 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const RayQueue& queue, unsig
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
     set_rays(packet, origin, direction, kShadowRayEnd, mask);
+    if (job.shading->plan->voxels) widen_shadow_rays(packet, hits, queue, start, direction, used);
     set_valid(valid, lanes);
     record(job, kind, packet, valid, false);
     VF passes = set(1.0f);
@@ -157,14 +167,14 @@ HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKi
   scratch.blocked.count = 0;
   // Probes of catchers alone know no virtual object.
   const unsigned mask = kind == RayKind::catcher_probe_shadow ? kCatcherMask : kAllMask;
-  trace_occlusion(job, scratch.queue, mask, kind, [&](int i, float passes) HWY_ATTR {
+  trace_occlusion(job, hits, scratch.queue, mask, kind, [&](int i, float passes) HWY_ATTR {
     const auto hit = static_cast<std::size_t>(scratch.queue.hit[static_cast<std::size_t>(i)]);
     blocked(hit, passes);
     if (!catchers_occlude || hits.kind[hit] != static_cast<int>(HitKind::catcher)) return;
     push_one(scratch.blocked, scratch.queue, i);
   });
   if (scratch.blocked.count == 0) return;
-  trace_occlusion(job, scratch.blocked, kCatcherMask, catcher_kind, [&](int i, float passes) HWY_ATTR {
+  trace_occlusion(job, hits, scratch.blocked, kCatcherMask, catcher_kind, [&](int i, float passes) HWY_ATTR {
     blocked_without(static_cast<std::size_t>(scratch.blocked.hit[static_cast<std::size_t>(i)]), passes);
   });
 }

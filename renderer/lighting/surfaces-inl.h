@@ -41,6 +41,7 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   MaterialAt m = material_factors(instance);
   if constexpr (kDetail != SurfaceDetail::plain) {
     apply_base_textures(instance, record, at, object_width2, lanes, m);
+    if (instance.kind == ShapeKind::voxels) multiply_voxel_colour(at.u, m);
   }
   const auto put = [&](VF value, Lane<float>& lane)
                        HWY_ATTR { store_lanes(value, lanes, lane.data() + slot); };
@@ -115,7 +116,8 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   store_lanes(n.z, lanes, out.nz.data() + slot);
 }
 
-// An analytic shape's normal is the one that the hit brings, curved or flat: outward, in object space.
+// The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat: outward, in
+// object space.
 HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet, const V3& viewer, MF lanes,
                             HitBatch& out, int slot) {
   const float* m = instance.normal_from_object;

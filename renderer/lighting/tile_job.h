@@ -54,7 +54,7 @@ struct alignas(64) HitBatch {
   Lane<float> dielectric_f0;  // reflectance of the bare interface at normal incidence
   Lane<float> tr, tg, tb;     // colour of light that passes
   Lane<float> real;           // 1 on a catcher that is seen as an object
-  // With textures: width of the ray, metres, and what it grows by per metre.
+  // With textures or voxels: width of the ray, metres, and what it grows by per metre.
   Lane<float> cone_width, cone_spread;
   // With surface details: what a blended surface covers, 1 elsewhere; specular reflectance at grazing angles.
   Lane<float> coverage, f90;

@@ -31,9 +31,10 @@ HWY_INLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind) 
   for (int p = 0; p < packet_count; ++p) {
     if (sparse && hn::AllFalse(kF, traced_lanes(p))) continue;
     const int* valid = scratch.packet_valid[static_cast<std::size_t>(p)].data();
-    if (plan.front_only || plan.alpha_mask || plan.alpha_blend) {
-      hn::Store(hn::Set(kU, kFrontOnly), kU, packets[p].ray.flags);
-      if constexpr (kDetail != SurfaceDetail::plain) widen(packets[p].ray, scratch.first, p * kLanes);
+    const bool filters = plan.front_only || plan.alpha_mask || plan.alpha_blend;
+    if (filters) hn::Store(hn::Set(kU, kFrontOnly), kU, packets[p].ray.flags);
+    if constexpr (kDetail != SurfaceDetail::plain) {
+      if (filters || plan.voxels) widen(packets[p].ray, scratch.first, p * kLanes);
     }
     record(job, kind, packets[p].ray, valid, true);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packets[p]);
@@ -97,7 +98,7 @@ void trace_tile_with(const TileJob& job) {
 void TraceTileKernel(const TileJob& job) {
   const FramePlan& plan = *job.shading->plan;
   if (plan.surface_details) return trace_tile_with<SurfaceDetail::all, Lobe::weighted>(job);
-  if (plan.textures) return trace_tile_with<SurfaceDetail::textures, Lobe::usual>(job);
+  if (plan.textures || plan.voxels) return trace_tile_with<SurfaceDetail::textures, Lobe::usual>(job);
   return plan.specular ? trace_tile_with<SurfaceDetail::plain, Lobe::usual>(job)
                        : trace_tile_with<SurfaceDetail::plain, Lobe::none>(job);
 }

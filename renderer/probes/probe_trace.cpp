@@ -62,7 +62,6 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     set_rays(packet, origin, direction);
     hn::Store(hn::Set(kU, mask), kU, packet.ray.mask);
     set_valid(valid, lanes);
-    record(tile, kind, packet.ray, valid, true);
     tile.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
     if constexpr (kDetail != SurfaceDetail::plain) {
@@ -72,6 +71,7 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
       hn::Store(set(spread), kF, &hits.cone_spread[slot]);
       widen(packet.ray, hits, slot);
     }
+    record(tile, kind, packet.ray, valid, true);
     if (!hn::AllFalse(kF, lanes)) intersect_packet<kLanes>(valid, tile.shading->scene, false, &packet);
     surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot);
     hn::Store(hn::Zero(kU), kU, &hits.key[slot]);
@@ -143,7 +143,7 @@ void TraceProbesKernel(const ProbeJob& job) {
     const int count = rays * kProbeLanes;
     if (tile.shading->plan->surface_details) {
       trace_directions<SurfaceDetail::all>(job, origins, first, rays);
-    } else if (tile.shading->plan->textures) {
+    } else if (tile.shading->plan->textures || tile.shading->plan->voxels) {
       trace_directions<SurfaceDetail::textures>(job, origins, first, rays);
     } else {
       trace_directions<SurfaceDetail::plain>(job, origins, first, rays);

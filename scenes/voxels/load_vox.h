@@ -9,6 +9,8 @@
 
 namespace herr {
 
+inline constexpr double kVoxSize_m = 0.1;  // of a voxel of a .vox file, as MagicaVoxel exports meshes
+
 // Instances in voxels, y up, x to the right, standing as they do in MagicaVoxel: its origin is theirs. All
 // have one new matte material. Throws InputError for anything that is wrong with the file.
 std::vector<Instance> append_vox(const std::filesystem::path& file, Scene& scene);

@@ -169,7 +169,14 @@ Json scene_json(const InspectReport& report) {
     objects.push_back({{"name", object.name},
                        {"instances", object.instances},
                        {"triangles", object.triangles},
+                       {"voxels", object.voxels},
                        {"catcher", object.catcher}});
+  Json grids = Json::array();
+  for (const GridFacts& grid : scene.grids)
+    grids.push_back({{"name", grid.name},
+                     {"counts", {grid.counts.x, grid.counts.y, grid.counts.z}},
+                     {"voxels", grid.voxels},
+                     {"bytes", grid.bytes}});
   for (const std::filesystem::path& file : scene.files) files.push_back(file.string());
   return {{"name", scene.name},
           {"file", report.scene_file.string()},
@@ -196,6 +203,8 @@ Json scene_json(const InspectReport& report) {
           {"upper_m", vector_json(scene.bounds.upper)},
           {"geometry_bytes", scene.geometry_bytes},
           {"texture_bytes", scene.texture_bytes},
+          {"voxel_bytes", scene.voxel_bytes},
+          {"voxel_grids", grids},
           {"objects", objects}};
 }
 

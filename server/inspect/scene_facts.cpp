@@ -25,6 +25,13 @@ void add_meshes(const Scene& scene, SceneFacts& facts) {
   }
 }
 
+void add_grids(const Scene& scene, SceneFacts& facts) {
+  for (const VoxelGrid& grid : scene.voxel_grids) {
+    facts.grids.push_back({grid.name, grid.counts, grid.voxels(), grid.bytes()});
+    facts.voxel_bytes += grid.bytes();
+  }
+}
+
 void add_objects(const Scene& scene, SceneFacts& facts) {
   std::map<std::string, SceneObject> objects;
   for (const Instance& instance : scene.instances) {
@@ -32,6 +39,7 @@ void add_objects(const Scene& scene, SceneFacts& facts) {
     ++object.instances;
     if (instance.kind == ShapeKind::mesh)
       object.triangles += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());
+    if (instance.kind == ShapeKind::voxels) object.voxels += facts.grids[instance.grid].voxels;
     facts.spheres += instance.kind == ShapeKind::sphere ? 1 : 0;
     facts.boxes += instance.kind == ShapeKind::box ? 1 : 0;
     object.catcher = object.catcher || instance.catcher;
@@ -42,7 +50,9 @@ void add_objects(const Scene& scene, SceneFacts& facts) {
     facts.objects.push_back(object);
   }
   std::stable_sort(facts.objects.begin(), facts.objects.end(),
-                   [](const SceneObject& a, const SceneObject& b) { return a.triangles > b.triangles; });
+                   [](const SceneObject& a, const SceneObject& b) {
+                     return a.triangles != b.triangles ? a.triangles > b.triangles : a.voxels > b.voxels;
+                   });
 }
 
 }  // namespace
@@ -54,6 +64,7 @@ SceneFacts facts_of(const Scene& scene) {
   facts.triangles = triangle_count(scene, false);
   facts.catcher_triangles = triangle_count(scene, true) - facts.triangles;
   add_meshes(scene, facts);
+  add_grids(scene, facts);
   add_objects(scene, facts);
   facts.materials = static_cast<std::int64_t>(scene.materials.size());
   for (const Material& material : scene.materials) {

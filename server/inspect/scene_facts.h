@@ -13,13 +13,21 @@ namespace herr {
 // Instances with the same name up to the first slash: one entry of the scene document.
 struct SceneObject {
   std::string name;
-  std::int64_t instances = 0, triangles = 0;
+  std::int64_t instances = 0, triangles = 0, voxels = 0;
   bool catcher = false;
+};
+
+// A grid of voxels, however often it is placed.
+struct GridFacts {
+  std::string name;
+  glm::ivec3 counts{0};
+  std::int64_t voxels = 0, bytes = 0;  // bytes as loaded; its octree takes about as much again
 };
 
 struct SceneFacts {
   std::string name;
-  std::vector<SceneObject> objects;  // most triangles first
+  std::vector<SceneObject> objects;  // most triangles first, then most voxels
+  std::vector<GridFacts> grids;
   std::int64_t instances = 0, catchers = 0, meshes = 0;
   std::int64_t triangles = 0, catcher_triangles = 0;
   std::int64_t spheres = 0, boxes = 0;    // analytic shapes, catchers included
@@ -30,7 +38,8 @@ struct SceneFacts {
   std::int64_t lights = 0, moving_lights = 0;
   glm::vec3 ambient{0.0f}, environment{0.0f};
   Bounds bounds;
-  std::int64_t geometry_bytes = 0, texture_bytes = 0;  // as loaded, without acceleration structures
+  std::int64_t geometry_bytes = 0, texture_bytes = 0,
+               voxel_bytes = 0;  // as loaded, without acceleration structures
   std::vector<std::filesystem::path> files;
 };
 

@@ -37,6 +37,21 @@ std::string objects_text(const SceneFacts& scene) {
   return text.empty() ? "" : head + text;
 }
 
+std::string grids_text(const SceneFacts& scene) {
+  if (scene.grids.empty()) return "";
+  std::string text = line("voxels", std::to_string(scene.grids.size()) + " grids, " +
+                                        megabytes(scene.voxel_bytes) + " (octrees come on top)");
+  for (std::size_t i = 0; i < std::min(scene.grids.size(), kObjectsShown); ++i) {
+    const GridFacts& grid = scene.grids[i];
+    text += line("", printable(grid.name) + ": " + std::to_string(grid.counts.x) + " x " +
+                         std::to_string(grid.counts.y) + " x " + std::to_string(grid.counts.z) + ", " +
+                         std::to_string(grid.voxels) + " voxels, " + megabytes(grid.bytes));
+  }
+  if (scene.grids.size() > kObjectsShown)
+    text += line("", "and " + std::to_string(scene.grids.size() - kObjectsShown) + " more");
+  return text;
+}
+
 }  // namespace
 
 std::string scene_text(const InspectReport& report) {
@@ -51,6 +66,7 @@ std::string scene_text(const InspectReport& report) {
   text += line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
                              std::to_string(scene.meshes) + " meshes, " + megabytes(scene.geometry_bytes) +
                              " (acceleration structures come on top)");
+  text += grids_text(scene);
   if (scene.spheres + scene.boxes > 0)
     text += line("shapes", std::to_string(scene.spheres) + " spheres, " + std::to_string(scene.boxes) +
                                " boxes, met analytically");
