@@ -11,9 +11,9 @@ namespace herr {
 namespace {
 
 struct Traits {
-  std::size_t instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0, transparent = 0,
-              textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0, blended = 0,
-              front_only = 0;
+  std::size_t catchers_ever = 0, instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0,
+              transparent = 0, textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0,
+              blended = 0, front_only = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -31,8 +31,10 @@ bool lies_flat(const TriangleMesh& mesh) {
 
 Traits traits_of(const Scene& scene) {
   Traits traits;
-  traits.instances = scene.instances.size();
   for (const Instance& instance : scene.instances) {
+    if (instance.catcher) ++traits.catchers_ever;
+    if (!instance.present) continue;
+    ++traits.instances;
     const Material& material = scene.materials[instance.material];
     if (instance.kind == ShapeKind::voxels) ++traits.voxels;
     const bool is_mesh = instance.kind == ShapeKind::mesh;
@@ -127,7 +129,8 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          : many && plan.alpha_blend ? "blended surfaces let shares of the light pass"
          : many                     ? "all strata for every hit"
                                     : "one sample");
-  const bool has_ambient = scene.ambient != glm::vec3{0.0f} || (settings.probes.on && t.instances > 0);
+  const bool has_ambient =
+      scene.ambient != glm::vec3{0.0f} || (settings.probes.on && !scene.instances.empty());
   decide(plan.occlusion, settings.occlusion_rays > 0 && has_ambient, "ambient occlusion",
          std::to_string(settings.occlusion_rays) + " short rays per hit",
          settings.occlusion_rays == 0 ? "not asked for" : "no indirect light to occlude");
@@ -154,14 +157,15 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.detail_levels, detailed > 0, "detail levels",
          share(detailed, t.instances, "have coarser forms of their mesh"), "no mesh has coarser forms");
   const auto& n = scene.probes.counts;
-  decide(plan.probes, settings.probes.on && t.instances > 0, "probes",
+  decide(plan.probes, settings.probes.on && !scene.instances.empty(), "probes",
          std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
              std::to_string(settings.probes.rays) + " rays each",
-         t.instances == 0 ? "no surface to light" : "switched off by settings");
-  decide(plan.catcher_probes, plan.probes && plan.catchers, "probes of catchers alone",
-         "indirect light changes the feed on catchers", plan.catchers ? "probes are off" : "no catcher");
+         scene.instances.empty() ? "no surface to light" : "switched off by settings");
+  decide(plan.catcher_probes, plan.probes && t.catchers_ever > 0, "probes of catchers alone",
+         "indirect light changes the feed on catchers",
+         t.catchers_ever > 0 ? "probes are off" : "no catcher");
   const bool coloured = plan.catcher_probes || hues_differ(scene);
-  decide(plan.coloured_ratio, plan.catchers && coloured, "coloured catcher ratio",
+  decide(plan.coloured_ratio, plan.catchers && coloured, kColouredRatio,
          plan.catcher_probes ? "surfaces colour the light between them" : "lights and ambient differ in hue",
          plan.catchers ? "all light has one hue" : "no catcher");
   decide(plan.camera, settings.camera && session_has_camera, "camera composite",
@@ -169,6 +173,14 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          session_has_camera ? "switched off by settings" : "the session has no camera feed");
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
   return plan;
+}
+
+std::vector<PlanEntry> differing_entries(const FramePlan& before, const FramePlan& after) {
+  std::vector<PlanEntry> changed;
+  for (std::size_t i = 0; i < std::min(before.entries.size(), after.entries.size()); ++i) {
+    if (before.entries[i].runs != after.entries[i].runs) changed.push_back(after.entries[i]);
+  }
+  return changed;
 }
 
 }  // namespace herr

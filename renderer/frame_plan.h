@@ -23,6 +23,8 @@ struct PlanEntry {
   std::string reason;  // "3 of 11 instances reflect", "no material reflects"
 };
 
+inline constexpr const char* kColouredRatio = "coloured catcher ratio";
+
 struct FramePlan {
   // What the kernels are chosen by.
   bool polar = true;  // log-polar buffer; false: one ray per viewport pixel
@@ -53,7 +55,11 @@ struct FramePlan {
   std::vector<PlanEntry> entries;  // all of the above, for people
 };
 
-// `session_has_camera`: the session delivers camera frames.
+// Of the instances that are there now; what needs memory for the whole run (probes) counts those that may
+// come, too. `session_has_camera`: the session delivers camera frames.
 FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera);
+
+// Entries of `after` that run where those of `before` do not, or the other way round.
+std::vector<PlanEntry> differing_entries(const FramePlan& before, const FramePlan& after);
 
 }  // namespace herr

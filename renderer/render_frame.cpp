@@ -61,6 +61,16 @@ FrameQuality resolved(FrameQuality quality, const RenderSettings& settings, int 
   return quality;
 }
 
+void count(const SceneUpdate& update, FrameCounters& counters) {
+  counters.commits = update.commits;
+  counters.instances_moved = update.moved;
+  counters.instances_spawned = update.spawned;
+  counters.instances_removed = update.removed;
+  counters.instances_restyled = update.restyled;
+  counters.meshes_refitted = update.refitted;
+  counters.meshes_rebuilt = update.rebuilt;
+}
+
 }  // namespace
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
@@ -78,8 +88,13 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   std::fill(frame.counters.begin(), frame.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
 
-  out.counters.commits =
-      timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample); });
+  const SceneUpdate update =
+      timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample, state); });
+  count(update, out.counters);
+  if (update.anything() &&
+      timed(out.times, Stage::scene_update, [&] { return frame.follow(update, state); })) {
+    out.counters.plan_changes = 1;
+  }
   timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, out.quality); });
   if (frame.plan.probes) frame.update_probes(sample, state, out);
   timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample, out.quality.polar_width); });
@@ -98,7 +113,8 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
 
 void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   require_usable(sample.head.world_from_head);
-  impl_->update_acceleration(sample);
+  const SceneUpdate update = impl_->update_acceleration(sample, state);
+  if (update.anything()) impl_->follow(update, state);
   if (!impl_->plan.probes) return;
   RenderedFrame nobodys;
   nobodys.quality = full_quality();
@@ -106,9 +122,15 @@ void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   impl_->update_probes(sample, state, nobodys);
 }
 
-int Renderer::Impl::update_acceleration(const FrameSample& sample) {
+SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const SceneState& state) {
   const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
+  SceneUpdate update;
   geometry->follow(world_from_head.position);
+  geometry->take_up(state, update);
+  if (update.other_traits()) show_full_details();
+  geometry->bend(state, threads);
+  update.relit = state.lit != lit;
+  lit = state.lit;
   for (const Eye eye : kEyes) {
     const auto e = static_cast<std::size_t>(eye);
     Pose pose = world_from_head * sample.head_from_eye[e];
@@ -119,10 +141,14 @@ int Renderer::Impl::update_acceleration(const FrameSample& sample) {
     eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
   }
   if (plan.detail_levels) choose_details();
-  int commits = 0;
-  const auto commit = [&] { commits = geometry->commit_changes(); };
+  const auto commit = [&] { geometry->commit_changes(update); };
   threads.inside(std::cref(commit));  // by reference: the capture would not fit in std::function
-  return commits;
+  return update;
+}
+
+// Which instances have a choice is measured anew; the full mesh stands there until the next choice.
+void Renderer::Impl::show_full_details() {
+  details.measure_anew([this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
 
 void Renderer::Impl::choose_details() {
@@ -155,7 +181,8 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
                              outside.height_px, turn - std::floor(turn)};
   constexpr float kDarkest = 1e-4f;  // of the light on the farthest catcher: below it a ratio is noise
-  const glm::vec3 scale = plan.catchers ? farthest_irradiance(state.lights, catcher_boxes) : glm::vec3{0.0f};
+  const glm::vec3 scale =
+      plan.catchers ? farthest_irradiance(state.lights, boxes.catchers()) : glm::vec3{0.0f};
   for (int channel = 0; channel < 3; ++channel) {
     shading.ambient[channel] = scene.ambient[channel];
     shading.environment[channel] = scene.environment[channel];

@@ -43,24 +43,19 @@ RenderSettings resolved(RenderSettings settings) {
 }  // namespace
 
 Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
-                     const RenderSettings& settings_in, bool session_has_camera)
+                     const RenderSettings& settings_in, bool session_has_camera_in)
     : scene(scene_in),
       profile(profile_in),
       settings(resolved(settings_in)),
-      plan(plan_frame(scene_in, settings, session_has_camera)),
+      plan(plan_frame(scene_in, settings, session_has_camera_in)),
       threads(settings.threads),
       details(scene_in),
+      boxes(scene_in),
+      session_has_camera(session_has_camera_in),
       trace_tile(trace_tile_for(settings.isa)),
       composite_strip(composite_strip_for(settings.isa)) {
   threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
-  Bounds all{glm::dvec3{1e300}, glm::dvec3{-1e300}};
-  for (const Instance& instance : scene.instances) {
-    const Bounds box = instance_bounds(scene, instance);
-    if (instance.catcher) catcher_boxes.push_back(box);
-    all.lower = glm::min(all.lower, box.lower);
-    all.upper = glm::max(all.upper, box.upper);
-  }
-  if (all.upper.x >= all.lower.x) reach_m = 1.0 + 2.0 * glm::length(all.upper - all.lower);
+  measure_reach();
 
   for (DetailEye& eye : detail_eyes) eye.samples_per_deg = eye.most_samples_per_deg = 0;
   for (const Viewport& v : profile.viewports) {
@@ -72,15 +67,9 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   int widest = 1;
   for (const Viewport& v : profile.viewports) widest = std::max(widest, v.width_px);
   buffers.resize(plan.polar ? 2 : viewports);
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    if (plan.polar) {
-      buffers[i].allocate(padded_columns(settings.polar_width), padded_rows(settings.polar_height),
-                          plan.coloured_ratio);
-      samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height);
-    } else {
-      buffers[i].allocate(profile.viewports[i].width_px, profile.viewports[i].height_px + 1,
-                          plan.coloured_ratio);
-    }
+  allocate_buffers();
+  for (std::size_t i = 0; i < buffers.size() && plan.polar; ++i) {
+    samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height);
   }
   grids.resize(buffers.size());
   first_tile.resize(buffers.size() + 1);
@@ -101,6 +90,18 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   if (plan.probes) build_probes();
   counters.resize(workers);
   cycles.resize(workers);
+}
+
+void Renderer::Impl::allocate_buffers() {
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (plan.polar) {
+      buffers[i].allocate(padded_columns(settings.polar_width), padded_rows(settings.polar_height),
+                          plan.coloured_ratio);
+    } else {
+      buffers[i].allocate(profile.viewports[i].width_px, profile.viewports[i].height_px + 1,
+                          plan.coloured_ratio);
+    }
+  }
 }
 
 Renderer::Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
@@ -128,8 +129,11 @@ RendererState Renderer::state(bool with_probes) const {
 
 void Renderer::restore(const RendererState& state) {
   if (!state.anchor) return;
-  impl_->details.restore(state.details,
-                         [&](std::size_t i, std::uint32_t mesh) { impl_->geometry->show_mesh(i, mesh); });
+  // Where instances come and go, the levels of the run before belong to other ones: they are chosen anew.
+  if (!impl_->scene.changes) {
+    impl_->details.restore(state.details,
+                           [&](std::size_t i, std::uint32_t mesh) { impl_->geometry->show_mesh(i, mesh); });
+  }
   const auto place = [&] { impl_->geometry->place_at(*state.anchor); };
   impl_->threads.inside(place);
   if (impl_->plan.probes != !state.probes.empty()) {

@@ -8,6 +8,7 @@
 #include "renderer/detail/detail_levels.h"
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/geometry/embree_scene.h"
+#include "renderer/geometry/instance_boxes.h"
 #include "renderer/lighting/tile_job.h"
 #include "renderer/probes/probe_job.h"
 #include "renderer/render_threads.h"
@@ -28,8 +29,10 @@ struct Renderer::Impl {
   std::unique_ptr<EmbreeScene> geometry;
   DetailLevels details;
   std::array<DetailEye, 2> detail_eyes;
-  std::vector<Bounds> catcher_boxes;
-  double reach_m = 1;  // leaves the scene from any place in it
+  InstanceBoxes boxes;
+  bool session_has_camera = false;
+  std::uint32_t lit = 0;  // as SceneState counts
+  double reach_m = 1;     // leaves the scene from any place in it
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
@@ -63,8 +66,9 @@ struct Renderer::Impl {
 
   // The stages of a frame, in order (render_frame.cpp).
   void update_scene(const SceneState& state, const FrameQuality& quality);
-  int update_acceleration(const FrameSample& sample);
+  SceneUpdate update_acceleration(const FrameSample& sample, const SceneState& state);
   void choose_details();
+  void show_full_details();
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
   void aim_rays(const FrameSample& sample, int polar_width);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
@@ -73,8 +77,14 @@ struct Renderer::Impl {
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
 
+  // What follows from the instances that are there (changed_scene.cpp).
+  void measure_reach();
+  bool plan_anew();
+  bool follow(const SceneUpdate& update, const SceneState& state);
+  void allocate_buffers();
   void run_tile(int job, int worker, RayRecorder* recorder);
   void build_probes();
+  void plan_probes();
   void publish_probes();
   void restore_probes(std::span<const std::byte> bytes);
   void aim_probes(const FrameSample& sample, const SceneState& state, int most);

@@ -10,7 +10,7 @@
 namespace herr {
 
 enum class Stage : std::uint8_t {
-  scene_update,    // lights of this frame
+  scene_update,    // lights of this frame; its plan where the scene has other traits
   acceleration,    // Embree commits (only what changed)
   probe_rays,      // rays of probes through Embree, their surfaces and light
   probe_update,    // radiance of probe rays -> light that probes have gathered
@@ -48,6 +48,10 @@ struct FrameCounters {
   std::int64_t invalid_rays = 0;      // not finite: never handed to Embree
   std::int64_t nonfinite_values = 0;  // NaN or Inf that a stage produced; replaced by 0 and counted
   std::int64_t commits = 0;           // Embree scenes committed
+  std::int64_t instances_moved = 0, instances_spawned = 0, instances_removed = 0;
+  std::int64_t instances_restyled = 0;  // another material, or another mesh
+  std::int64_t meshes_refitted = 0, meshes_rebuilt = 0;
+  std::int64_t plan_changes = 0;  // 1 where the frame plan is another than the frame before had
 
   FrameCounters& operator+=(const FrameCounters& other);
 };

@@ -26,16 +26,21 @@ void Renderer::Impl::build_probes() {
   probes = std::make_unique<ProbeVolume>(grid, settings.probes, plan.catcher_probes ? 2 : 1);
   if (plan.catcher_probes) probes->sets[1].mask = kCatcherMask;
   probe_kernels = probe_kernels_for(settings.isa);
-  probe_plan = plan;
-  probe_plan.catchers = probe_plan.catchers_occlude = probe_plan.catcher_mirrors = false;
-  probe_plan.many_light_samples = probe_plan.adaptive_light_samples = probe_plan.occlusion = false;
+  plan_probes();
   probe_lights.reserve(scene.lights.size());
   probe_radiance.resize(static_cast<std::size_t>(threads.count()));
   for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
   geometry->follow(grid.lower + 0.5 * glm::dvec3(grid.counts) * grid.spacing);
-  const auto place = [&] { geometry->commit_changes(); };
+  SceneUpdate nobodys;
+  const auto place = [&] { geometry->commit_changes(nobodys); };
   threads.inside(std::cref(place));
   ProbePlacement::settle(*probes, scene, *geometry, threads);
+}
+
+void Renderer::Impl::plan_probes() {
+  probe_plan = plan;
+  probe_plan.catchers = probe_plan.catchers_occlude = probe_plan.catcher_mirrors = false;
+  probe_plan.many_light_samples = probe_plan.adaptive_light_samples = probe_plan.occlusion = false;
 }
 
 void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state, int most) {
@@ -44,12 +49,12 @@ void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& sta
   light_records(state.lights, geometry->anchor(), 1, reach_m, probe_lights);
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
     probe_views[set] = probes->view(static_cast<int>(set), geometry->anchor());
-    ShadingInputs& lit = probe_shading[set] = shading;
-    lit.plan = &probe_plan;
-    lit.lights = probe_lights;
-    lit.first_light_samples = 0;
-    lit.probes = &probe_views[set];
-    lit.catcher_probes = nullptr;
+    ShadingInputs& by_probes = probe_shading[set] = shading;
+    by_probes.plan = &probe_plan;
+    by_probes.lights = probe_lights;
+    by_probes.first_light_samples = 0;
+    by_probes.probes = &probe_views[set];
+    by_probes.catcher_probes = nullptr;
   }
   shading.probes = &probe_views[0];
   shading.catcher_probes = plan.catcher_probes ? &probe_views[1] : nullptr;

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "scenes/changes/check_changes.h"
 #include "scenes/gltf/load_gltf.h"
+#include "scenes/placed_objects.h"
 #include "scenes/scene.h"
 #include "scenes/scene_document.h"
 #include "scenes/transform_checks.h"
@@ -34,6 +36,8 @@ Scene load_bare_gltf(const std::filesystem::path& file) {
   scene.name = file.stem().string();
   GltfContent content = append_gltf(file, scene);
   scene.instances = std::move(content.instances);
+  if (!scene.instances.empty())
+    scene.objects.push_back({scene.name, {}, 0, static_cast<std::uint32_t>(scene.instances.size()), true});
   scene.lights = std::move(content.lights);
   if (scene.lights.empty()) scene.lights.push_back(light_above(scene_bounds(scene)));
   // A fifth of full light in shadows and all around: shapes stay readable.
@@ -84,6 +88,9 @@ Scene load_scene(const std::filesystem::path& file) {
                      "models to .glb first)");
   }
   check_bounds(scene, file);
+  complete_objects(scene);
+  scene.changes = !scene.timeline.empty() || !scene.models.empty();
+  if (!scene.timeline.empty()) check_timeline(scene);
   return scene;
 }
 

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/animation/animated_model.h"
+#include "scenes/changes/scene_change.h"
 #include "scenes/voxels/voxel_grid.h"
 #include "sessions/pose.h"
 
@@ -103,7 +105,18 @@ struct Instance {
   glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
   ShapeKind kind = ShapeKind::mesh;
-  std::uint32_t grid = 0;  // of kind voxels: index into Scene::voxel_grids
+  std::uint32_t grid = 0;                // of kind voxels: index into Scene::voxel_grids
+  bool present = true;                   // false: not there yet, or no longer
+  glm::dmat4x3 placed_from_object{1.0};  // where it stands in its PlacedObject
+  int model = -1, node = -1;             // which node of which Scene::models moves it within that; -1: none
+};
+
+// What a document places under one name: the instances from `first` on, which stand and move together.
+struct PlacedObject {
+  std::string name;
+  Placement placement;
+  std::uint32_t first = 0, count = 0;  // of Scene::instances
+  bool present = true;                 // false: only there to be spawned
 };
 
 // box: radiates uniformly over its volume, into all directions. spot: from a point into a cone. sun: parallel
@@ -153,9 +166,14 @@ struct Scene {
   std::vector<VoxelGrid> voxel_grids;
   std::vector<Instance> instances;
   std::vector<AreaLight> lights;
-  glm::vec3 ambient{0.0f};           // radiance of the constant ambient term
-  glm::vec3 environment{0.0f};       // radiance that a ray sees which leaves the scene
-  EnvironmentImage environment_map;  // instead of `environment` where it has pixels
+  std::vector<PlacedObject> objects;
+  std::vector<AnimatedModel> models;          // glTF files of which something moves by itself
+  std::vector<MeshDeformation> deformations;  // meshes that bend with a model
+  std::vector<SceneChange> timeline;          // of the document itself, sorted by time
+  bool changes = false;                       // instances may move, come or go while it is rendered
+  glm::vec3 ambient{0.0f};                    // radiance of the constant ambient term
+  glm::vec3 environment{0.0f};                // radiance that a ray sees which leaves the scene
+  EnvironmentImage environment_map;           // instead of `environment` where it has pixels
   ProbeGridSpec probes;
   Pose world_from_session;                   // where the recording stands in the scene
   std::vector<std::string> warnings;         // one line each
@@ -163,23 +181,30 @@ struct Scene {
 };
 
 // What changes over time. Filled anew for each frame.
+// Instances and materials change in the Scene itself (changes/world.h): here stands which of them did.
 struct SceneState {
   std::vector<AreaLight> lights;  // centres moved along their paths
+  // Per instance a number that is another one whenever it stands elsewhere, and whenever anything else about
+  // it is new. Both empty: nothing has changed since the scene was loaded.
+  std::vector<std::uint32_t> placed, shown;
+  std::uint32_t lit = 0;               // likewise, of lights that shine otherwise than by their paths
+  std::vector<DeformationPose> poses;  // per Scene::deformations; empty: as the meshes were loaded
 };
 
 // Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
 // InputError.
 Scene load_scene(const std::filesystem::path& file);
 
-// State at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage.
+// Lights at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage, and
+// what else it says. (changes/world.h takes the rest of a scene to a time.)
 void scene_state_at(const Scene& scene, double time_s, SceneState& out);
 
 // Box around one instance, in the world. Of a mesh without vertices: inverted (lower > upper).
 Bounds instance_bounds(const Scene& scene, const Instance& instance);
-// Box around every instance that is not a catcher (of all instances if there are only catchers).
+// Box around every instance that is there and no catcher (of all if there are only catchers).
 Bounds scene_bounds(const Scene& scene);
-// Triangles of all instances; those of catchers only if `catchers`. A mesh counts once for each instance, an
-// analytic shape not at all.
+// Triangles of all instances that are there; those of catchers only if `catchers`. A mesh counts once for
+// each instance, an analytic shape not at all.
 std::int64_t triangle_count(const Scene& scene, bool catchers);
 
 }  // namespace herr

@@ -57,11 +57,12 @@ Bounds instance_bounds(const Scene& scene, const Instance& instance) {
 }
 
 Bounds scene_bounds(const Scene& scene) {
-  const bool only_catchers = std::all_of(scene.instances.begin(), scene.instances.end(),
-                                         [](const Instance& instance) { return instance.catcher; });
+  const bool only_catchers =
+      std::all_of(scene.instances.begin(), scene.instances.end(),
+                  [](const Instance& instance) { return instance.catcher || !instance.present; });
   Bounds bounds = nothing();
   for (const Instance& instance : scene.instances) {
-    if (instance.catcher && !only_catchers) continue;
+    if ((instance.catcher && !only_catchers) || !instance.present) continue;
     const Bounds box = instance_bounds(scene, instance);
     bounds.lower = glm::min(bounds.lower, box.lower);
     bounds.upper = glm::max(bounds.upper, box.upper);

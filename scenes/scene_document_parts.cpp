@@ -135,11 +135,17 @@ Pose parse_pose(const JsonObject& object) {
           parse_orientation(object, "orientation_xyzw")};
 }
 
+PlacementChange parse_placement_change(const JsonObject& entry) {
+  PlacementChange change;
+  if (entry.has("translation"))
+    change.translation = entry.vec3("translation", -kFarthestPlace_m, kFarthestPlace_m);
+  if (entry.has("rotation_xyzw")) change.rotation = parse_orientation(entry, "rotation_xyzw");
+  if (entry.has("scale")) change.scale = parse_scale(entry);
+  return change;
+}
+
 glm::dmat4x3 parse_placement(const JsonObject& entry) {
-  const glm::dmat3 rotation = glm::mat3_cast(parse_orientation(entry, "rotation_xyzw"));
-  const glm::dvec3 scale = parse_scale(entry);
-  return {rotation[0] * scale.x, rotation[1] * scale.y, rotation[2] * scale.z,
-          entry.vec3_or("translation", -kFarthestPlace_m, kFarthestPlace_m, glm::dvec3(0.0))};
+  return parse_placement_change(entry).apply({}).matrix();
 }
 
 MaterialOverride parse_material_override(const JsonObject& object) {
@@ -186,19 +192,25 @@ Material MaterialOverride::apply(Material material) const {
   return material;
 }
 
+Material parse_catcher_material(const JsonObject& object, const std::string& name) {
+  Material material;
+  material.name = name;
+  material.base_colour = glm::vec3(object.vec3_or("base_colour", 0, 1, glm::dvec3(0.5)));
+  material.metallic = static_cast<float>(object.number_or("metallic", 0, 1, 0));
+  material.roughness = static_cast<float>(object.number_or("roughness", 0, 1, 0.8));
+  material.mirror = static_cast<float>(object.number_or("mirror", 0, 1, 0));
+  return material;
+}
+
 void append_catcher(const JsonObject& object, Scene& scene) {
-  object.allow_only({"name", "box", "quad", "base_colour", "metallic", "roughness", "mirror"});
+  object.allow_only({"name", "box", "quad", "base_colour", "metallic", "roughness", "mirror", "present"});
   if (object.has("box") == object.has("quad")) {
     object.fail(nullptr, "needs a box or a quad, and only one of them", "write \"box\" or \"quad\"");
   }
   PlacedCatcher catcher = object.has("box") ? parse_box(object.object("box")) : parse_quad(object);
 
-  Material material;
-  material.name = catcher.mesh.name = object.text_or("name", object.where());
-  material.base_colour = glm::vec3(object.vec3_or("base_colour", 0, 1, glm::dvec3(0.5)));
-  material.metallic = static_cast<float>(object.number_or("metallic", 0, 1, 0));
-  material.roughness = static_cast<float>(object.number_or("roughness", 0, 1, 0.8));
-  material.mirror = static_cast<float>(object.number_or("mirror", 0, 1, 0));
+  Material material = parse_catcher_material(object, object.text_or("name", object.where()));
+  catcher.mesh.name = material.name;
 
   Instance instance;
   instance.name = material.name;
@@ -206,6 +218,7 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   instance.material = static_cast<std::uint32_t>(scene.materials.size());
   instance.world_from_object[3] = catcher.centre;
   instance.catcher = true;
+  instance.present = object.boolean_or("present", true);
   scene.meshes.push_back(std::move(catcher.mesh));
   scene.materials.push_back(std::move(material));
   scene.instances.push_back(std::move(instance));
@@ -241,6 +254,22 @@ ProbeGridSpec parse_probes(const JsonObject& object) {
     }
   }
   return probes;
+}
+
+PlaybackRequest parse_playback(const JsonObject& object) {
+  object.allow_only({"clip", "play", "speed", "loop", "offset_s"});
+  PlaybackRequest playback;
+  playback.play = object.boolean_or("play", true);
+  if (object.has("clip")) {
+    if (object.value("clip").is_string())
+      playback.name = object.text("clip");
+    else
+      playback.number = static_cast<int>(object.integer("clip", 0, 1'000'000));
+  }
+  playback.speed = object.number_or("speed", -1000, 1000, 1);
+  playback.offset_s = object.number_or("offset_s", -1e6, 1e6, 0);
+  playback.loop = object.boolean_or("loop", true);
+  return playback;
 }
 
 AreaLight parse_light(const JsonObject& object) {

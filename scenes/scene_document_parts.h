@@ -8,6 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "scenes/changes/placement.h"
+#include "scenes/gltf/animated_models.h"
+#include "scenes/material_override.h"
 #include "scenes/scene.h"
 #include "sessions/strict_json.h"
 
@@ -21,21 +24,22 @@ std::filesystem::path named_file(const JsonObject& entry, const char* key);
 glm::dquat parse_orientation(const JsonObject& object, const char* key);
 // world_from_session: {"position", "orientation_xyzw"}.
 Pose parse_pose(const JsonObject& object);
-// translation, rotation_xyzw and scale of a glTF entry; a scale of 0 is refused by name.
+// translation, rotation_xyzw and scale, as far as they are given; a scale of 0 is refused by name.
+PlacementChange parse_placement_change(const JsonObject& entry);
+// Those of an entry, the identity where they are absent.
 glm::dmat4x3 parse_placement(const JsonObject& entry);
 
-// What a scene document changes about the materials of a glTF file.
-struct MaterialOverride {
-  std::optional<glm::vec3> base_colour, emission;
-  std::optional<float> metallic, roughness, mirror, transmission, refractive_index;
-  Material apply(Material material) const;
-};
+// What a scene document or an event changes about the materials of an object.
 MaterialOverride parse_material_override(const JsonObject& object);
 
+// What a real surface looks like to light: base_colour, metallic, roughness, mirror.
+Material parse_catcher_material(const JsonObject& object, const std::string& name);
 // Appends the mesh, material and instance of a box or quad.
 void append_catcher(const JsonObject& object, Scene& scene);
 // probes: {"counts", "min", "max"}.
 ProbeGridSpec parse_probes(const JsonObject& object);
+// animation: {"clip", "play", "speed", "loop", "offset_s"}.
+PlaybackRequest parse_playback(const JsonObject& object);
 AreaLight parse_light(const JsonObject& object);
 
 }  // namespace herr

@@ -28,7 +28,7 @@ void scene_state_at(const Scene& scene, double time_s, SceneState& out) {
 std::int64_t triangle_count(const Scene& scene, bool catchers) {
   std::int64_t count = 0;
   for (const Instance& instance : scene.instances) {
-    if (instance.catcher && !catchers) continue;
+    if (!instance.present || (instance.catcher && !catchers)) continue;
     if (instance.kind != ShapeKind::mesh) continue;
     count += static_cast<std::int64_t>(scene.meshes[instance.mesh].triangles.size());
   }

@@ -130,17 +130,31 @@ FrameSample Session::sample(TimeNs t_ns) {
   return frame;
 }
 
-std::vector<SceneEvent> Session::events_until(TimeNs t_ns) {
+std::optional<SceneEvent> Session::next_event(TimeNs t_ns) {
   State& state = *state_;
   if (state.last_events_ns && t_ns < *state.last_events_ns)
     throw std::logic_error("session time runs backwards");
   state.last_events_ns = t_ns;
-  std::vector<SceneEvent> due;
-  while (state.next_event && state.next_event->t_ns <= t_ns) {
-    due.push_back(std::move(*state.next_event));
-    state.next_event = state.events->next();
-  }
+  if (!state.next_event || state.next_event->t_ns > t_ns) return std::nullopt;
+  std::optional<SceneEvent> due = std::move(state.next_event);
+  state.next_event = state.events->next();
   return due;
+}
+
+std::vector<SceneEvent> Session::events_until(TimeNs t_ns) {
+  std::vector<SceneEvent> due;
+  while (auto event = next_event(t_ns)) due.push_back(std::move(*event));
+  return due;
+}
+
+void Session::visit_events(const std::function<void(const SceneEvent&)>& visit) const {
+  if (!state_->events) return;
+  EventStream events(state_->files.events(), RowPolicy{state_->options.keep_going, {}});
+  while (const auto event = events.next()) visit(*event);
+}
+
+std::filesystem::path Session::events_file() const {
+  return state_->files.events();
 }
 
 }  // namespace herr

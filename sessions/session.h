@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -112,6 +113,12 @@ class Session {
   FrameSample sample(TimeNs t_ns);
   // Events with stamps in (previous call's t_ns, t_ns].
   std::vector<SceneEvent> events_until(TimeNs t_ns);
+  // The next one of them, or none up to t_ns: many may precede a late start.
+  std::optional<SceneEvent> next_event(TimeNs t_ns);
+  // All events from the first, read anew; this session's own reading is not moved. Throws InputError.
+  void visit_events(const std::function<void(const SceneEvent&)>& visit) const;
+  // Where lines of events come from, for messages.
+  std::filesystem::path events_file() const;
 
  private:
   struct State;

@@ -50,10 +50,15 @@ std::size_t detailed_instances(const Scene& scene) {
 }
 
 DetailLevels::DetailLevels(const Scene& scene) : scene_(scene) {
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Instance& instance = scene.instances[i];
-    if (!has_choice(scene, instance)) continue;
-    const TriangleMesh& mesh = scene.meshes[instance.mesh];
+  measure();
+}
+
+void DetailLevels::measure() {
+  items_.clear();
+  for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+    const Instance& instance = scene_.instances[i];
+    if (!has_choice(scene_, instance)) continue;
+    const TriangleMesh& mesh = scene_.meshes[instance.mesh];
     Item item{i, ball_of(mesh), {}, 0};
     for (const CoarserMesh& form : mesh.coarser) item.errors_m.push_back(form.error_m);
     items_.push_back(std::move(item));

@@ -32,6 +32,18 @@ class DetailLevels {
     }
   }
 
+  // After instances have come, gone or changed their mesh: all that have a choice now, at their full meshes;
+  // show(instance, mesh) is called for those that had a coarser one. This forgets what was chosen.
+  template <typename Show>
+  void measure_anew(const Show& show) {
+    for (const Item& item : items_) {
+      const Instance& instance = scene_.instances[item.instance];
+      if (item.level != 0 && instance.present && instance.kind == ShapeKind::mesh)
+        show(item.instance, instance.mesh);
+    }
+    if (!items_.empty()) measure();
+  }
+
   // One byte for each instance that has a choice; restored ones are shown by show(instance, mesh). Throws
   // std::invalid_argument for the levels of another scene.
   std::vector<std::byte> save() const;
@@ -48,6 +60,7 @@ class DetailLevels {
     std::vector<float> errors_m;
     int level = 0;  // until a frame is drawn the full mesh stands there
   };
+  void measure();
   static DetailBall placed(const DetailBall& ball, const glm::dmat4x3& world_from_object);
   std::uint32_t mesh_of(const Item& item) const;
   void set_levels(std::span<const std::byte> levels);

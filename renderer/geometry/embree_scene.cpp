@@ -17,7 +17,8 @@ constexpr double kAnchorGrid_m = 16.0;
 constexpr double kAnchorReach_m = 24.0;
 constexpr double kLargestCoordinate_m = 1e15;  // Embree asserts below 1.8e18; leaves room for rays' ends
 
-// A matrix that Embree can take: finite, and no axis collapsed.
+}  // namespace
+
 void check_transform(const glm::dmat4x3& m, const std::string& name) {
   const glm::dmat3 linear(m[0], m[1], m[2]);
   const double determinant = std::abs(glm::determinant(linear));
@@ -31,12 +32,11 @@ void check_transform(const glm::dmat4x3& m, const std::string& name) {
   }
 }
 
-}  // namespace
-
 EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads)
     : scene_(scene), device_(isa, threads), top_(device_) {
   for (const Instance& instance : scene.instances) check_transform(instance.world_from_object, instance.name);
   build_meshes();
+  build_deformations();
   build_shapes(isa);
   for (const VoxelGrid& grid : scene.voxel_grids) voxels_.push_back(build_voxels(device_, isa, grid));
   build_textures();
@@ -90,18 +90,7 @@ RTCScene EmbreeScene::bottom_of(const Instance& instance) const {
 
 void EmbreeScene::build_instances() {
   rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_HIGH);
-  for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
-    const Instance& instance = scene_.instances[i];
-    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, bottom_of(instance));
-    rtcSetGeometryMask(geometry, instance.catcher ? kCatcherMask : kObjectMask);
-    rtcAttachGeometryByID(top_.get(), geometry, static_cast<unsigned>(i));
-    instance_geometries_.push_back(geometry);
-    instances_.emplace_back();
-    details_.emplace_back();
-    describe(i, instance.kind == ShapeKind::mesh ? &meshes_[instance.mesh].baked : nullptr);
-  }
-  table_.records = instances_.data();
+  for (std::size_t i = 0; i < scene_.instances.size(); ++i) show_instance(i);
 }
 
 // What shading reads of an instance that shows `baked` (null: no mesh).
@@ -116,15 +105,8 @@ void EmbreeScene::describe(std::size_t i, const BakedMesh* baked) {
 }
 
 void EmbreeScene::place_instances() {
-  for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
-    glm::dmat4x3 m = scene_.instances[i].world_from_object;
-    m[3] -= anchor_;
-    float columns[12];
-    for (int column = 0; column < 4; ++column) {
-      for (int row = 0; row < 3; ++row) columns[3 * column + row] = static_cast<float>(m[column][row]);
-    }
-    rtcSetGeometryTransform(instance_geometries_[i], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
-    rtcCommitGeometry(instance_geometries_[i]);
+  for (std::size_t i = 0; i < instance_geometries_.size(); ++i) {
+    if (shown_[i] != 0) place_instance(i);
   }
   placed_ = changed_ = true;
 }
@@ -142,17 +124,19 @@ void EmbreeScene::show_mesh(std::size_t instance, std::uint32_t mesh) {
   changed_ = true;
 }
 
-int EmbreeScene::commit_changes() {
-  if (!changed_) return 0;
+void EmbreeScene::commit_changes(SceneUpdate& done) {
+  commit_bent(done);
+  if (!changed_) return;
   top_.commit();
   changed_ = false;
-  return 1;
+  ++done.commits;
 }
 
 void EmbreeScene::place_at(const glm::dvec3& anchor) {
   anchor_ = anchor;
   place_instances();
-  commit_changes();
+  SceneUpdate nobodys;
+  commit_changes(nobodys);
 }
 
 }  // namespace herr

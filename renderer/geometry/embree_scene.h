@@ -4,11 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "renderer/geometry/deformed_mesh.h"
 #include "renderer/geometry/embree_device.h"
 #include "renderer/geometry/instance_records.h"
 #include "renderer/geometry/mesh_geometry.h"
@@ -22,6 +25,21 @@
 
 namespace herr {
 
+// Throws std::invalid_argument unless the matrix is one that Embree can take: finite, and no axis collapsed.
+void check_transform(const glm::dmat4x3& matrix, const std::string& name);
+
+// What a frame changed, and what that took.
+struct SceneUpdate {
+  int commits = 0;  // Embree scenes committed
+  int moved = 0;    // instances that stand elsewhere
+  int spawned = 0, removed = 0;
+  int restyled = 0;               // instances with another material or mesh
+  int refitted = 0, rebuilt = 0;  // meshes that bent: boxes moved along, or sorted anew
+  bool relit = false;             // lights shine otherwise
+  bool anything() const { return commits > 0 || restyled > 0 || relit; }
+  bool other_traits() const { return spawned > 0 || removed > 0 || restyled > 0; }
+};
+
 class EmbreeScene {
  public:
   // Builds everything, on `threads` threads of the calling arena. `isa` is resolved. Throws
@@ -32,12 +50,18 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  // Moves the anchor when the head is more than 24 m from it. Takes effect with commit_changes().
+  // Moves the anchor when the head is more than 24 m from it. Takes effect with commit_changes(), as do
+  // take_up() and show_mesh().
   void follow(const glm::dvec3& head_position);
-  // Lets an instance of kind mesh show another mesh with the same material; likewise.
+  // Takes up what the state says is new since the last call. Allocates only for instances beyond the most
+  // that were ever there.
+  void take_up(const SceneState& state, SceneUpdate& done);
+  // Outside the arena: bends the meshes whose pose is new, on all threads.
+  void bend(const SceneState& state, RenderThreads& threads);
+  // Lets an instance of kind mesh show another mesh with the same material.
   void show_mesh(std::size_t instance, std::uint32_t mesh);
-  // Makes what changed visible to rays; returns the number of Embree commits (0 or 1).
-  int commit_changes();
+  // Makes what changed visible to rays: bent meshes, then the top level once; nothing where nothing changed.
+  void commit_changes(SceneUpdate& done);
   // Puts the anchor where an earlier run had it, and commits.
   void place_at(const glm::dvec3& anchor);
   // A multiple of 16 m per axis; float coordinates are relative to it.
@@ -53,6 +77,10 @@ class EmbreeScene {
   void build_textures();
   void build_instances();
   void describe(std::size_t instance, const BakedMesh* baked);
+  void build_deformations();
+  void commit_bent(SceneUpdate& done);
+  void show_instance(std::size_t slot);
+  void place_instance(std::size_t slot);
   void place_instances();
   RTCScene bottom_of(const Instance& instance) const;
 
@@ -60,9 +88,14 @@ class EmbreeScene {
   EmbreeDevice device_;
   std::vector<MeshGeometry> meshes_;
   std::vector<VoxelGeometry> voxels_;
-  std::optional<EmbreeSceneHandle> sphere_, box_;  // where an instance shows one
+  std::vector<std::unique_ptr<DeformedMesh>> deformed_;  // per Scene::deformations
+  std::vector<std::uint8_t> deforms_;                    // per mesh: some deformation bends it
+  std::vector<std::uint8_t> bent_;                       // per deformation: since the last commit
+  std::optional<EmbreeSceneHandle> sphere_, box_;        // where an instance shows one
   EmbreeSceneHandle top_;
   std::vector<RTCGeometry> instance_geometries_;
+  std::vector<std::uint8_t> shown_;                            // per instance: it is there
+  std::vector<std::uint32_t> placed_version_, shown_version_;  // per instance: as SceneState counts them
   std::vector<TextureLevels> texture_levels_;
   std::vector<TextureRecord> textures_;
   std::vector<InstanceRecord> instances_;

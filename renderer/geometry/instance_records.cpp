@@ -9,7 +9,6 @@
 #include "renderer/geometry/surface_details.h"
 
 namespace herr {
-namespace {
 
 void set_matrix(const Instance& instance, InstanceRecord& record) {
   const glm::dmat4x3& m = instance.world_from_object;
@@ -22,6 +21,8 @@ void set_matrix(const Instance& instance, InstanceRecord& record) {
   const double volume = std::abs(glm::determinant(glm::dmat3(m[0], m[1], m[2])));
   record.object_per_world2 = static_cast<float>(std::pow(volume, -2.0 / 3.0));
 }
+
+namespace {
 
 void set_material(const Material& material, InstanceRecord& record) {
   for (int channel = 0; channel < 3; ++channel) {

@@ -14,4 +14,7 @@ namespace herr {
 InstanceRecord instance_record(const Scene& scene, const Instance& instance, const BakedMesh* baked,
                                std::span<const TextureRecord> textures);
 
+// What depends on the matrix alone, for an instance that has moved.
+void set_matrix(const Instance& instance, InstanceRecord& record);
+
 }  // namespace herr

@@ -136,6 +136,8 @@ std::vector<std::int32_t> neighbour_order(const ProbeGrid& grid) {
 }
 
 std::vector<bool> probes_near_geometry(const ProbeGrid& grid, const Scene& scene) {
+  // What moves may come anywhere.
+  if (scene.changes) return std::vector<bool>(static_cast<std::size_t>(grid.size()), true);
   CellMarks marks(grid);
   std::vector<glm::dvec3> positions;
   for (const Instance& instance : scene.instances) {

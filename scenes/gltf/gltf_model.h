@@ -45,17 +45,42 @@ struct GltfAccessor {
   int sparse_index_view = -1, sparse_value_view = -1, sparse_index_type = kUInt;
 };
 
+// A morph target: accessors of what is added, -1 = nothing.
+struct GltfTarget {
+  int position = -1, normal = -1;
+};
+
 struct GltfPrimitive {
   int mode = 4;  // 0 points ... 4 triangles, 5 strip, 6 fan
   int indices = -1, material = -1;
   int position = -1, normal = -1;
-  std::vector<int> uv_sets;  // accessor of TEXCOORD_n, -1 = absent
-  int colour = -1;           // COLOR_0
+  std::vector<int> uv_sets;                            // accessor of TEXCOORD_n, -1 = absent
+  int colour = -1;                                     // COLOR_0
+  std::array<int, 2> joints{-1, -1}, weights{-1, -1};  // JOINTS_0 and _1, WEIGHTS_0 and _1
+  std::vector<GltfTarget> targets;
 };
 
 struct GltfMesh {
   std::string name;
   std::vector<GltfPrimitive> primitives;
+  std::vector<float> weights;  // of morph targets, where nodes name none
+};
+
+struct GltfSkin {
+  std::vector<int> joints;  // nodes
+  int inverse_bind = -1;    // accessor
+};
+
+struct GltfChannel {
+  int node = 0;
+  AnimatedValue value = AnimatedValue::translation;
+  Interpolation interpolation = Interpolation::linear;
+  int input = -1, output = -1;  // accessors
+};
+
+struct GltfAnimation {
+  std::string name;
+  std::vector<GltfChannel> channels;
 };
 
 struct GltfTextureUse {
@@ -104,6 +129,11 @@ struct GltfNode {
   std::vector<int> children;
   glm::dmat4x3 parent_from_node{1.0};
   GltfInstancing instancing;
+  int skin = -1;
+  bool has_matrix = false;  // else translation, rotation and scale
+  glm::dvec3 translation{0.0}, scale{1.0};
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+  std::vector<float> weights;  // of morph targets
 };
 
 struct GltfModel {
@@ -118,6 +148,8 @@ struct GltfModel {
   std::vector<AreaLight> lights;  // at the origin, shining along -Z
   std::vector<GltfNode> nodes;
   std::vector<int> roots;  // of the scene to show
+  std::vector<GltfSkin> skins;
+  std::vector<GltfAnimation> animations;
   std::vector<std::string> warnings;
   std::vector<std::filesystem::path> files;  // read, the glTF file first
 };

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "scenes/animation/bend_mesh.h"
+#include "scenes/animation/model_pose.h"
 #include "scenes/gltf/accessor_reader.h"
 #include "scenes/gltf/closed_mesh.h"
 #include "scenes/gltf/gltf_limits.h"
@@ -15,14 +17,17 @@
 #include "scenes/gltf/mesh_builder.h"
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/gltf/read_gltf.h"
+#include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
 
 namespace herr {
 namespace {
 
-// A primitive once built: where it stands in the scene.
+// A primitive once built: where it stands in the scene, and which of its vertices were kept.
 struct BuiltPrimitive {
   std::uint32_t mesh, material;
+  const GltfPrimitive* from = nullptr;
+  std::vector<std::uint32_t> sources;  // only where something may bend it
 };
 
 bool reads_coordinates(const Material& material) {
@@ -74,7 +79,8 @@ class PrimitiveCache {
     }
     if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
-    return BuiltPrimitive{mesh, material};
+    if (primitive.joints[0] < 0 && primitive.targets.empty()) built.sources.clear();
+    return BuiltPrimitive{mesh, material, &primitive, std::move(built.sources)};
   }
 
   // Says each thing once, however many primitives it holds for.
@@ -102,23 +108,102 @@ void check_unshown_indices(const GltfModel& model, const PrimitiveCache& cache) 
   }
 }
 
-GltfContent append(const std::filesystem::path& file, Scene& scene) {
+// Places primitives as a model has them at time 0, and keeps what moves or bends them later.
+class ModelBuilder {
+ public:
+  ModelBuilder(const GltfModel& gltf, const PlaybackRequest& playback, Scene& scene)
+      : gltf_(gltf),
+        scene_(scene),
+        model_(animated_model(gltf, playback)),
+        pose_(model_),
+        moved_(moved_nodes(model_)),
+        index_(static_cast<int>(scene.models.size())) {}
+
+  Instance place(const PlacedMesh& placed, const BuiltPrimitive& primitive) {
+    Instance instance;
+    instance.name = placed.name;
+    instance.mesh = primitive.mesh;
+    instance.material = primitive.material;
+    instance.world_from_object = placed.gltf_from_mesh;
+    std::optional<MeshDeformation> bent;
+    if (!primitive.sources.empty()) {
+      bent =
+          mesh_deformation(gltf_, *primitive.from, placed.node, primitive.sources, rest_of(primitive.mesh));
+    }
+    const bool skinned = bent && bent->skin >= 0;
+    if (bent) instance.mesh = bend(std::move(*bent), primitive.mesh);
+    // A skin alone says where its mesh stands, whatever its node says.
+    if (skinned) {
+      instance.world_from_object = glm::dmat4x3(1.0);
+    } else if (plays() && moved_[static_cast<std::size_t>(placed.node)]) {
+      instance.model = index_;
+      instance.node = placed.node;
+      const glm::dmat4x3 posed = compose(pose_.model_from_node(placed.node), placed.node_from_mesh);
+      if (!transform_problem(posed)) instance.world_from_object = posed;
+    }
+    instance.placed_from_object = instance.model >= 0 ? placed.node_from_mesh : instance.world_from_object;
+    return instance;
+  }
+
+  void finish() {
+    if (plays()) scene_.models.push_back(std::move(model_));
+  }
+
+ private:
+  bool plays() const { return model_.playback.clip >= 0; }
+
+  // The shape at rest of a mesh that may have been bent already.
+  TriangleMesh rest_of(std::uint32_t mesh) {
+    const auto known = rest_.find(mesh);
+    return known == rest_.end() ? scene_.meshes[mesh] : known->second;
+  }
+
+  // A mesh of the scene in this pose; each bent node has one of its own.
+  std::uint32_t bend(MeshDeformation bent, std::uint32_t mesh) {
+    if (rest_.count(mesh) == 0) {
+      rest_.emplace(mesh, scene_.meshes[mesh]);
+    } else {
+      TriangleMesh copy = rest_.at(mesh);
+      mesh = static_cast<std::uint32_t>(scene_.meshes.size());
+      scene_.meshes.push_back(std::move(copy));
+    }
+    bent.mesh = mesh;
+    bent.model = index_;
+    DeformationPose pose;
+    pose_.bend(bent, pose);
+    bend_mesh(bent, pose, scene_.meshes[mesh].positions, scene_.meshes[mesh].normals);
+    if (plays()) scene_.deformations.push_back(std::move(bent));
+    return mesh;
+  }
+
+  const GltfModel& gltf_;
+  Scene& scene_;
+  AnimatedModel model_;
+  ModelPose pose_;
+  std::vector<bool> moved_;
+  int index_;
+  std::map<std::uint32_t, TriangleMesh> rest_;
+};
+
+GltfContent append(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback) {
   const GltfModel model = read_gltf(file);
   scene.files.insert(scene.files.end(), model.files.begin(), model.files.end());
   scene.warnings.insert(scene.warnings.end(), model.warnings.begin(), model.warnings.end());
 
   PrimitiveCache cache(model, scene);
+  ModelBuilder builder(model, playback, scene);
   FlattenedNodes nodes = flatten_nodes(model);
   GltfContent content{{}, std::move(nodes.lights)};
   std::vector<Instance>& instances = content.instances;
   for (const PlacedMesh& placed : nodes.meshes) {
     for (const BuiltPrimitive& primitive : cache.primitives(placed.mesh)) {
-      instances.push_back({placed.name, primitive.mesh, primitive.material, placed.gltf_from_mesh, false});
+      instances.push_back(builder.place(placed, primitive));
     }
     if (static_cast<std::int64_t>(instances.size()) > kMaxInstances) {
       throw InputError(file, 0, "has more than a million instances", "merge some of its nodes");
     }
   }
+  builder.finish();
   check_unshown_indices(model, cache);
   if (instances.empty() && content.lights.empty())
     scene.warnings.push_back(gltf_warning(model, "shows nothing: its scene has no triangles"));
@@ -127,11 +212,11 @@ GltfContent append(const std::filesystem::path& file, Scene& scene) {
 
 }  // namespace
 
-GltfContent append_gltf(const std::filesystem::path& file, Scene& scene) {
+GltfContent append_gltf(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback) {
   // Whatever a library throws over this file is the file's fault, except a lack of memory within our own
   // limits.
   try {
-    return append(file, scene);
+    return append(file, scene, playback);
   } catch (const InputError&) {
     throw;
   } catch (const std::bad_alloc&) {

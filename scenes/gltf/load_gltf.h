@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "scenes/gltf/animated_models.h"
 #include "scenes/scene.h"
 
 namespace herr {
@@ -16,8 +17,9 @@ struct GltfContent {
   std::vector<AreaLight> lights;
 };
 
-// Throws InputError for anything that is wrong with the file; other exceptions of the libraries become
-// InputErrors.
-GltfContent append_gltf(const std::filesystem::path& file, Scene& scene);
+// `playback`: which animation plays; the instances stand as it has them at time 0. Throws InputError for
+// anything that is wrong with the file; other exceptions of the libraries become InputErrors.
+GltfContent append_gltf(const std::filesystem::path& file, Scene& scene,
+                        const PlaybackRequest& playback = {});
 
 }  // namespace herr

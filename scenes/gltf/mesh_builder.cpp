@@ -206,9 +206,14 @@ BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
     mesh.colours = read_vertex_colours(model, primitive.colour, count, old_index, budget);
   }
   if (primitive.normal < 0) {
+    // As make_flat orders them.
+    for (const Triangle& triangle : mesh.triangles) {
+      for (const std::uint32_t vertex : triangle) built.sources.push_back(old_index[vertex]);
+    }
     make_flat(mesh);
     return built;
   }
+  built.sources = old_index;
   const std::vector<float> normals = read_attribute(model, primitive.normal, 3, count, "NORMAL", budget);
   mesh.normals.reserve(old_index.size());
   for (const std::size_t i : old_index) {

@@ -19,8 +19,9 @@ struct MeshBudget {
 };
 
 struct BuiltMesh {
-  TriangleMesh mesh;                  // no triangles: nothing to draw, `warnings` says why
-  std::vector<std::string> warnings;  // without the file's name
+  TriangleMesh mesh;                   // no triangles: nothing to draw, `warnings` says why
+  std::vector<std::string> warnings;   // without the file's name
+  std::vector<std::uint32_t> sources;  // per vertex: which of the primitive it is
 };
 
 // `sources`: the coordinates that the material reads; mesh.uvs and more_uvs are them, transformed, in the

@@ -38,7 +38,8 @@ FlattenedNodes flatten_nodes(const GltfModel& model) {
                                "\" " + *problem,
                            "give the node a scale that is not 0, or remove it");
         }
-        placed.meshes.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_mesh});
+        placed.meshes.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_mesh, index,
+                                 node_from_instance});
       }
       if (static_cast<std::int64_t>(placed.meshes.size()) > kMaxInstances) {
         throw InputError(model.file, 0, "has more than a million instances", "merge some of its nodes");

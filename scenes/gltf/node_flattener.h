@@ -15,6 +15,8 @@ struct PlacedMesh {
   std::string name;  // of the node, or of its mesh when the node has none
   int mesh = 0;      // index into GltfModel::meshes
   glm::dmat4x3 gltf_from_mesh{1.0};
+  int node = 0;  // index into GltfModel::nodes
+  glm::dmat4x3 node_from_mesh{1.0};
 };
 
 struct FlattenedNodes {

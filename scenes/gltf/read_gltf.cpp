@@ -14,6 +14,7 @@
 #include "scenes/gltf/gltf_lights.h"
 #include "scenes/gltf/gltf_limits.h"
 #include "scenes/gltf/gltf_materials.h"
+#include "scenes/gltf/gltf_motion.h"
 #include "scenes/gltf/gpu_instances.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
@@ -187,19 +188,6 @@ GltfPrimitive convert(const tinygltf::Primitive& from) {
   return to;
 }
 
-// Content that this version draws differently than its author meant, said once per file.
-void warn_of_losses(const tinygltf::Model& from, GltfModel& to) {
-  if (!from.animations.empty())
-    to.warnings.push_back("animations are not played; nodes stand as the file has them");
-  if (!from.skins.empty())
-    to.warnings.push_back("skins are not applied; skinned meshes stand as they were modelled");
-  bool targets = false;
-  for (const auto& mesh : from.meshes) {
-    for (const auto& primitive : mesh.primitives) targets = targets || !primitive.targets.empty();
-  }
-  if (targets) to.warnings.push_back("morph targets are ignored");
-}
-
 void convert_nodes(tinygltf::Model& from, GltfModel& to) {
   std::vector<bool> has_parent(from.nodes.size(), false);
   for (auto& node : from.nodes) {
@@ -210,7 +198,18 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
       to.warnings.push_back("the rotation of node \"" + printable(node.name) +
                             "\" is not of unit length; normalised");
     }
-    to.nodes.push_back({node.name, node.mesh, -1, node.children, matrix_of(node), {}});
+    to.nodes.push_back({node.name,
+                        node.mesh,
+                        -1,
+                        node.children,
+                        matrix_of(node),
+                        {},
+                        -1,
+                        false,
+                        {},
+                        glm::dvec3(1.0),
+                        {},
+                        {}});
   }
   if (!from.scenes.empty()) {
     const int scene = std::max(from.defaultScene, 0);
@@ -263,7 +262,6 @@ GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, con
   }
   convert_images(from, reading, to);
   convert_nodes(from, to);
-  warn_of_losses(from, to);
   to.files.push_back(file);
   to.files.insert(to.files.end(), reading.files.begin(), reading.files.end());
   return to;
@@ -281,6 +279,7 @@ GltfModel read_gltf(const std::filesystem::path& file) {
   Reading reading(file);
   GltfModel model = convert(parse(bytes, file, reading), file, reading);
   read_gltf_materials(document, file, model);
+  read_gltf_motion(document, file, model);
   read_gltf_lights(document, file, model);
   read_gpu_instances(document, file, model);
   model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());

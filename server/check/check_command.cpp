@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -14,6 +13,7 @@
 #include "server/check/report/ci_reports.h"
 #include "server/check/report/text_report.h"
 #include "server/cli/exit_code.h"
+#include "server/cli/flags.h"
 #include "server/cli/stop_signal.h"
 #include "server/cli/terminal.h"
 #include "server/output/atomic_file.h"
@@ -27,11 +27,7 @@ namespace {
 
 int print_measurement(const CheckOptions& options) {
   end_at_once_on_signal();  // half a measurement is none
-  try {
-    resolve_isa(options.run.replay.render.isa);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
-  }
+  check_isa(options.run.replay.render);
   print_result(measurement_json(measure_run(options.run)).dump() + "\n");
   return kExitDone;
 }

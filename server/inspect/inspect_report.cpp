@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/cli/exit_code.h"
+#include "server/inspect/event_findings.h"
 #include "sessions/input_error.h"
 
 namespace herr {
@@ -21,6 +22,11 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
                                                      std::to_string(report.scene->degenerate_triangles) +
                                                          " triangles have no area: no ray can hit them",
                                                      "leave them out when the model is exported again"));
+    const bool has_events = report.session && report.session->event_rows > 0 && report.session->span;
+    if (has_events) {
+      inspect_events(scene, report.session->folder / "events.jsonl", report.session->span->start_ns,
+                     report.findings);
+    }
     if (!options.probes.folder.empty()) report.loaded = std::move(scene);
   } catch (const InputError& error) {
     report.findings.add(Severity::error, error);

@@ -55,6 +55,13 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("nonfinite_values", counters.nonfinite_values);
   visit("nonfinite_picture_values", record.nonfinite_pictures);
   visit("commits", counters.commits);
+  visit("instances_moved", counters.instances_moved);
+  visit("instances_spawned", counters.instances_spawned);
+  visit("instances_removed", counters.instances_removed);
+  visit("instances_restyled", counters.instances_restyled);
+  visit("meshes_refitted", counters.meshes_refitted);
+  visit("meshes_rebuilt", counters.meshes_rebuilt);
+  visit("plan_changes", counters.plan_changes);
   visit("active_probes", record.probes.active);
   visit("relocated_probes", record.probes.relocated);
   visit("inactive_probes", record.probes.inactive);

@@ -126,4 +126,15 @@ Checkpoint read_checkpoint(const std::filesystem::path& file) {
   }
 }
 
+void check_fits(const RunState& state, const FrameRange& range, const std::filesystem::path& file) {
+  bool fits = state.next_frame >= range.first && state.next_frame <= range.first + range.count;
+  for (const auto& stamp : state.camera_stamps_ns) {
+    fits =
+        fits && (!stamp || (state.next_frame > range.first && *stamp <= range.time_ns(state.next_frame - 1)));
+  }
+  if (!fits) {
+    throw InputError(file, 0, "is damaged: it does not fit the session", kRemedy);
+  }
+}
+
 }  // namespace herr

@@ -16,6 +16,9 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
   report.scene_file =
       options.scene.empty() ? opened.session->folder() / named : std::filesystem::path(options.scene);
   opened.scene = load_scene(report.scene_file);
+  opened.scene.changes = opened.scene.changes || report.findings.event_rows > 0;
+  opened.player.emplace(opened.scene, options.session.keep_going);
+  opened.player->rehearse(*opened.session, opened.scene);
   report.scene_name = opened.scene.name;
   report.scene_triangles = triangle_count(opened.scene, false);
 }

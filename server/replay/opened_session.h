@@ -8,6 +8,7 @@
 #include "renderer/renderer.h"
 #include "scenes/scene.h"
 #include "server/replay/replay_options.h"
+#include "server/replay/scene_player.h"
 #include "server/replay/session_report.h"
 #include "sessions/session.h"
 
@@ -17,6 +18,7 @@ namespace herr {
 struct OpenedSession {
   std::optional<Session> session;
   Scene scene;
+  std::optional<ScenePlayer> player;  // brings the scene to a frame's time
   std::unique_ptr<Renderer> renderer;
 
   OpenedSession() = default;

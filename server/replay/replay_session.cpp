@@ -42,18 +42,7 @@ bool summary_says_done(const std::filesystem::path& summary_json) {
   }
 }
 
-// A checkpoint of this fingerprint that nobody edited does.
-void check_fits(const RunState& state, const FrameRange& range, const std::filesystem::path& file) {
-  bool fits = state.next_frame >= range.first && state.next_frame <= range.first + range.count;
-  for (const auto& stamp : state.camera_stamps_ns) {
-    fits =
-        fits && (!stamp || (state.next_frame > range.first && *stamp <= range.time_ns(state.next_frame - 1)));
-  }
-  if (!fits) {
-    throw InputError(file, 0, "is damaged: it does not fit the session", "give --overwrite to start again");
-  }
-}
-
+constexpr std::size_t kPlanChangesKept = 100;  // a list is for reading
 // Where a run could be taken up again: every so many frames, and often enough where a frame takes minutes.
 constexpr std::int64_t kCheckpointFrames = 500;
 constexpr TimeNs kCheckpointIntervalNs = 30'000'000'000;
@@ -88,6 +77,7 @@ class SessionReplay {
   void describe_run();
   void note_failure();
   void add_run_warnings();
+  void note_plan(std::int64_t frame);
   bool can_resume() const { return is_reproducible(options_); }
 
   const ReplayOptions& options_;
@@ -102,7 +92,6 @@ class SessionReplay {
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
   RenderedFrame rendered_;
-  SceneState state_;
   std::int64_t frames_since_checkpoint_ = 0;
   TimeNs checkpoint_ns_ = 0;  // when the last one was written
 };
@@ -233,7 +222,7 @@ void SessionReplay::pass_over_frames_before(std::int64_t frame) {
     const FrameSample sample = opened_.session->sample(t_ns);
     set_scene_to(t_ns);
     tracker_->sampled(sample);
-    opened_.renderer->pass_over(sample, state_);
+    opened_.renderer->pass_over(sample, opened_.player->state());
     tracker_->frame_done();
   }
 }
@@ -262,8 +251,7 @@ void SessionReplay::checkpoint_if_due() {
 }
 
 void SessionReplay::set_scene_to(TimeNs t_ns) {
-  const TimeNs since_start_ns = t_ns - opened_.session->start_ns();
-  scene_state_at(opened_.scene, static_cast<double>(since_start_ns) * kSecondsPerNs, state_);
+  opened_.player->advance(*opened_.session, t_ns);
 }
 
 void SessionReplay::save_checkpoint() {
@@ -303,10 +291,12 @@ bool SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64
   set_scene_to(t_ns);
   tracker_->sampled(sample);
   const QualityDecision decision = quality_->decide(sample.head_speed);
-  if (!opened_.renderer->render_frame(sample, state_, decision.quality, rendered_, &stop_flag()))
+  if (!opened_.renderer->render_frame(sample, opened_.player->state(), decision.quality, rendered_,
+                                      &stop_flag()))
     return !stopped();
   const TimeNs finished_ns = steady_now_ns();
 
+  note_plan(frame);
   FrameRecord record = describe_frame(frame, sample, rendered_, report_, options_.clock);
   if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, finished_ns), dropped, record);
   describe_quality(decision, sample, record);
@@ -349,9 +339,18 @@ void SessionReplay::close_output() {
 void SessionReplay::describe_run() {
   report_.findings = tracker_->findings();
   report_.sanitised_camera_values = tracker_->state().sanitised_camera_values;
+  report_.findings.skipped_rows += opened_.player->skipped_changes();
   const bool skipped = report_.findings.skipped_rows > 0 || report_.findings.skipped_images > 0;
   if (report_.exit_code == kExitDone && skipped) report_.exit_code = kExitPartial;
   add_run_warnings();
+}
+
+// What the frame's plan has that the one before had not, and the other way round.
+void SessionReplay::note_plan(std::int64_t frame) {
+  if (rendered_.counters.plan_changes == 0 || report_.plan_changes.size() >= kPlanChangesKept) return;
+  const FramePlan& plan = opened_.renderer->plan();
+  const FramePlan& before = report_.plan_changes.empty() ? report_.plan : report_.plan_changes.back().plan;
+  report_.plan_changes.push_back({frame, differing_entries(before, plan), plan});
 }
 
 void SessionReplay::add_run_warnings() {
@@ -371,11 +370,8 @@ void SessionReplay::add_run_warnings() {
         " values of camera images are NaN, Inf, negative or past the range of half and were replaced by 0 or "
         "65504; check the recording");
   }
-  if (report_.findings.event_rows > 0) {
-    report_.warnings.push_back(
-        "scene events are not applied by this version: " + std::to_string(report_.findings.event_rows) +
-        " lines of events.jsonl left out");
-  }
+  const std::vector<std::string>& changes = opened_.player->warnings();
+  report_.warnings.insert(report_.warnings.end(), changes.begin(), changes.end());
   if (const std::string warning = floor_warning(report_, options_); !warning.empty()) {
     report_.warnings.push_back(warning);
   }

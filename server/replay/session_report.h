@@ -18,6 +18,13 @@ namespace herr {
 enum class ReplayState { done, interrupted, failed };
 const char* name_of(ReplayState state);
 
+// A frame whose plan was another than that of the frame before it.
+struct PlanChange {
+  std::int64_t frame = 0;
+  std::vector<PlanEntry> changed;
+  FramePlan plan;
+};
+
 struct SessionReport {
   std::string name;  // of the session's folder
   std::filesystem::path session_folder, scene_file, out_folder;
@@ -30,10 +37,11 @@ struct SessionReport {
   DisplayProfile profile;
   std::string scene_name;
   std::int64_t scene_triangles = 0;
-  FrameRange range;         // what was to be rendered
-  RenderSettings settings;  // threads and isa resolved to what ran
-  FramePlan plan;
-  std::vector<std::string> warnings;  // of session, scene and run
+  FrameRange range;                      // what was to be rendered
+  RenderSettings settings;               // threads and isa resolved to what ran
+  FramePlan plan;                        // of the scene as it was loaded
+  std::vector<PlanChange> plan_changes;  // of this run, the first 100
+  std::vector<std::string> warnings;     // of session, scene and run
 
   RunStatistics statistics;                  // of all frames, those of earlier runs included
   std::int64_t kept_frames = 0;              // of earlier runs: --resume found them finished

@@ -25,6 +25,13 @@ Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_picture
   json["nonfinite_values"] = counters.nonfinite_values;
   json["nonfinite_picture_values"] = nonfinite_pictures;
   json["commits"] = counters.commits;
+  json["instances_moved"] = counters.instances_moved;
+  json["instances_spawned"] = counters.instances_spawned;
+  json["instances_removed"] = counters.instances_removed;
+  json["instances_restyled"] = counters.instances_restyled;
+  json["meshes_refitted"] = counters.meshes_refitted;
+  json["meshes_rebuilt"] = counters.meshes_rebuilt;
+  json["plan_changes"] = counters.plan_changes;
   return json;
 }
 
@@ -117,6 +124,16 @@ Json plan_json(const FramePlan& plan) {
   return entries;
 }
 
+static Json plan_changes_json(const std::vector<PlanChange>& changes) {
+  Json list = Json::array();
+  for (const PlanChange& change : changes) {
+    FramePlan changed;
+    changed.entries = change.changed;
+    list.push_back({{"frame", change.frame}, {"changed", plan_json(changed)}});
+  }
+  return list;
+}
+
 Json subject_json(const SessionReport& report, const ReplayOptions& options) {
   return {{"session", session_json(report)},
           {"scene",
@@ -150,6 +167,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   json["definitions"] = definitions_json(options.clock);
   json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
   json["plan"] = plan_json(report.plan);
+  if (!report.plan_changes.empty()) json["plan_changes"] = plan_changes_json(report.plan_changes);
   if (report.plan.probes) json["probes"] = probes_json(report.statistics);
   json["output"] = {{"folder", report.out_folder.string()},
                     {"picture_files", report.files_written},

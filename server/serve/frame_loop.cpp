@@ -54,6 +54,7 @@ void FrameLoop::run() {
 void FrameLoop::open(const std::filesystem::path& folder) {
   if (opened_ && folder == opened_folder_) {
     opened_->session.emplace(Session::open(folder, options_.session));
+    opened_->player->restart();
     return;
   }
   auto report = std::make_shared<SessionReport>();
@@ -66,6 +67,8 @@ void FrameLoop::open(const std::filesystem::path& folder) {
   report->warnings.insert(report->warnings.end(), opened_->scene.warnings.begin(),
                           opened_->scene.warnings.end());
   quality_.emplace(quality_controller(options_, *report, *opened_->renderer));
+  report->warnings.insert(report->warnings.end(), opened_->player->warnings().begin(),
+                          opened_->player->warnings().end());
   opened_folder_ = folder;
   subject_ = std::move(report);
   state_.subject = subject_;
@@ -99,12 +102,11 @@ void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropp
   const TimeNs started_ns = steady_now_ns();
   const FrameSample sample = opened_->session->sample(t_ns);
   const TimeNs sampled_ns = steady_now_ns();
-  const TimeNs since_start_ns = t_ns - opened_->session->start_ns();
-  scene_state_at(opened_->scene, static_cast<double>(since_start_ns) * kSecondsPerNs, scene_state_);
+  const SceneState& scene_state = opened_->player->advance(*opened_->session, t_ns);
   // Into pictures that nobody looks at; the published ones stay as they are.
   const std::shared_ptr<ServedPictures> pictures = picture_storage_.take();
   const QualityDecision decision = quality_->decide(sample.head_speed);
-  if (!opened_->renderer->render_frame(sample, scene_state_, decision.quality, pictures->frame, &stop_))
+  if (!opened_->renderer->render_frame(sample, scene_state, decision.quality, pictures->frame, &stop_))
     return;
   const TimeNs finished_ns = steady_now_ns();
 

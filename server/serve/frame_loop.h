@@ -44,7 +44,6 @@ class FrameLoop {
   std::unique_ptr<OpenedSession> opened_;
   std::optional<QualityController> quality_;  // of the opened session; it goes on from lap to lap
   std::shared_ptr<const SessionReport> subject_;
-  SceneState scene_state_;
   Recycler<ServedPictures> picture_storage_;
   Recycler<ServeSnapshot> snapshot_storage_;
   ServeSnapshot state_;  // its `recent` stays empty: recent_ has them

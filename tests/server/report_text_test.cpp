@@ -71,7 +71,8 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
     const bool count = name == "frame" || name == "missed" || name == "commits" || name.ends_with("_rays") ||
                        name.ends_with("_samples") || name.ends_with("_pixels") || name.ends_with("_values") ||
                        name.ends_with("_frames") || name.ends_with("_ticks") || name.ends_with("_probes") ||
-                       name.ends_with("_share") || name == "polar_width";
+                       name.ends_with("_share") || name.starts_with("instances_") ||
+                       name.starts_with("meshes_") || name == "plan_changes" || name == "polar_width";
     const bool word = name.find("_source") != std::string::npos || name == "quality_reason";
     EXPECT_TRUE(unit || count || word) << name;
   }

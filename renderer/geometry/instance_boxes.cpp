@@ -1,0 +1,71 @@
+#include "renderer/geometry/instance_boxes.h"
+
+#include <glm/common.hpp>
+
+namespace herr {
+namespace {
+
+constexpr double kFar = 1e300;
+
+void include(Bounds& bounds, const glm::dvec3& point) {
+  bounds.lower = glm::min(bounds.lower, point);
+  bounds.upper = glm::max(bounds.upper, point);
+}
+
+}  // namespace
+
+InstanceBoxes::InstanceBoxes(const Scene& scene) : scene_(scene) {
+  for (const TriangleMesh& mesh : scene.meshes) {
+    Bounds box{glm::dvec3{kFar}, glm::dvec3{-kFar}};
+    for (const glm::vec3& position : mesh.positions) include(box, glm::dvec3(position));
+    mesh_boxes_.push_back(box);
+  }
+  boxes_.resize(scene.instances.size());
+  for (std::size_t slot = 0; slot < boxes_.size(); ++slot) measure(slot);
+  sum_up();
+}
+
+void InstanceBoxes::measure(std::size_t slot) {
+  const Instance& instance = scene_.instances[slot];
+  if (instance.kind != ShapeKind::mesh) {
+    boxes_[slot] = instance_bounds(scene_, instance);
+    return;
+  }
+  const Bounds& mesh = mesh_boxes_[instance.mesh];
+  boxes_[slot] = {glm::dvec3{kFar}, glm::dvec3{-kFar}};
+  if (mesh.lower.x > mesh.upper.x) return;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 at((corner & 1) != 0 ? mesh.upper.x : mesh.lower.x,
+                        (corner & 2) != 0 ? mesh.upper.y : mesh.lower.y,
+                        (corner & 4) != 0 ? mesh.upper.z : mesh.lower.z, 1.0);
+    include(boxes_[slot], instance.world_from_object * at);
+  }
+}
+
+void InstanceBoxes::sum_up() {
+  all_ = {glm::dvec3{kFar}, glm::dvec3{-kFar}};
+  catchers_.clear();
+  for (std::size_t slot = 0; slot < boxes_.size(); ++slot) {
+    const Instance& instance = scene_.instances[slot];
+    if (!instance.present) continue;
+    all_.lower = glm::min(all_.lower, boxes_[slot].lower);
+    all_.upper = glm::max(all_.upper, boxes_[slot].upper);
+    if (instance.catcher) catchers_.push_back(boxes_[slot]);
+  }
+}
+
+void InstanceBoxes::update(const SceneState& state) {
+  if (state.placed == placed_version_ && state.shown == shown_version_) return;
+  placed_version_.resize(state.placed.size());
+  shown_version_.resize(state.shown.size());
+  boxes_.resize(scene_.instances.size());
+  for (std::size_t slot = 0; slot < state.placed.size(); ++slot) {
+    if (state.placed[slot] == placed_version_[slot] && state.shown[slot] == shown_version_[slot]) continue;
+    placed_version_[slot] = state.placed[slot];
+    shown_version_[slot] = state.shown[slot];
+    measure(slot);
+  }
+  sum_up();
+}
+
+}  // namespace herr

@@ -1,0 +1,35 @@
+// How far instances reach, kept up to date as they move: the box of each, of all, and of the catchers.
+// Before: scenes/. After: light_records (how far a sun shines, how dark a catcher may be).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace herr {
+
+// A moved instance costs the eight corners of its mesh's box, however many vertices that has.
+class InstanceBoxes {
+ public:
+  explicit InstanceBoxes(const Scene& scene);
+  // After instances have changed as the state says. Allocates only for more instances than ever before.
+  void update(const SceneState& state);
+
+  // Of instances that are there; inverted (lower > upper) where none is.
+  const Bounds& all() const { return all_; }
+  const std::vector<Bounds>& catchers() const { return catchers_; }
+
+ private:
+  void measure(std::size_t slot);
+  void sum_up();
+
+  const Scene& scene_;
+  std::vector<Bounds> mesh_boxes_;  // in object space
+  std::vector<Bounds> boxes_;       // per instance, in the world
+  std::vector<std::uint32_t> placed_version_, shown_version_;
+  std::vector<Bounds> catchers_;
+  Bounds all_;
+};
+
+}  // namespace herr

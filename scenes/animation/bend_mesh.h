@@ -1,0 +1,15 @@
+// One mesh in a pose, vertex by vertex: the slow, obvious way. Before: a DeformationPose. After: the shape at
+// load; the reference of the renderer's kernels. Source: glTF 2.0 section 3.7.3.
+#pragma once
+
+#include "scenes/animation/animated_model.h"
+
+namespace herr {
+
+// `positions` and `normals` are resized to the mesh's. Normals are turned by each joint's inverse transpose
+// and come out unit; where they vanish they stay as they were at rest. Flat normals follow the triangles:
+// three vertices in a row are one.
+void bend_mesh(const MeshDeformation& deformation, const DeformationPose& pose,
+               std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals);
+
+}  // namespace herr

@@ -1,0 +1,336 @@
+#include "scenes/changes/world.h"
+
+#include <utility>
+
+#include "scenes/gltf/gltf_limits.h"
+#include "scenes/transform_checks.h"
+#include "sessions/input_error.h"
+#include "sessions/strict_json.h"
+
+namespace herr {
+namespace {
+
+constexpr std::uint32_t kAmbiguous = ~0u;
+constexpr std::uint32_t kNone = ~0u;
+
+template <typename Things>
+std::unordered_map<std::string, std::uint32_t> names_of(const Things& things) {
+  std::unordered_map<std::string, std::uint32_t> names;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const auto [entry, added] = names.try_emplace(things[i].name, static_cast<std::uint32_t>(i));
+    if (!added) entry->second = kAmbiguous;
+  }
+  names.erase("");
+  return names;
+}
+
+// A name as text and where it may have come from.
+ChangeProblem unknown(const char* kind, const std::string& name,
+                      const std::unordered_map<std::string, std::uint32_t>& known) {
+  std::vector<std::string> names;
+  for (const auto& [other, index] : known) names.push_back(other);
+  ChangeProblem problem{std::string("names ") + kind + " \"" + printable(name) + "\", which is not there",
+                        "name one that is"};
+  if (!names.empty()) problem.remedy += "; the nearest is \"" + printable(nearest_name(name, names)) + "\"";
+  return problem;
+}
+
+}  // namespace
+
+World::World(Scene& scene)
+    : scene_(scene),
+      instances_at_start_(scene.instances),
+      lights_at_start_(scene.lights),
+      materials_at_start_(scene.materials.size()),
+      objects_(names_of(scene.objects)),
+      lights_(names_of(scene.lights)) {
+  for (const AnimatedModel& model : scene.models) models_.emplace_back(model);
+  state_.poses.resize(scene.deformations.size());
+  restart();
+}
+
+void World::restart() {
+  scene_.lights = lights_at_start_;
+  // Slots that came later stay, empty. Numbers go on: whoever compares them sees what is new.
+  for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+    if (i < instances_at_start_.size())
+      scene_.instances[i] = instances_at_start_[i];
+    else
+      scene_.instances[i].present = false;
+  }
+  state_.placed.resize(scene_.instances.size());
+  state_.shown.resize(scene_.instances.size());
+  own_material_.resize(scene_.instances.size(), kNone);
+  // Nothing is new where nothing happened since the scene was loaded.
+  if (!live_.empty()) {
+    for (std::uint32_t& version : state_.placed) ++version;
+    for (std::uint32_t& version : state_.shown) ++version;
+    ++state_.lit;
+  }
+  live_.clear();
+  live_names_.clear();
+  free_live_.clear();
+  free_slots_.clear();
+  for (std::size_t i = scene_.instances.size(); i-- > instances_at_start_.size();)
+    free_slots_.push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t i = scene_.objects.size(); i-- > 0;) {
+    const PlacedObject& object = scene_.objects[i];
+    if (object.present) continue;
+    for (std::uint32_t part = object.count; part-- > 0;) free_slots_.push_back(object.first + part);
+  }
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    const PlacedObject& object = scene_.objects[i];
+    if (!object.present) continue;
+    Live& live = live_.emplace_back();
+    live = {object.name, static_cast<std::uint32_t>(i), object.placement, {}, true};
+    for (std::uint32_t part = 0; part < object.count; ++part) live.slots.push_back(object.first + part);
+    if (object.name.empty()) continue;
+    const auto [entry, added] =
+        live_names_.try_emplace(object.name, static_cast<std::uint32_t>(live_.size() - 1));
+    if (!added) entry->second = kAmbiguous;
+  }
+  timeline_next_ = 0;
+  advance(0);
+}
+
+void World::advance(double time_s) {
+  apply_timeline_until(time_s);
+  pose_models(time_s);
+  scene_state_at(scene_, time_s, state_);
+}
+
+void World::apply_timeline_until(double time_s) {
+  while (timeline_next_ < scene_.timeline.size() && scene_.timeline[timeline_next_].time_s <= time_s) {
+    const std::size_t entry = timeline_next_++;
+    if (const auto problem = change(scene_.timeline[entry])) {
+      const std::filesystem::path file =
+          scene_.files.empty() ? std::filesystem::path() : scene_.files.front();
+      throw InputError(file, 0, "timeline[" + std::to_string(entry) + "] " + problem->what, problem->remedy);
+    }
+  }
+}
+
+std::optional<ChangeProblem> World::apply(const SceneChange& wanted) {
+  apply_timeline_until(wanted.time_s);
+  return change(wanted);
+}
+
+std::optional<ChangeProblem> World::change(const SceneChange& wanted) {
+  switch (wanted.kind) {
+    case ChangeKind::spawn:
+      return spawn(wanted);
+    case ChangeKind::remove:
+      return remove(wanted);
+    case ChangeKind::move:
+      return move(wanted);
+    case ChangeKind::set_light:
+      return set_light(wanted);
+    case ChangeKind::set_material:
+      return set_material(wanted);
+    case ChangeKind::replace_mesh:
+      return replace_mesh(wanted);
+  }
+  return std::nullopt;
+}
+
+std::optional<ChangeProblem> World::find(const Names& names, const std::string& name, const char* kind,
+                                         std::uint32_t& index) const {
+  const auto entry = names.find(name);
+  if (entry == names.end()) return unknown(kind, name, names);
+  index = entry->second;
+  if (index != kAmbiguous) return std::nullopt;
+  return ChangeProblem{std::string("names ") + kind + " \"" + printable(name) + "\", which several have",
+                       "give each a name of its own in the scene document"};
+}
+
+// Would a part of the object stand so that it cannot be traced?
+std::optional<ChangeProblem> World::misplaced(std::uint32_t object, const Placement& placement) const {
+  const PlacedObject& placed = scene_.objects[object];
+  const glm::dmat4x3 world_from_placed = placement.matrix();
+  for (std::uint32_t part = 0; part < placed.count; ++part) {
+    const Instance& instance = instances_at_start_[placed.first + part];
+    if (instance.model >= 0) continue;  // what its model does with it, its poses say
+    if (const auto problem = transform_problem(compose(world_from_placed, instance.placed_from_object)))
+      return ChangeProblem{"places \"" + printable(placed.name) + "\" so that it " + *problem,
+                           "write a larger scale or a nearer place"};
+  }
+  return std::nullopt;
+}
+
+std::uint32_t World::free_slot() {
+  if (!free_slots_.empty()) {
+    const std::uint32_t slot = free_slots_.back();
+    free_slots_.pop_back();
+    return slot;
+  }
+  scene_.instances.emplace_back();
+  state_.placed.push_back(0);
+  state_.shown.push_back(0);
+  own_material_.push_back(kNone);
+  return static_cast<std::uint32_t>(scene_.instances.size() - 1);
+}
+
+// Fills slots with copies of the object's instances.
+void World::show(std::uint32_t index, std::uint32_t object) {
+  const PlacedObject& placed = scene_.objects[object];
+  Live& live = live_[index];
+  live.object = object;
+  live.present = true;
+  live.slots.clear();
+  for (std::uint32_t part = 0; part < placed.count; ++part) {
+    const std::uint32_t slot = free_slot();
+    scene_.instances[slot] = instances_at_start_[placed.first + part];
+    scene_.instances[slot].present = true;
+    ++state_.shown[slot];
+    live.slots.push_back(slot);
+  }
+  place(live);
+}
+
+void World::hide(Live& live) {
+  // Backwards: who asks next gets them in the same order.
+  for (std::size_t i = live.slots.size(); i-- > 0;) {
+    scene_.instances[live.slots[i]].present = false;
+    ++state_.shown[live.slots[i]];
+    free_slots_.push_back(live.slots[i]);
+  }
+  live.slots.clear();
+}
+
+void World::place(Live& live) {
+  const glm::dmat4x3 world_from_placed = live.placement.matrix();
+  for (const std::uint32_t slot : live.slots) {
+    Instance& instance = scene_.instances[slot];
+    const glm::dmat4x3 world_from_object = compose(world_from_placed, placed_from_object(instance));
+    // A model may shrink a part to nothing for a while: then it is not there.
+    const bool present = instance.model < 0 || !transform_problem(world_from_object);
+    if (present != instance.present) ++state_.shown[slot];
+    instance.present = present;
+    if (!present || world_from_object == instance.world_from_object) continue;
+    instance.world_from_object = world_from_object;
+    ++state_.placed[slot];
+  }
+}
+
+glm::dmat4x3 World::placed_from_object(const Instance& instance) const {
+  if (instance.model < 0) return instance.placed_from_object;
+  const ModelPose& model = models_[static_cast<std::size_t>(instance.model)];
+  return compose(model.model_from_node(instance.node), instance.placed_from_object);
+}
+
+void World::pose_models(double time_s) {
+  if (models_.empty()) return;
+  for (ModelPose& model : models_) model.pose(time_s);
+  for (Live& live : live_) {
+    if (!live.present || live.slots.empty()) continue;
+    if (scene_.instances[live.slots.front()].model >= 0) place(live);
+  }
+  for (std::size_t i = 0; i < scene_.deformations.size(); ++i) {
+    const MeshDeformation& deformation = scene_.deformations[i];
+    models_[static_cast<std::size_t>(deformation.model)].bend(deformation, state_.poses[i]);
+  }
+}
+
+std::optional<ChangeProblem> World::spawn(const SceneChange& wanted) {
+  std::uint32_t object = 0;
+  if (auto problem = find(objects_, wanted.of, "object", object)) return problem;
+  if (live_names_.count(wanted.name) != 0) {
+    return ChangeProblem{"spawns \"" + printable(wanted.name) + "\", which is there already",
+                         "give the copy a name of its own, or remove the other first"};
+  }
+  const PlacedObject& placed = scene_.objects[object];
+  if (static_cast<std::int64_t>(scene_.instances.size() + placed.count) > kMaxInstances) {
+    return ChangeProblem{"makes more than a million instances", "remove some objects first"};
+  }
+  const Placement placement = wanted.placement.apply(placed.placement);
+  if (auto problem = misplaced(object, placement)) return problem;
+  std::uint32_t index = 0;
+  if (free_live_.empty()) {
+    index = static_cast<std::uint32_t>(live_.size());
+    live_.emplace_back();
+  } else {
+    index = free_live_.back();
+    free_live_.pop_back();
+  }
+  live_[index].name = wanted.name;
+  live_[index].placement = placement;
+  live_names_.emplace(wanted.name, index);
+  show(index, object);
+  if (wanted.material) give_material(live_[index], *wanted.material);
+  return std::nullopt;
+}
+
+std::optional<ChangeProblem> World::remove(const SceneChange& wanted) {
+  std::uint32_t index = 0;
+  if (auto problem = find(live_names_, wanted.name, "object", index)) return problem;
+  hide(live_[index]);
+  live_[index].present = false;
+  live_names_.erase(wanted.name);
+  free_live_.push_back(index);
+  return std::nullopt;
+}
+
+std::optional<ChangeProblem> World::move(const SceneChange& wanted) {
+  std::uint32_t index = 0;
+  if (auto problem = find(live_names_, wanted.name, "object", index)) return problem;
+  Live& live = live_[index];
+  const Placement placement = wanted.placement.apply(live.placement);
+  if (auto problem = misplaced(live.object, placement)) return problem;
+  live.placement = placement;
+  place(live);
+  return std::nullopt;
+}
+
+std::optional<ChangeProblem> World::replace_mesh(const SceneChange& wanted) {
+  std::uint32_t index = 0, object = 0;
+  if (auto problem = find(live_names_, wanted.name, "object", index)) return problem;
+  if (auto problem = find(objects_, wanted.of, "object", object)) return problem;
+  if (auto problem = misplaced(object, live_[index].placement)) return problem;
+  hide(live_[index]);
+  show(index, object);
+  return std::nullopt;
+}
+
+void World::give_material(Live& live, const MaterialOverride& material) {
+  for (const std::uint32_t slot : live.slots) {
+    Instance& instance = scene_.instances[slot];
+    Material changed = material.apply(scene_.materials[instance.material]);
+    std::uint32_t& own = own_material_[slot];
+    if (own == kNone) {
+      own = static_cast<std::uint32_t>(scene_.materials.size());
+      scene_.materials.push_back(std::move(changed));
+    } else {
+      scene_.materials[own] = std::move(changed);
+    }
+    instance.material = own;
+    ++state_.shown[slot];
+  }
+}
+
+std::optional<ChangeProblem> World::set_material(const SceneChange& wanted) {
+  std::uint32_t index = 0;
+  if (auto problem = find(live_names_, wanted.name, "object", index)) return problem;
+  give_material(live_[index], *wanted.material);
+  return std::nullopt;
+}
+
+std::optional<ChangeProblem> World::set_light(const SceneChange& wanted) {
+  std::uint32_t index = 0;
+  if (auto problem = find(lights_, wanted.name, "light", index)) return problem;
+  AreaLight& light = scene_.lights[index];
+  const LightChange& to = wanted.light;
+  const bool placeless = light.kind == LightKind::sun && to.centre;
+  if (placeless || (light.kind != LightKind::box && to.size) ||
+      (light.kind == LightKind::box && to.direction)) {
+    return ChangeProblem{"sets what light \"" + printable(wanted.name) + "\" does not have",
+                         "a box has centre and size, a spot centre and direction, a sun a direction"};
+  }
+  ++state_.lit;
+  if (to.intensity_w_sr) light.intensity_w_sr = *to.intensity_w_sr;
+  if (to.centre) light.centre = *to.centre;
+  if (to.size) light.size = *to.size;
+  if (to.direction) light.direction = *to.direction;
+  return std::nullopt;
+}
+
+}  // namespace herr

@@ -1,0 +1,393 @@
+// Scenes that change: what a change costs, and that a changed scene is the picture of one loaded that way.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "renderer/renderer_impl.h"
+#include "scenes/animation/bend_mesh.h"
+#include "scenes/changes/world.h"
+#include "scenes/placed_objects.h"
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+RenderSettings with_threads(int threads) {
+  RenderSettings settings = test::small_settings();
+  settings.threads = threads;
+  return settings;
+}
+
+// A floor, a ball and a block that is not there yet, by the names "instance 0", "1", "2".
+Scene small_world() {
+  Scene scene;
+  test::add(scene, test::floor_quad(4, -1), test::matte(glm::vec3{0.6f}));
+  test::add(scene, test::sphere({0, 0, 0}, 0.5f), test::matte({0.8f, 0.3f, 0.2f}), false,
+            glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -3)));
+  test::add(scene, test::box({-0.3f, -0.3f, -0.3f}, {0.3f, 0.3f, 0.3f}), test::matte({0.2f, 0.5f, 0.8f}));
+  scene.instances.back().present = false;
+  scene.lights = {test::light_at({1, 3, -1}, {20, 15, 10}, {0.4f, 0.1f, 0.4f})};
+  complete_objects(scene);
+  return scene;
+}
+
+SceneChange change(ChangeKind kind, const std::string& name, const glm::dvec3& to = glm::dvec3(0.0)) {
+  SceneChange made;
+  made.kind = kind;
+  made.name = name;
+  if (kind == ChangeKind::move || kind == ChangeKind::spawn) made.placement.translation = to;
+  if (kind == ChangeKind::spawn) made.of = "instance 2";
+  return made;
+}
+
+// What a renderer shows that never saw another state of the scene.
+RenderedFrame fresh(const Scene& scene, const SceneState& state, const RenderSettings& settings,
+                    const FrameSample& sample) {
+  Scene copy = scene;
+  copy.instances.erase(std::remove_if(copy.instances.begin(), copy.instances.end(),
+                                      [](const Instance& instance) { return !instance.present; }),
+                       copy.instances.end());
+  SceneState lights;
+  lights.lights = state.lights;
+  Renderer renderer(copy, test::small_profile(), settings, false);
+  RenderedFrame frame;
+  renderer.render_frame(sample, lights, frame);
+  return frame;
+}
+
+TEST(ChangingSceneTest, AnUnchangedFrameCommitsNothingAndAMovedInstanceOnlyTheTopLevel) {
+  Scene scene = small_world();
+  World world(scene);
+  Renderer renderer(scene, test::small_profile(), with_threads(1), false);
+  const FrameSample sample = test::sample_from({0, 0, 0});
+  RenderedFrame frame;
+  renderer.render_frame(sample, world.state(), frame);
+  EXPECT_EQ(frame.counters.commits, 1);  // the anchor's first place
+  renderer.render_frame(sample, world.state(), frame);
+  EXPECT_EQ(frame.counters.commits, 0);
+  EXPECT_EQ(frame.counters.instances_moved, 0);
+  ASSERT_FALSE(world.apply(change(ChangeKind::move, "instance 1", {0.5, 0.2, -3})));
+  world.advance(0);
+  renderer.render_frame(sample, world.state(), frame);
+  EXPECT_EQ(frame.counters.commits, 1);
+  EXPECT_EQ(frame.counters.instances_moved, 1);
+  EXPECT_EQ(frame.counters.meshes_rebuilt + frame.counters.meshes_refitted, 0);
+  test::expect_same_bits(frame, fresh(scene, world.state(), with_threads(1), sample));
+}
+
+TEST(ChangingSceneTest, EachKindOfChangeGivesThePictureOfASceneLoadedThatWay) {
+  for (const int threads : {1, 2, 4}) {
+    SCOPED_TRACE(threads);
+    Scene scene = small_world();
+    World world(scene);
+    const RenderSettings settings = with_threads(threads);
+    Renderer renderer(scene, test::small_profile(), settings, false);
+    const FrameSample sample = test::sample_from({0, 0, 0}, {0.1, -0.1, -1});
+    RenderedFrame frame;
+    renderer.render_frame(sample, world.state(), frame);
+    SceneChange mirror = change(ChangeKind::set_material, "instance 1");
+    mirror.material.emplace();
+    mirror.material->mirror = 0.7f;
+    SceneChange mesh = change(ChangeKind::replace_mesh, "instance 1");
+    mesh.of = "instance 2";
+    for (const SceneChange& one :
+         {change(ChangeKind::spawn, "a", {0.8, 0, -2.5}), change(ChangeKind::spawn, "b", {-0.8, 0, -2.5}),
+          mirror, change(ChangeKind::remove, "a"), mesh, change(ChangeKind::remove, "instance 0")}) {
+      SCOPED_TRACE(static_cast<int>(one.kind));
+      ASSERT_FALSE(world.apply(one));
+      world.advance(0);
+      renderer.render_frame(sample, world.state(), frame);
+      test::expect_same_bits(frame, fresh(scene, world.state(), settings, sample));
+    }
+  }
+}
+
+TEST(ChangingSceneTest, AMirrorThatAppearsChangesThePlanAndOneThatGoesChangesItBack) {
+  Scene scene = small_world();
+  World world(scene);
+  Renderer renderer(scene, test::small_profile(), with_threads(1), false);
+  const FrameSample sample = test::sample_from({0, 0, 0});
+  RenderedFrame frame;
+  renderer.render_frame(sample, world.state(), frame);
+  EXPECT_FALSE(renderer.plan().mirror_rays);
+  const FramePlan before = renderer.plan();
+  SceneChange mirror = change(ChangeKind::set_material, "instance 1");
+  mirror.material.emplace();
+  mirror.material->mirror = 1.0f;
+  ASSERT_FALSE(world.apply(mirror));
+  world.advance(0);
+  renderer.render_frame(sample, world.state(), frame);
+  EXPECT_EQ(frame.counters.plan_changes, 1);
+  EXPECT_TRUE(renderer.plan().mirror_rays);
+  EXPECT_GT(frame.counters.rays[RayKind::mirror], 0);
+  ASSERT_EQ(differing_entries(before, renderer.plan()).size(), 1u);
+  EXPECT_EQ(differing_entries(before, renderer.plan())[0].name, "mirror rays");
+  ASSERT_FALSE(world.apply(change(ChangeKind::remove, "instance 1")));
+  world.advance(0);
+  renderer.render_frame(sample, world.state(), frame);
+  EXPECT_EQ(frame.counters.plan_changes, 1);
+  EXPECT_FALSE(renderer.plan().mirror_rays);
+}
+
+TEST(ChangingSceneTest, AThousandSpawnsAndRemovalsEndWithTheMemoryAndThePicturesOfAFreshStart) {
+  Scene scene = small_world();
+  World world(scene);
+  RenderSettings settings = with_threads(2);
+  settings.polar_width = 16;
+  settings.polar_height = 12;
+  Renderer renderer(scene, test::small_profile(), settings, false);
+  const FrameSample sample = test::sample_from({0, 0, 0});
+  RenderedFrame frame;
+  const auto bytes_in_use = [] {
+    return static_cast<std::int64_t>(mallinfo2().uordblks + mallinfo2().hblkhd);
+  };
+  // Ten objects are there at a time: one comes and one goes with each frame.
+  const auto name = [](int i) { return "object " + std::to_string(i); };
+  std::int64_t start = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 0.1 * i;
+    ASSERT_FALSE(world.apply(change(ChangeKind::spawn, name(i),
+                                    {std::cos(angle), 0.5 * std::sin(3 * angle), -2.5 + std::sin(angle)})));
+    if (i >= 10) {
+      ASSERT_FALSE(world.apply(change(ChangeKind::remove, name(i - 10))));
+    }
+    world.advance(0);
+    renderer.render_frame(sample, world.state(), frame);
+    EXPECT_EQ(frame.counters.instances_spawned, 1);
+    if (i == 20) start = bytes_in_use();
+    if (i % 100 == 50) test::expect_same_bits(frame, fresh(scene, world.state(), settings, sample));
+  }
+  const std::int64_t end = bytes_in_use();
+  std::printf("memory after 1000 spawns and removals: %+.3f MB\n", static_cast<double>(end - start) * 1e-6);
+  EXPECT_LT(end - start, 1'000'000);
+  EXPECT_LE(scene.instances.size(), 14u);  // three of the scene, ten at a time and one that overlaps
+}
+
+// A sheet of n x n squares that a skin of two joints bends.
+Scene bending_sheet(int n) {
+  Scene scene;
+  TriangleMesh mesh;
+  MeshDeformation deformation;
+  for (int y = 0; y <= n; ++y) {
+    for (int x = 0; x <= n; ++x) {
+      const float u = static_cast<float>(x) / static_cast<float>(n),
+                  v = static_cast<float>(y) / static_cast<float>(n);
+      mesh.positions.push_back({2 * u - 1, 2 * v - 1, 0});
+      mesh.normals.push_back({0, 0, 1});
+      deformation.joints.insert(deformation.joints.end(), {0, 1, 0, 0});
+      deformation.weights.insert(deformation.weights.end(), {1 - u, u, 0, 0});
+    }
+  }
+  const auto at = [&](int x, int y) { return static_cast<std::uint32_t>(y * (n + 1) + x); };
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      mesh.triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      mesh.triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  }
+  deformation.rest_positions = mesh.positions;
+  deformation.rest_normals = mesh.normals;
+  deformation.influences = 4;
+  deformation.skin = 0;
+  deformation.mesh = 0;
+  test::add(scene, std::move(mesh), test::matte(glm::vec3{0.7f}), false,
+            glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -3)));
+  scene.lights = {test::light_at({1, 3, 0}, {20, 15, 10})};
+  scene.deformations.push_back(std::move(deformation));
+  complete_objects(scene);
+  return scene;
+}
+
+// The second joint turned about the x axis.
+DeformationPose turned(double angle, std::uint32_t version) {
+  DeformationPose pose;
+  pose.version = version;
+  const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+  pose.joints = {{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, {1, 0, 0, 0, c, s, 0, -s, c, 0, 0, 0}};
+  return pose;
+}
+
+// The same scene with its mesh bent beforehand.
+Scene bent_beforehand(const Scene& scene, const DeformationPose& pose) {
+  Scene bent = scene;
+  bend_mesh(scene.deformations[0], pose, bent.meshes[0].positions, bent.meshes[0].normals);
+  bent.deformations.clear();
+  return bent;
+}
+
+TEST(ChangingSceneTest, ABentMeshLooksLikeOneThatWasLoadedBent) {
+  const Scene scene = bending_sheet(20);
+  SceneState state;
+  scene_state_at(scene, 0, state);
+  const FrameSample sample = test::sample_from({0, 0, 0});
+  for (const int threads : {1, 2, 4}) {
+    Renderer renderer(scene, test::small_profile(), with_threads(threads), false);
+    RenderedFrame frame;
+    state.poses = {turned(0, 1)};
+    renderer.render_frame(sample, state, frame);
+    state.poses = {turned(0.7, 2)};
+    renderer.render_frame(sample, state, frame);
+    EXPECT_EQ(frame.counters.meshes_refitted + frame.counters.meshes_rebuilt, 1);
+    EXPECT_EQ(frame.counters.commits, 2);  // the mesh and the top level
+    const RenderedFrame other = test::render(bent_beforehand(scene, state.poses[0]), test::small_profile(),
+                                             with_threads(threads), sample);
+    // Kernel and slow form add in another order: vertices differ by some 1e-7 and normals by a step of their
+    // code, so pixels on silhouettes may differ and no others by more than a few steps of a half.
+    std::int64_t differing = 0, all = 0;
+    for (std::size_t v = 0; v < frame.viewports.size(); ++v) {
+      const auto& a = frame.viewports[v].rgba_half;
+      const auto& b = other.viewports[v].rgba_half;
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        ++all;
+        differing += std::abs(static_cast<int>(a[i]) - static_cast<int>(b[i])) > 8 ? 1 : 0;
+      }
+    }
+    EXPECT_LT(static_cast<double>(differing), 0.005 * static_cast<double>(all));
+    renderer.render_frame(sample, state, frame);
+    EXPECT_EQ(frame.counters.commits, 0);
+  }
+}
+
+TEST(ChangingSceneTest, AMeshThatCrumplesIsBuiltAnew) {
+  // Vertices that were neighbours end far apart: refitted boxes would all overlap.
+  Scene scene = bending_sheet(40);
+  MeshDeformation& deformation = scene.deformations[0];
+  for (std::size_t i = 0; i < deformation.rest_positions.size(); ++i) {
+    const float odd = i % 2 == 0 ? 0.0f : 1.0f;
+    deformation.weights[4 * i] = 1 - odd;
+    deformation.weights[4 * i + 1] = odd;
+  }
+  SceneState state;
+  scene_state_at(scene, 0, state);
+  Renderer renderer(scene, test::small_profile(), with_threads(1), false);
+  RenderedFrame frame;
+  state.poses = {turned(0, 1)};
+  renderer.render_frame(test::sample_from({0, 0, 0}), state, frame);
+  EXPECT_EQ(frame.counters.meshes_rebuilt, 0);
+  state.poses = {turned(1.5, 2)};
+  renderer.render_frame(test::sample_from({0, 0, 0}), state, frame);
+  EXPECT_EQ(frame.counters.meshes_rebuilt, 1);
+}
+
+SceneUpdate bring_up_to_date(EmbreeScene& geometry, const SceneState& state) {
+  SceneUpdate update;
+  geometry.follow(glm::dvec3(0.0));
+  geometry.take_up(state, update);
+  geometry.commit_changes(update);
+  return update;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+template <typename Work>
+double milliseconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(ChangingSceneTest, AHundredThousandSkinnedTrianglesUpdateInAQuarterOfRebuildingThem) {
+  const Scene scene = bending_sheet(224);  // 2 * 224^2 = 100,352
+  RenderThreads threads(2);
+  std::unique_ptr<EmbreeScene> geometry;
+  threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, resolve_isa(Isa::best), 2); });
+  SceneState state;
+  state.poses = {turned(0, 1)};
+  std::vector<double> updates, rebuilds;
+  const EmbreeDevice device(resolve_isa(Isa::best), 2);
+  for (int i = 0; i < 9; ++i) {
+    state.poses[0] = turned(0.05 * (i + 1), static_cast<std::uint32_t>(i + 2));
+    updates.push_back(milliseconds([&] {
+      geometry->bend(state, threads);
+      threads.inside([&] { bring_up_to_date(*geometry, state); });
+    }));
+    rebuilds.push_back(milliseconds([&] {
+      TriangleMesh mesh = scene.meshes[0];
+      bend_mesh(scene.deformations[0], state.poses[0], mesh.positions, mesh.normals);
+      threads.inside([&] { build_mesh(device, mesh, {}); });
+    }));
+  }
+  std::printf("100k skinned triangles: update %.2f ms, rebuilding %.2f ms, ratio %.3f (medians of 9)\n",
+              median(updates), median(rebuilds), median(updates) / median(rebuilds));
+  EXPECT_LE(median(updates), 0.25 * median(rebuilds));
+}
+
+TEST(ChangingSceneTest, OneOfTenThousandInstancesMovesAtTheCostOfBareEmbreesTopLevel) {
+  Scene scene;
+  test::add(scene, test::box({-0.3f, -0.3f, -0.3f}, {0.3f, 0.3f, 0.3f}), test::matte(glm::vec3{0.5f}));
+  const Instance first = scene.instances[0];
+  scene.instances.clear();
+  for (int i = 0; i < 10'000; ++i) {
+    Instance& instance = scene.instances.emplace_back(first);
+    instance.name = "instance " + std::to_string(i);
+    instance.world_from_object[3] = {i % 22, i / 22 % 22, i / 484};
+  }
+  complete_objects(scene);
+  World world(scene);
+  RenderThreads threads(2);
+  std::unique_ptr<EmbreeScene> geometry;
+  threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, resolve_isa(Isa::best), 2); });
+  SceneUpdate update;
+  threads.inside([&] { update = bring_up_to_date(*geometry, world.state()); });
+  // The same again with nothing of ours around it.
+  const EmbreeDevice device(resolve_isa(Isa::best), 2);
+  const MeshGeometry mesh = build_mesh(device, scene.meshes[0], {});
+  const EmbreeSceneHandle top(device);
+  rtcSetSceneBuildQuality(top.get(), RTC_BUILD_QUALITY_HIGH);
+  std::vector<RTCGeometry> bare;
+  const auto place = [&](std::size_t i, float x) {
+    const glm::dvec3& p = scene.instances[i].world_from_object[3];
+    const float to_x = static_cast<float>(p.x) + x, to_y = static_cast<float>(p.y),
+                to_z = static_cast<float>(p.z);
+    const float columns[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, to_x, to_y, to_z};
+    rtcSetGeometryTransform(bare[i], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+    rtcCommitGeometry(bare[i]);
+  };
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    bare.push_back(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(bare[i], mesh.scene.get());
+    rtcAttachGeometryByID(top.get(), bare[i], static_cast<unsigned>(i));
+    place(i, 0);
+  }
+  threads.inside([&] { top.commit(); });
+  std::vector<double> ours, embrees, nothing;
+  for (int i = 0; i < 15; ++i) {
+    const double x = 0.01 * (i + 1);
+    ours.push_back(milliseconds([&] {
+      ASSERT_FALSE(world.apply(change(ChangeKind::move, "instance 4242", {4 + x, 0, 0})));
+      world.advance(0);
+      threads.inside([&] { update = bring_up_to_date(*geometry, world.state()); });
+    }));
+    EXPECT_EQ(update.commits, 1);
+    EXPECT_EQ(update.moved, 1);
+    embrees.push_back(milliseconds([&] {
+      place(4242, static_cast<float>(x));
+      threads.inside([&] { top.commit(); });
+    }));
+    nothing.push_back(milliseconds([&] {
+      world.advance(0);
+      threads.inside([&] { update = bring_up_to_date(*geometry, world.state()); });
+    }));
+    EXPECT_EQ(update.commits, 0);
+  }
+  for (RTCGeometry geometry_of_one : bare) rtcReleaseGeometry(geometry_of_one);
+  std::printf(
+      "10,000 instances, one moved: %.2f ms, bare Embree %.2f ms; nothing moved: %.4f ms (medians of 15)\n",
+      median(ours), median(embrees), median(nothing));
+  // The two do the same commit: what is around it is a comparison of 10,000 numbers.
+  EXPECT_LT(median(ours), 1.5 * median(embrees));
+  EXPECT_LT(median(nothing), 0.1 * median(embrees));
+}
+
+}  // namespace
+}  // namespace herr
