@@ -133,17 +133,19 @@ TEST(SampleModels, EveryFileOfTheValidatorsCorpusLoadsOrIsAnInputError) {
   EXPECT_EQ(models.size(), 372u);
   // Without errors, and yet not what a renderer of glTF 2.0 files can show.
   const std::set<std::string> out_of_scope{
-      "accessor/unknown_type.gltf",          // an accessor of the type "NotaVEC3"
-      "asset/min_version_valid.gltf",        // asks for glTF 2.1
-      "accessor/valid.gltf",                 // buffers without data, as are
-      "buffer/custom_property.gltf",         // this,
-      "buffer/valid_placeholder.glb",        // this,
-      "json/integer_written_as_float.gltf",  // this,
-      "root/named_objects.gltf",             // this
-      "root/unused_objects.gltf",            // and this
-      "mesh/valid.gltf",                     // indices without data
-      "buffer/data_uri.glb",                 // data that are not base64
-      "buffer/non_relative_uri.gltf"};       // a buffer on a web server
+      "accessor/unknown_type.gltf",            // an accessor of the type "NotaVEC3"
+      "asset/min_version_valid.gltf",          // asks for glTF 2.1
+      "accessor/valid.gltf",                   // buffers without data, as are
+      "buffer/custom_property.gltf",           // this,
+      "buffer/valid_placeholder.glb",          // this,
+      "json/integer_written_as_float.gltf",    // this,
+      "root/named_objects.gltf",               // this
+      "root/unused_objects.gltf",              // and this
+      "animation/valid.gltf",                  // times without data: all keys at 0 s
+      "skin/ignored_animated_transform.gltf",  // likewise
+      "mesh/valid.gltf",                       // indices without data
+      "buffer/data_uri.glb",                   // data that are not base64
+      "buffer/non_relative_uri.gltf"};         // a buffer on a web server
   int loaded = 0, refused = 0;
   for (const auto& model : models) {
     const std::string message = check(model);
@@ -167,7 +169,10 @@ TEST(SampleModels, EveryRegressionModelOfTinygltfLoadsOrIsAnInputError) {
   for (const auto& model : models) {
     const std::string message = check(model);
     const bool bounds = contains(model.string(), "BoundsChecking");
-    EXPECT_EQ(bounds || contains(model.string(), "issue-416"), !message.empty()) << model << message;
+    // The matrices of this skin are no numbers of a skin: one is 1.2e18.
+    const bool garbage = contains(model.string(), "unassigned-skeleton");
+    EXPECT_EQ(bounds || garbage || contains(model.string(), "issue-416"), !message.empty())
+        << model << message;
   }
 }
 
@@ -197,7 +202,7 @@ TEST(SampleModels, ARoomScanHasItsTrianglesAndStandsOnTheFloor) {
 TEST(SampleModels, AnObjFileIsRefusedWithTheFormatsThatAreRead) {
   const auto bunny = data_folder() / "models/scans/stanford-bunny.obj";
   if (!std::filesystem::exists(bunny)) GTEST_SKIP() << "no models in " << data_folder();
-  EXPECT_TRUE(contains(check(bunny), ".scene.json, .gltf or .glb"));
+  EXPECT_TRUE(contains(check(bunny), ".scene.json, .gltf, .glb or .vox"));
 }
 
 }  // namespace
