@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "renderer/geometry/bare_rays.h"
+#include "renderer/lighting/light_records.h"
 #include "renderer/renderer_impl.h"
 #include "renderer/viewports/bare_pixels.h"
 
@@ -35,8 +36,12 @@ class RawSide {
  public:
   RawSide(Renderer::Impl& frame, const FrameCounters& counters) : frame_(frame), totals_(counters.rays) {
     const int stride = frame.settings.light_samples >= 64 ? 256 : 16;
-    for (int tile = stride / 2; tile < frame.tile_count(); tile += stride)
-      frame.run_tile(tile, 0, &recorder_);
+    // One tile of each run of `stride`, each time at another place in it: a fixed one would be the same
+    // column of tiles where the buffer is a power of two wide, and all at the pole or none.
+    for (int run = 0; run * stride < frame.tile_count(); ++run) {
+      const int tile = run * stride + (stride / 2 + run * spreading_stride(stride)) % stride;
+      if (tile < frame.tile_count()) frame.run_tile(tile, 0, &recorder_);
+    }
     // Traced only: what the probes have gathered stays as it was.
     for (int job = 0; frame.plan.probes && job < frame.probe_job_count(); job += kProbeJobStride) {
       frame.probe_kernels.trace(frame.probe_job(job, 0, &recorder_));
