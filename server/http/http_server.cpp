@@ -304,9 +304,13 @@ bool HttpServer::Loop::make_room() {
 }
 
 void HttpServer::Loop::accept_clients() {
-  bool may_drop_one = true;
-  while (connections_.size() < config_.limits.connections || (may_drop_one && make_room())) {
-    may_drop_one = false;
+  bool dropped = false;
+  for (;;) {
+    if (connections_.size() >= config_.limits.connections) {
+      if (dropped) return;  // those that are there have their turn before the next poll accepts another
+      if (!make_room()) break;
+      dropped = true;
+    }
     const int fd = ::accept4(listener_.fd, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (fd >= 0) {
       const int on = 1;
