@@ -18,6 +18,16 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
+// A highlight's peak is F0 / (pi alpha^2) to a factor near 1. From this value of F0 / alpha^2 on - polished
+// metal; glaze and porcelain have 10 ... 25 - it comes from few strata, each of which weighs so much that
+// none is guessed.
+constexpr float kGlossyPeak = 100.0f;
+
+HWY_INLINE MF is_glossy(const HitBatch& hits, int slot) {
+  const VF f0 = hn::Max(load(&hits.fr[slot]), hn::Max(load(&hits.fg[slot]), load(&hits.fb[slot])));
+  return hn::Gt(f0, hn::Mul(load(&hits.alpha2[slot]), set(kGlossyPeak)));
+}
+
 // The samples before `s` whose strata touch that of sample `s`, by a face, an edge or a corner.
 struct KnownNeighbours {
   std::array<std::uint16_t, 26> sample;
@@ -68,7 +78,8 @@ HWY_INLINE void foretell(const TileJob& job, const LightRecord& light, int s, in
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     adaptive.asks[i] = 0.0f;
     if (adaptive.undecided[i] == 0) continue;
-    const bool foretold = known.count >= 3 && same(sum[i]) && (!catchers || same(sum_without[i]));
+    const bool foretold =
+        adaptive.glossy[i] == 0 && known.count >= 3 && same(sum[i]) && (!catchers || same(sum_without[i]));
     adaptive.asks[i] = foretold ? 0.0f : 1.0f;
     adaptive.agreed[i] = sum[i] != 0 ? 1.0f : 0.0f;
     adaptive.agreed_without[i] = !catchers || sum_without[i] != 0 ? 1.0f : 0.0f;
@@ -83,7 +94,7 @@ HWY_INLINE MF swap_pairs(MF m) {
   return hn::MaskFromVec(hn::Shuffle2301(hn::VecFromMask(kF, m)));
 }
 
-// Hits that may share their first samples: the same kind of surface, turned alike, in one plane.
+// Hits that may share their first samples: the same kind of surface, turned alike, in one plane, not glossy.
 HWY_INLINE void find_pairs(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
   for (int slot = 0; slot < count; slot += kLanes) {
     const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
@@ -92,7 +103,11 @@ HWY_INLINE void find_pairs(const HitBatch& hits, int count, AdaptiveLight& adapt
     const V3 other_n{swap_pairs(n.x), swap_pairs(n.y), swap_pairs(n.z)};
     const V3 gap = sub(V3{swap_pairs(p.x), swap_pairs(p.y), swap_pairs(p.z)}, p);
     const VF kind = hn::ConvertTo(kF, hn::Load(kI, &hits.kind[slot]));
-    const MF alike = hn::And(hn::Eq(kind, swap_pairs(kind)), hn::Gt(dot(n, other_n), set(0.95f)));
+    const MF glossy = is_glossy(hits, slot);
+    hn::Store(hn::IfThenElseZero(glossy, set(1.0f)), kF, &adaptive.glossy[slot]);
+    const MF turned = hn::Gt(dot(n, other_n), set(0.95f));
+    const MF same_kind = hn::AndNot(hn::Or(glossy, swap_pairs(glossy)), hn::Eq(kind, swap_pairs(kind)));
+    const MF alike = hn::And(turned, same_kind);
     const VF height = dot(gap, g);
     const MF level = hn::Le(hn::Mul(height, height), hn::Mul(set(0.01f), dot(gap, gap)));
     hn::Store(hn::IfThenElseZero(hn::And(alike, hn::And(level, swap_pairs(level))), set(1.0f)), kF,
@@ -192,7 +207,8 @@ HWY_INLINE void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive)
     without[hits.block[i]] |= state(adaptive.seen_without[i], adaptive.faced[i]);
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const bool mixed = with[hits.block[i]] == kMixed || without[hits.block[i]] == kMixed;
+    const bool mixed =
+        with[hits.block[i]] == kMixed || without[hits.block[i]] == kMixed || adaptive.glossy[i] != 0;
     adaptive.undecided[i] = mixed ? 1.0f : 0.0f;
     adaptive.agreed[i] = adaptive.seen[i] > 0 ? 1.0f : 0.0f;
     adaptive.agreed_without[i] = adaptive.seen_without[i] > 0 ? 1.0f : 0.0f;

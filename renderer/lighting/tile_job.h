@@ -88,6 +88,7 @@ struct alignas(64) AdaptiveLight {
   Lane<float> faced, seen, seen_without;  // numbers of the first samples
   Lane<float> undecided, asks;  // 1: needs more than the first samples; needs a ray for the one in work
   Lane<float> paired;           // 1: may share its first samples with its neighbour
+  Lane<float> glossy;           // 1: highlights come from few strata, none of which is guessed
   Lane<float> agreed, agreed_without;  // what is taken where no ray is needed: 0 or 1
   // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
   std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
