@@ -141,56 +141,37 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
     }
     stages[name_of(stage)] = entry;
   }
-  return {{"format_version", 1},
-          {"program", program_with_version()},
-          {"frame_ms", result.frame_ms},
-          {"raw_ms", result.raw_ms},
-          {"ratio", result.ratio},
-          {"rays_frame_ms", result.rays_frame_ms},
-          {"rays_raw_ms", result.rays_raw_ms},
-          {"rays_ratio", result.rays_ratio},
-          {"pixels_frame_ms", result.pixels_frame_ms},
-          {"pixels_raw_ms", result.pixels_raw_ms},
-          {"ns_per_pixel", result.ns_per_pixel},
-          {"raw_ns_per_pixel", result.raw_ns_per_pixel},
-          {"rays", kinds},
-          {"stages", stages},
-          {"polar_samples", std::llround(polar_samples_of(result))},
-          {"viewport_pixels", result.counters.viewport_pixels},
-          {"frames", result.frames},
-          {"session", subject.session},
-          {"scene", subject.scene},
-          {"triangles", subject.triangles},
-          {"profile", subject.profile.name},
-          {"settings", settings_text(subject.settings)},
-          {"isa", name_of(subject.settings.isa)},
-          {"threads", subject.settings.threads},
-          {"cpu", subject.cpu_name},
-          {"definitions",
-           {{"frame_ms", "median over frames of each frame's median wall time"},
-            {"raw_ms",
-             "the same rays through bare Embree packets and the same pixels through a bare "
-             "fetch-blend-store kernel, timed in alternation with the frames"},
-            {"ratio", "median over frames of frame / raw; rays_ratio likewise without the pixels"},
-            {"ns_per_pixel", "wall time of the viewports stage per viewport pixel, all threads together"}}}};
+  Json json{{"format_version", 1},
+            {"program", program_with_version()},
+            {"frame_ms", result.frame_ms},
+            {"raw_ms", result.raw_ms},
+            {"ratio", result.ratio},
+            {"rays_frame_ms", result.rays_frame_ms},
+            {"rays_raw_ms", result.rays_raw_ms},
+            {"rays_ratio", result.rays_ratio},
+            {"pixels_frame_ms", result.pixels_frame_ms},
+            {"pixels_raw_ms", result.pixels_raw_ms},
+            {"ns_per_pixel", result.ns_per_pixel},
+            {"raw_ns_per_pixel", result.raw_ns_per_pixel},
+            {"rays", kinds},
+            {"stages", stages},
+            {"polar_samples", std::llround(polar_samples_of(result))},
+            {"viewport_pixels", result.counters.viewport_pixels},
+            {"frames", result.frames}};
+  add_subject(subject, settings_text(subject.settings), json);
+  json["definitions"] = {
+      {"frame_ms", "median over frames of each frame's median wall time"},
+      {"raw_ms",
+       "the same rays through bare Embree packets and the same pixels through a bare "
+       "fetch-blend-store kernel, timed in alternation with the frames"},
+      {"ratio", "median over frames of frame / raw; rays_ratio likewise without the pixels"},
+      {"ns_per_pixel", "wall time of the viewports stage per viewport pixel, all threads together"}};
+  return json;
 }
 
 std::string bench_table(const BenchResult& result, const BenchSubject& subject) {
-  std::string text = printable(subject.session) + ", " + printable(subject.scene) + " (" +
-                     std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) +
-                     ", " + settings_text(subject.settings) + "\n" + subject.cpu_name + ", " +
-                     std::to_string(subject.settings.threads) + " threads, " + name_of(subject.settings.isa) +
-                     ", " + std::to_string(result.frames) + " frames\n\n";
-  return text + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result);
-}
-
-std::string cpu_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string row; std::getline(file, row);) {
-    const std::size_t colon = row.find(": ");
-    if (row.starts_with("model name") && colon != std::string::npos) return printable(row.substr(colon + 2));
-  }
-  return "unknown";
+  return subject_text(subject, settings_text(subject.settings)) + ", " + std::to_string(result.frames) +
+         " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result);
 }
 
 }  // namespace herr

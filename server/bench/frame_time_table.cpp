@@ -57,33 +57,22 @@ Json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject&
                        {"frames", run.frames}});
     }
   }
-  return {{"format_version", 1},
-          {"program", program_with_version()},
-          {"table", cells},
-          {"seconds", seconds},
-          {"session", subject.session},
-          {"scene", subject.scene},
-          {"triangles", subject.triangles},
-          {"profile", subject.profile.name},
-          {"settings", features_text(subject.settings)},
-          {"isa", name_of(subject.settings.isa)},
-          {"threads", subject.settings.threads},
-          {"cpu", subject.cpu_name},
-          {"definitions",
-           {{"frame_ms", "mean wall time of a run's frames, which sum up to `seconds` at least"},
-            {"raw_ms",
-             "mean time of the same rays through bare Embree packets and the same pixels through a bare "
-             "fetch-blend-store kernel, timed after each frame"},
-            {"ratio", "frame_ms / raw_ms"},
-            {"probe_ms", "mean time of the stages probe_rays and probe_update, a part of frame_ms"}}}};
+  Json json{
+      {"format_version", 1}, {"program", program_with_version()}, {"table", cells}, {"seconds", seconds}};
+  add_subject(subject, features_text(subject.settings), json);
+  json["definitions"] = {
+      {"frame_ms", "mean wall time of a run's frames, which sum up to `seconds` at least"},
+      {"raw_ms",
+       "mean time of the same rays through bare Embree packets and the same pixels through a bare "
+       "fetch-blend-store kernel, timed after each frame"},
+      {"ratio", "frame_ms / raw_ms"},
+      {"probe_ms", "mean time of the stages probe_rays and probe_update, a part of frame_ms"}};
+  return json;
 }
 
 std::string frame_times_table(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject,
                               double seconds) {
-  std::string text = printable(subject.session) + ", " + printable(subject.scene) + " (" +
-                     std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) +
-                     ", " + features_text(subject.settings) + "\n" + subject.cpu_name + ", " +
-                     std::to_string(subject.settings.threads) + " threads, " + name_of(subject.settings.isa) +
+  std::string text = subject_text(subject, features_text(subject.settings)) +
                      "\n\naverage frame time in ms (frame / raw), each over " + shortest_text(seconds) +
                      " s of frames\n";
   text += line("polar buffer", [](std::size_t i) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/bench_frame.h"
-#include "server/bench/bench_report.h"
+#include "server/bench/bench_subject.h"
 
 namespace herr {
 

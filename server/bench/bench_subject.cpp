@@ -1,0 +1,37 @@
+#include "server/bench/bench_subject.h"
+
+#include <cstddef>
+#include <fstream>
+
+#include "sessions/input_error.h"
+
+namespace herr {
+
+std::string cpu_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string row; std::getline(file, row);) {
+    const std::size_t colon = row.find(": ");
+    if (row.starts_with("model name") && colon != std::string::npos) return printable(row.substr(colon + 2));
+  }
+  return "unknown";
+}
+
+std::string subject_text(const BenchSubject& subject, const std::string& settings) {
+  return printable(subject.session) + ", " + printable(subject.scene) + " (" +
+         std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) + ", " +
+         settings + "\n" + subject.cpu_name + ", " + std::to_string(subject.settings.threads) + " threads, " +
+         name_of(subject.settings.isa);
+}
+
+void add_subject(const BenchSubject& subject, const std::string& settings, nlohmann::ordered_json& json) {
+  json["session"] = subject.session;
+  json["scene"] = subject.scene;
+  json["triangles"] = subject.triangles;
+  json["profile"] = subject.profile.name;
+  json["settings"] = settings;
+  json["isa"] = name_of(subject.settings.isa);
+  json["threads"] = subject.settings.threads;
+  json["cpu"] = subject.cpu_name;
+}
+
+}  // namespace herr
