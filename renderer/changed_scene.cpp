@@ -25,6 +25,7 @@ bool Renderer::Impl::plan_anew() {
   const bool same = differing_entries(plan, next).empty();
   plan = std::move(next);
   if (wider) allocate_buffers();
+  allocate_scratch();
   if (plan.probes) plan_probes();
   return !same;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <stdexcept>
 
 #include "renderer/detail/detail_levels.h"
 #include "renderer/geometry/shading_scene.h"
@@ -60,19 +61,28 @@ Traits traits_of(const Scene& scene) {
   return traits;
 }
 
-bool same_hue(const glm::vec3& a, const glm::vec3& b) {
-  const glm::vec3 difference = glm::cross(a, b);
-  return glm::dot(difference, difference) <= 1e-10f * glm::dot(a, a) * glm::dot(b, b);
+bool is_grey(const glm::vec3& colour) {
+  return colour.x == colour.y && colour.y == colour.z;
 }
 
-bool hues_differ(const Scene& scene) {
-  std::vector<glm::vec3> colours;
-  if (scene.ambient != glm::vec3{0.0f}) colours.push_back(scene.ambient);
-  for (const AreaLight& light : scene.lights) {
-    if (light.intensity_w_sr != glm::vec3{0.0f}) colours.push_back(light.intensity_w_sr);
+// Then all channels of a catcher's ratio are the same number. Under coloured light of one hue they would be
+// the same but for rounding, and a plan changes no bit.
+bool all_light_is_grey(const Scene& scene) {
+  return is_grey(scene.ambient) &&
+         std::all_of(scene.lights.begin(), scene.lights.end(),
+                     [](const AreaLight& light) { return is_grey(light.intensity_w_sr); });
+}
+
+bool insists(const RenderSettings& settings, const char* name) {
+  return std::find(settings.insist_on.begin(), settings.insist_on.end(), name) != settings.insist_on.end();
+}
+
+void check_insisted(const RenderSettings& settings, const FramePlan& plan) {
+  for (const std::string& name : settings.insist_on) {
+    const auto named = [&](const PlanEntry& entry) { return entry.name == name; };
+    if (std::any_of(plan.entries.begin(), plan.entries.end(), named)) continue;
+    throw std::invalid_argument("the frame plan has no entry '" + name + "'");
   }
-  return std::any_of(colours.begin(), colours.end(),
-                     [&](const glm::vec3& c) { return !same_hue(c, colours.front()); });
 }
 
 std::string share(std::size_t count, std::size_t all, const char* what) {
@@ -85,32 +95,46 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   const Traits t = traits_of(scene);
   FramePlan plan;
   const auto decide = [&](bool& feature, bool runs, const char* name, const std::string& why,
-                          const std::string& why_not) {
-    feature = runs;
-    plan.entries.push_back({name, runs, runs ? why : why_not});
+                          const std::string& why_not, bool unneeded = false) {
+    const bool insisted = unneeded && insists(settings, name);
+    feature = runs || insisted;
+    plan.entries.push_back({name, feature,
+                            runs       ? why
+                            : insisted ? why_not + ", but it is insisted on"
+                                       : why_not,
+                            unneeded});
+  };
+  const auto need = [&](bool& feature, const char* name, const char* user) {
+    if (feature) return;
+    feature = true;
+    for (PlanEntry& entry : plan.entries) {
+      if (entry.name == name) entry = {name, true, entry.reason + ", but " + user + " need it", true};
+    }
   };
   decide(plan.polar, settings.foveation == Foveation::log_polar, "log-polar rays", "foveation is on",
          "foveation is off: one ray per viewport pixel");
   decide(plan.textures, t.textured > 0, "textures", share(t.textured, t.instances, "have textures"),
-         "no instance has a texture");
+         "no instance has a texture", t.textured == 0);
   decide(plan.voxels, t.voxels > 0, "voxels", share(t.voxels, t.instances, "are grids of voxels"),
-         "no instance is a grid of voxels");
+         "no instance is a grid of voxels", t.voxels == 0);
   decide(plan.shapes, t.shapes > 0, "analytic shapes", share(t.shapes, t.instances, "are spheres or boxes"),
          "no instance is a sphere or box");
   decide(plan.surface_details, t.detailed > 0, "surface details",
          share(t.detailed, t.instances,
                "have vertex colours, further textures, weighted highlights, alpha or are unlit"),
-         "every surface is made of factors and at most two textures");
+         "every surface is made of factors and at most two textures", t.detailed == 0);
   decide(plan.alpha_mask, t.masked > 0, "alpha masks", share(t.masked, t.instances, "have holes"),
-         "no surface has holes");
+         "no surface has holes", t.masked == 0);
   decide(plan.alpha_blend, t.blended > 0, "alpha layers",
          share(t.blended, t.instances, "blend; eyes look through at most ") + std::to_string(kMostLayers),
-         "no surface blends");
+         "no surface blends", t.blended == 0 && settings.first_light_samples == 0);
+  if (plan.alpha_blend) need(plan.surface_details, "surface details", "alpha layers");
   decide(plan.front_only, t.front_only > 0, "back faces left out",
          share(t.front_only, t.instances, "are open and single-sided"),
-         "every surface is closed or double-sided");
+         "every surface is closed or double-sided", t.front_only == 0);
   decide(plan.specular, t.specular > 0, "specular lobe",
-         share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight");
+         share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight",
+         t.specular == 0);
   bool several_lights = false;
   decide(several_lights, scene.lights.size() > 1, "several lights",
          std::to_string(scene.lights.size()) + " lights", scene.lights.empty() ? "no light" : "one light");
@@ -137,22 +161,24 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   const std::size_t mirrors = t.reflecting + t.reflecting_catchers;
   decide(plan.mirror_rays, settings.reflections && mirrors > 0, "mirror rays",
          share(mirrors, t.instances, "reflect"),
-         mirrors == 0 ? "no material reflects" : "switched off by settings");
+         mirrors == 0 ? "no material reflects" : "switched off by settings", mirrors == 0);
   decide(plan.catcher_mirrors, plan.mirror_rays && t.reflecting_catchers > 0, "mirror rays of catchers",
          share(t.reflecting_catchers, t.instances, "are catchers that reflect"),
-         t.reflecting_catchers == 0 ? "no catcher reflects" : "switched off by settings");
+         t.reflecting_catchers == 0 ? "no catcher reflects" : "switched off by settings",
+         t.reflecting_catchers == 0 && (settings.reflections || mirrors == 0));
+  if (plan.catcher_mirrors) need(plan.mirror_rays, "mirror rays", "mirror rays of catchers");
   decide(plan.refraction, settings.refraction && t.transparent > 0, "refraction",
          share(t.transparent, t.instances, "are transparent"),
-         t.transparent == 0 ? "no material is transparent" : "switched off by settings");
+         t.transparent == 0 ? "no material is transparent" : "switched off by settings", t.transparent == 0);
   decide(plan.environment_map, !scene.environment_map.rgba.empty(), "environment picture",
          std::to_string(scene.environment_map.width_px) + "x" +
              std::to_string(scene.environment_map.height_px) + " pixels around the scene",
          "the environment has one colour");
   decide(plan.catchers, t.catchers > 0, "catchers", share(t.catchers, t.instances, "are catchers"),
-         "the scene has no catcher");
-  decide(plan.catchers_occlude, plan.catchers && t.catchers_may_occlude, "catcher shadow rays",
+         "the scene has no catcher", t.catchers == 0);
+  decide(plan.catchers_occlude, t.catchers_may_occlude, "catcher shadow rays",
          "catchers can shadow one another",
-         plan.catchers ? "one flat catcher cannot shadow itself" : "no catcher");
+         t.catchers > 0 ? "one flat catcher cannot shadow itself" : "no catcher", !t.catchers_may_occlude);
   const std::size_t detailed = detailed_instances(scene);
   decide(plan.detail_levels, detailed > 0, "detail levels",
          share(detailed, t.instances, "have coarser forms of their mesh"), "no mesh has coarser forms");
@@ -164,15 +190,24 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.catcher_probes, plan.probes && t.catchers_ever > 0, "probes of catchers alone",
          "indirect light changes the feed on catchers",
          t.catchers_ever > 0 ? "probes are off" : "no catcher");
-  const bool coloured = plan.catcher_probes || hues_differ(scene);
-  decide(plan.coloured_ratio, plan.catchers && coloured, kColouredRatio,
-         plan.catcher_probes ? "surfaces colour the light between them" : "lights and ambient differ in hue",
-         plan.catchers ? "all light has one hue" : "no catcher");
+  const bool coloured = plan.catcher_probes || !all_light_is_grey(scene);
+  decide(plan.coloured_ratio, t.catchers > 0 && coloured, kColouredRatio,
+         plan.catcher_probes ? "surfaces colour the light between them" : "some light is coloured",
+         t.catchers > 0 ? "all light is white or grey" : "no catcher", t.catchers == 0 || !coloured);
   decide(plan.camera, settings.camera && session_has_camera, "camera composite",
          "the session has a camera feed",
          session_has_camera ? "switched off by settings" : "the session has no camera feed");
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
+  check_insisted(settings, plan);
   return plan;
+}
+
+std::vector<std::string> left_out(const FramePlan& plan) {
+  std::vector<std::string> names;
+  for (const PlanEntry& entry : plan.entries) {
+    if (entry.unneeded && !entry.runs) names.push_back(entry.name);
+  }
+  return names;
 }
 
 std::vector<PlanEntry> differing_entries(const FramePlan& before, const FramePlan& after) {

@@ -20,7 +20,8 @@ inline constexpr int kMostLayers = 8;
 struct PlanEntry {
   std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
-  std::string reason;  // "3 of 11 instances reflect", "no material reflects"
+  std::string reason;     // "3 of 11 instances reflect", "no material reflects"
+  bool unneeded = false;  // the scene has nothing that it is for: it runs only where the settings insist
 };
 
 inline constexpr const char* kColouredRatio = "coloured catcher ratio";
@@ -43,7 +44,7 @@ struct FramePlan {
   bool catchers = false;
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
-  bool coloured_ratio = false;  // lights and ambient differ in hue: the catcher ratio needs three channels
+  bool coloured_ratio = false;  // some light is coloured: the catcher ratio needs three channels
   bool many_light_samples = false;
   bool adaptive_light_samples = false;
   bool probes = false;          // light that came by other surfaces
@@ -58,6 +59,9 @@ struct FramePlan {
 // Of the instances that are there now; what needs memory for the whole run (probes) counts those that may
 // come, too. `session_has_camera`: the session delivers camera frames.
 FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera);
+
+// Entries that the settings could insist on without changing the picture (RenderSettings::insist_on).
+std::vector<std::string> left_out(const FramePlan& plan);
 
 // Entries of `after` that run where those of `before` do not, or the other way round.
 std::vector<PlanEntry> differing_entries(const FramePlan& before, const FramePlan& after);

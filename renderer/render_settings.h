@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace herr {
 
@@ -40,6 +41,9 @@ struct RenderSettings {
   bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
   double feed_distance_m = 2.0;     // the camera feed is re-projected as if it lay on a sphere of this radius
   ProbeSettings probes;
+  // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the
+  // same, bit for bit. To see what leaving them out saves.
+  std::vector<std::string> insist_on;
   int threads = 0;      // 1 ... 512; 0 = all that this process may use
   Isa isa = Isa::best;  // instruction set of kernels and Embree
 };

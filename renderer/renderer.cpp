@@ -83,25 +83,12 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   const auto workers = static_cast<std::size_t>(threads.count());
   for (std::size_t w = 0; w < workers; ++w) {
     tile_scratch.push_back(std::make_unique<TileScratch>());
-    if (settings.first_light_samples > 0) tile_scratch.back()->adaptive = std::make_unique<AdaptiveLight>();
-    if (plan.alpha_blend) tile_scratch.back()->layers = std::make_unique<AlphaLayers>();
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
+  allocate_scratch();
   if (plan.probes) build_probes();
   counters.resize(workers);
   cycles.resize(workers);
-}
-
-void Renderer::Impl::allocate_buffers() {
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    if (plan.polar) {
-      buffers[i].allocate(padded_columns(settings.polar_width), padded_rows(settings.polar_height),
-                          plan.coloured_ratio);
-    } else {
-      buffers[i].allocate(profile.viewports[i].width_px, profile.viewports[i].height_px + 1,
-                          plan.coloured_ratio);
-    }
-  }
 }
 
 Renderer::Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "renderer/frame_plan.h"
+#include "renderer/memory_use.h"
 #include "renderer/probes/probe_counts.h"
 #include "renderer/probes/probe_reader.h"
 #include "renderer/render_settings.h"
@@ -62,6 +63,7 @@ class Renderer {
   const FramePlan& plan() const;
   const RenderSettings& settings() const;  // threads and isa resolved to what runs
   int threads() const;
+  MemoryUse memory() const;           // as of now; of the plan's parts those left out hold 0 bytes
   FrameQuality full_quality() const;  // what a frame has when nothing less is asked for
 
   // With the quality that the settings ask for, or one of this frame's own. A width below that of the

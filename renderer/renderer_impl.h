@@ -81,13 +81,15 @@ struct Renderer::Impl {
   void measure_reach();
   bool plan_anew();
   bool follow(const SceneUpdate& update, const SceneState& state);
-  void allocate_buffers();
+  void allocate_buffers();  // frame_memory.cpp
+  void allocate_scratch();
   void run_tile(int job, int worker, RayRecorder* recorder);
   void build_probes();
   void plan_probes();
   void publish_probes();
   void restore_probes(std::span<const std::byte> bytes);
   void aim_probes(const FrameSample& sample, const SceneState& state, int most);
+  std::int64_t probe_bytes() const;
   int most_probes() const { return probes ? probes->most_updated() : 0; }
   int probe_job_count() const { return probes->job_count() * static_cast<int>(probes->sets.size()); }
   ProbeJob probe_job(int job, int worker, RayRecorder* recorder);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/lighting/light_records.h"
+#include "renderer/memory_use.h"
 #include "renderer/probes/probe_placement.h"
 #include "renderer/renderer_impl.h"
 
@@ -113,6 +114,13 @@ void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& 
   publishing.finish(out.times);
   probes->end_frame();
   out.probes = probes->counts();
+}
+
+std::int64_t Renderer::Impl::probe_bytes() const {
+  if (!probes) return 0;
+  std::int64_t sum = probes->bytes() + bytes_of(probe_lights);
+  for (const auto& radiance : probe_radiance) sum += bytes_of(radiance);
+  return sum;
 }
 
 }  // namespace herr

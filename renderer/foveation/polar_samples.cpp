@@ -52,4 +52,12 @@ void PolarSamples::update(const PolarMap& map, int width) {
   }
 }
 
+std::int64_t PolarSamples::bytes() const {
+  std::size_t floats = 0;
+  for (const auto* table : {&sin_theta_, &cos_theta_, &margin_, &spread_, &sin_phi4_, &cos_phi4_}) {
+    floats += table->capacity();
+  }
+  return static_cast<std::int64_t>(floats * sizeof(float));
+}
+
 }  // namespace herr

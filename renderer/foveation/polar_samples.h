@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "renderer/foveation/polar_map.h"
@@ -17,6 +18,8 @@ class PolarSamples {
 
   // New frame: any width in [1, max_width], any theta_max in (0, 180]. No allocation.
   void update(const PolarMap& map, int width);
+
+  std::int64_t bytes() const;
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -1,6 +1,6 @@
 // What shading leaves behind: one texel per sample, four halfs {s.r, s.g, s.b, r} in linear light.
 // A viewport pixel is feed * r + s (DESIGN of the composite: s = virtual light, r = how much of the feed is
-// kept). When lights and ambient differ in hue, r needs a plane of its own: {r.r, r.g, r.b, 0}. Used as polar
+// kept). Under coloured light r needs a plane of its own: {r.r, r.g, r.b, 0}. Used as polar
 // buffer (with wrap padding) and, without foveation, as one texel per viewport pixel.
 #pragma once
 
@@ -18,6 +18,9 @@ class RadianceBuffer {
   // `columns` and `rows` count the padding.
   void allocate(int columns, int rows, bool coloured_ratio);
   std::size_t row_stride() const { return row_stride_; }  // texels
+  std::int64_t bytes() const {
+    return static_cast<std::int64_t>((texels_.capacity() + ratios_.capacity()) * sizeof(std::uint16_t));
+  }
   std::uint16_t* texels() { return texels_.data(); }
   const std::uint16_t* texels() const { return texels_.data(); }
   std::uint16_t* ratios() { return ratios_.data(); }  // null when the ratio is one number

@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "renderer/memory_use.h"
+
 namespace herr {
 namespace {
 
@@ -223,6 +225,10 @@ double DeformedMesh::spread() const {
   }
   const double whole = half_area(highest - lowest);
   return whole > 0 ? sum / whole : 0;
+}
+
+std::int64_t DeformedMesh::bytes() const {
+  return bytes_of(joints_) + bytes_of(normals_) + bytes_of(sampled_) + bytes_of(order_);
 }
 
 }  // namespace herr

@@ -27,6 +27,7 @@ class DeformedMesh {
   bool bend(const DeformationPose& pose, RenderThreads& threads);
   // After bend(), inside the arena: refits, or builds anew where the measure asks for it. True: built anew.
   bool commit();
+  std::int64_t bytes() const;  // beside those of the mesh
 
  private:
   struct alignas(16) Joint {

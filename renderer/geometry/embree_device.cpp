@@ -19,6 +19,12 @@ const char* embree_isa(Isa isa) {
   }
 }
 
+// Called by Embree from any thread: more bytes, or fewer.
+bool count_bytes(void* sum, ssize_t change, bool /*already_done*/) {
+  static_cast<std::atomic<std::int64_t>*>(sum)->fetch_add(change, std::memory_order_relaxed);
+  return true;
+}
+
 }  // namespace
 
 void check_embree(RTCDevice device) {
@@ -31,9 +37,11 @@ void check_embree(RTCDevice device) {
 EmbreeDevice::EmbreeDevice(Isa isa, int threads) {
   const std::string config = "threads=" + std::to_string(threads) + ",isa=" + embree_isa(isa);
   device_ = rtcNewDevice(config.c_str());
-  if (device_) return;
-  check_embree(nullptr);
-  throw std::runtime_error("Embree cannot start with '" + config + "'");
+  if (!device_) {
+    check_embree(nullptr);
+    throw std::runtime_error("Embree cannot start with '" + config + "'");
+  }
+  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
 }
 
 EmbreeDevice::~EmbreeDevice() {

@@ -2,6 +2,9 @@
 // mesh_geometry, shape_geometry and embree_scene build on it.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
+
 #include "renderer/geometry/embree_api.h"
 #include "renderer/render_settings.h"
 
@@ -20,8 +23,11 @@ class EmbreeDevice {
   EmbreeDevice& operator=(const EmbreeDevice&) = delete;
 
   RTCDevice get() const { return device_; }
+  // What Embree holds now: trees, vertices and what it needs around them.
+  std::int64_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
 
  private:
+  std::atomic<std::int64_t> bytes_{0};
   RTCDevice device_ = nullptr;
 };
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/memory_use.h"
 #include "scenes/transform_checks.h"
 
 namespace herr {
@@ -137,6 +138,19 @@ void EmbreeScene::place_at(const glm::dvec3& anchor) {
   place_instances();
   SceneUpdate nobodys;
   commit_changes(nobodys);
+}
+
+GeometryMemory EmbreeScene::memory() const {
+  GeometryMemory memory;
+  memory.acceleration = device_.bytes();
+  for (const MeshGeometry& mesh : meshes_) memory.surfaces += mesh.baked.bytes();
+  for (const auto& deformed : deformed_) memory.surfaces += deformed->bytes();
+  memory.surfaces += bytes_of(instances_) + bytes_of(details_) + bytes_of(instance_geometries_);
+  for (const auto& detail : details_) memory.surfaces += detail ? std::int64_t{sizeof(DetailRecord)} : 0;
+  for (const TextureLevels& levels : texture_levels_) memory.textures += bytes_of(levels.texels);
+  memory.textures += bytes_of(texture_levels_) + bytes_of(textures_);
+  for (const VoxelGeometry& voxels : voxels_) memory.voxels += voxels.octree->bytes();
+  return memory;
 }
 
 }  // namespace herr

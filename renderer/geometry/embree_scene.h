@@ -40,6 +40,13 @@ struct SceneUpdate {
   bool other_traits() const { return spawned > 0 || removed > 0 || restyled > 0; }
 };
 
+// Bytes, by what they are for.
+struct GeometryMemory {
+  std::int64_t acceleration = 0;  // Embree's own: trees, vertices, instances
+  std::int64_t surfaces = 0;      // what shading reads of triangles and instances, and bends of meshes
+  std::int64_t textures = 0, voxels = 0;
+};
+
 class EmbreeScene {
  public:
   // Builds everything, on `threads` threads of the calling arena. `isa` is resolved. Throws
@@ -70,6 +77,7 @@ class EmbreeScene {
 
   RTCScene top() const { return top_.get(); }
   const std::vector<InstanceRecord>& instances() const { return instances_; }
+  GeometryMemory memory() const;
 
  private:
   void build_shapes(Isa isa);

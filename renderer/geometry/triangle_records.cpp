@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "renderer/memory_use.h"
+
 namespace herr {
 namespace {
 
@@ -104,6 +106,12 @@ BakedMesh bake_triangles(const TriangleMesh& mesh) {
   baked.colours.reserve(mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) baked.colours.push_back(bake_colours(mesh, triangle));
   return baked;
+}
+
+std::int64_t BakedMesh::bytes() const {
+  std::int64_t sum = bytes_of(records) + bytes_of(colours);
+  for (const BakedCoordinates& set : more) sum += bytes_of(set.records);
+  return sum;
 }
 
 }  // namespace herr

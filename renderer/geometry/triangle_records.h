@@ -21,6 +21,7 @@ struct BakedCoordinates {
 struct BakedMesh : BakedCoordinates {
   std::vector<BakedCoordinates> more;  // of TriangleMesh::more_uvs, without normals
   std::vector<ColourRecord> colours;   // empty where the mesh has none
+  std::int64_t bytes() const;
 };
 BakedMesh bake_triangles(const TriangleMesh& mesh);
 

@@ -52,9 +52,9 @@ HWY_INLINE void queue_mirror_rays(const TileJob& job, int count) {
     const V3 weight = mirror_weight(hits, slot, dot(n, v), job.shading->plan->surface_details);
     const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
     if (hn::AllFalse(kF, reflects)) continue;
-    hn::Store(weight.x, kF, &scratch.weight_r[slot]);
-    hn::Store(weight.y, kF, &scratch.weight_g[slot]);
-    hn::Store(weight.z, kF, &scratch.weight_b[slot]);
+    hn::Store(weight.x, kF, &scratch.second->weight_r[slot]);
+    hn::Store(weight.y, kF, &scratch.second->weight_g[slot]);
+    hn::Store(weight.z, kF, &scratch.second->weight_b[slot]);
     const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
     push(queue, ray_origin(hits, slot), mirrored(v, n, g), hn::Add(lane, hn::Set(kI, slot)), reflects);
   }
@@ -73,7 +73,7 @@ HWY_INLINE void reflect_light(const TileJob& job, int count) {
   remember_senders(scratch);
   trace_second_rays<kDetail>(job, RayKind::mirror, 0x517cc1b7u);
   job.cycles->lap(Stage::second_hits);
-  direct_light<kLobe>(job, scratch.second, rays, RayKind::mirror_shadow);
+  direct_light<kLobe>(job, scratch.second->hits, rays, RayKind::mirror_shadow);
   light_indirectly(job, rays);
   gather_second_light(job, rays);
   job.cycles->lap(Stage::second_light);

@@ -54,8 +54,8 @@ HWY_INLINE Refraction refract(const V3& v, const V3& n, const V3& g, VF eta, VF 
 template <typename Senders>
 HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count, bool first_interface,
                                   const Senders& senders) {
-  TileScratch& scratch = *job.scratch;
-  RayQueue& onward = scratch.onward;
+  SecondRays& second = *job.scratch->second;
+  RayQueue& onward = second.onward;
   onward.count = 0;
   alignas(64) std::int32_t sends[kMaxLanes], sender[kMaxLanes];
   alignas(64) float r[kMaxLanes], g[kMaxLanes], b[kMaxLanes];
@@ -78,9 +78,9 @@ HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count,
     for (std::size_t i = 0; i < static_cast<std::size_t>(kLanes); ++i) {
       if (sends[i] == 0) continue;
       const auto hit = static_cast<std::size_t>(sender[i]);
-      scratch.weight_r[hit] = (first_interface ? 1.0f : scratch.weight_r[hit]) * r[i];
-      scratch.weight_g[hit] = (first_interface ? 1.0f : scratch.weight_g[hit]) * g[i];
-      scratch.weight_b[hit] = (first_interface ? 1.0f : scratch.weight_b[hit]) * b[i];
+      second.weight_r[hit] = (first_interface ? 1.0f : second.weight_r[hit]) * r[i];
+      second.weight_g[hit] = (first_interface ? 1.0f : second.weight_g[hit]) * g[i];
+      second.weight_b[hit] = (first_interface ? 1.0f : second.weight_b[hit]) * b[i];
     }
     // From the far side of the surface, or from this one where the light turns back.
     const VF offset = load(&hits.offset[slot]);
@@ -98,21 +98,22 @@ HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count,
 template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_INLINE void refract_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
+  SecondRays& second = *scratch.second;
   const VI lane = hn::Iota(kI, 0);
   queue_refractions(job, scratch.first, count, true,
                     [&](int slot) HWY_ATTR { return hn::Add(lane, hn::Set(kI, slot)); });
-  for (int interface = 1; scratch.onward.count > 0 && interface <= kMostInterfaces; ++interface) {
-    std::swap(scratch.queue, scratch.onward);
+  for (int interface = 1; second.onward.count > 0 && interface <= kMostInterfaces; ++interface) {
+    std::swap(scratch.queue, second.onward);
     const int rays = scratch.queue.count;
     remember_senders(scratch);
     trace_second_rays<kDetail>(job, RayKind::refraction, 0x2545f491u + static_cast<std::uint32_t>(interface));
-    scratch.onward.count = 0;
+    second.onward.count = 0;
     if (interface < kMostInterfaces) {
-      queue_refractions(job, scratch.second, rays, false,
-                        [&](int slot) HWY_ATTR { return hn::LoadU(kI, &scratch.sender[slot]); });
+      queue_refractions(job, second.hits, rays, false,
+                        [&](int slot) HWY_ATTR { return hn::LoadU(kI, &second.sender[slot]); });
     }
     job.cycles->lap(Stage::second_hits);
-    direct_light<kLobe>(job, scratch.second, rays, RayKind::refraction_shadow);
+    direct_light<kLobe>(job, second.hits, rays, RayKind::refraction_shadow);
     light_indirectly(job, rays);
     gather_second_light(job, rays);
     job.cycles->lap(Stage::second_light);

@@ -35,7 +35,7 @@ HWY_INLINE VF largest(const V3& v) {
 
 // Sets out on a pass of second rays: those of the queue, each remembered with its sender.
 HWY_INLINE void remember_senders(TileScratch& scratch) {
-  std::memcpy(scratch.sender.data(), scratch.queue.hit.data(),
+  std::memcpy(scratch.second->sender.data(), scratch.queue.hit.data(),
               sizeof(std::int32_t) * static_cast<std::size_t>(scratch.queue.count));
 }
 
@@ -44,6 +44,7 @@ HWY_INLINE void remember_senders(TileScratch& scratch) {
 template <SurfaceDetail kDetail>
 HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt) {
   TileScratch& scratch = *job.scratch;
+  SecondRays& second = *scratch.second;
   const RayQueue& queue = scratch.queue;
   RayHit& packet = packets_of(scratch)[0];  // the first hits are done with
   alignas(64) int valid[kMaxLanes];
@@ -56,27 +57,27 @@ HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
     set_rays(packet, origin, direction);
-    const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &scratch.sender[start]));
+    const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &second.sender[start]));
     if (kDetail != SurfaceDetail::plain) {
       // Flat mirrors and thin glass widen nothing: the ray goes on as wide as it was.
       const auto inherit = [&](const Lane<float>& from, Lane<float>& to) HWY_ATTR {
         hn::Store(hn::GatherIndex(kF, from.data(), sender), kF, &to[start]);
       };
-      inherit(scratch.first.cone_width, scratch.second.cone_width);
-      inherit(scratch.first.cone_spread, scratch.second.cone_spread);
-      widen(packet.ray, scratch.second, start);
+      inherit(scratch.first.cone_width, second.hits.cone_width);
+      inherit(scratch.first.cone_spread, second.hits.cone_spread);
+      widen(packet.ray, second.hits, start);
     }
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
     set_valid(valid, lanes);
     record(job, kind, packet.ray, valid, false);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
-    surface_of_packet<kDetail>(packet, lanes, *job.shading, true, scratch.second, start);
+    surface_of_packet<kDetail>(packet, lanes, *job.shading, true, second.hits, start);
     const VU key = hn::BitCast(
         kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), sender));
-    hn::Store(hash(key, salt), kU, &scratch.second.key[start]);
+    hn::Store(hash(key, salt), kU, &second.hits.key[start]);
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
-    scratch.second.block[i] = scratch.first.block[static_cast<std::size_t>(scratch.sender[i])];
+    second.hits.block[i] = scratch.first.block[static_cast<std::size_t>(second.sender[i])];
   }
 }
 
@@ -84,7 +85,7 @@ HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_
 HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
   if (job.shading->probes == nullptr) return;
   job.cycles->lap(Stage::second_light);
-  indirect_light(job, job.scratch->second, rays);
+  indirect_light(job, job.scratch->second->hits, rays);
   job.cycles->lap(Stage::indirect_light);
 }
 
@@ -92,9 +93,9 @@ HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
 // is not virtual to objects only, since a catcher's feed shows the real room already. Rays of kind none bring
 // nothing.
 HWY_INLINE void gather_second_light(const TileJob& job, int rays) {
-  TileScratch& scratch = *job.scratch;
-  HitBatch& first = scratch.first;
-  const HitBatch& second = scratch.second;
+  HitBatch& first = job.scratch->first;
+  const SecondRays& sent = *job.scratch->second;
+  const HitBatch& second = sent.hits;
   alignas(64) float r[kMaxLanes], g[kMaxLanes], b[kMaxLanes];
   for (int start = 0; start < rays; start += kLanes) {
     const MF object = of_kind(second, start, HitKind::object), miss = of_kind(second, start, HitKind::miss);
@@ -110,16 +111,16 @@ HWY_INLINE void gather_second_light(const TileJob& job, int rays) {
     const int lanes = rays - start < kLanes ? rays - start : kLanes;
     for (int i = 0; i < lanes; ++i) {
       const auto ray = static_cast<std::size_t>(start + i);
-      const auto hit = static_cast<std::size_t>(scratch.sender[ray]);
+      const auto hit = static_cast<std::size_t>(sent.sender[ray]);
       if (first.kind[hit] == static_cast<int>(HitKind::catcher)) {
         if (second.kind[ray] != static_cast<int>(HitKind::object) || second.real[ray] != 0) continue;
-        first.sr[hit] += scratch.weight_r[hit] * r[i];
-        first.sg[hit] += scratch.weight_g[hit] * g[i];
-        first.sb[hit] += scratch.weight_b[hit] * b[i];
+        first.sr[hit] += sent.weight_r[hit] * r[i];
+        first.sg[hit] += sent.weight_g[hit] * g[i];
+        first.sb[hit] += sent.weight_b[hit] * b[i];
       } else {
-        first.lr[hit] += scratch.weight_r[hit] * r[i];
-        first.lg[hit] += scratch.weight_g[hit] * g[i];
-        first.lb[hit] += scratch.weight_b[hit] * b[i];
+        first.lr[hit] += sent.weight_r[hit] * r[i];
+        first.lg[hit] += sent.weight_g[hit] * g[i];
+        first.lb[hit] += sent.weight_b[hit] * b[i];
       }
     }
   }

@@ -164,18 +164,18 @@ HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKi
                                  const Blocked& blocked, const BlockedWithout& blocked_without) {
   TileScratch& scratch = *job.scratch;
   const bool catchers_occlude = job.shading->plan->catchers_occlude;
-  scratch.blocked.count = 0;
+  if (catchers_occlude) scratch.blocked->count = 0;
   // Probes of catchers alone know no virtual object.
   const unsigned mask = kind == RayKind::catcher_probe_shadow ? kCatcherMask : kAllMask;
   trace_occlusion(job, hits, scratch.queue, mask, kind, [&](int i, float passes) HWY_ATTR {
     const auto hit = static_cast<std::size_t>(scratch.queue.hit[static_cast<std::size_t>(i)]);
     blocked(hit, passes);
     if (!catchers_occlude || hits.kind[hit] != static_cast<int>(HitKind::catcher)) return;
-    push_one(scratch.blocked, scratch.queue, i);
+    push_one(*scratch.blocked, scratch.queue, i);
   });
-  if (scratch.blocked.count == 0) return;
-  trace_occlusion(job, hits, scratch.blocked, kCatcherMask, catcher_kind, [&](int i, float passes) HWY_ATTR {
-    blocked_without(static_cast<std::size_t>(scratch.blocked.hit[static_cast<std::size_t>(i)]), passes);
+  if (!catchers_occlude || scratch.blocked->count == 0) return;
+  trace_occlusion(job, hits, *scratch.blocked, kCatcherMask, catcher_kind, [&](int i, float passes) HWY_ATTR {
+    blocked_without(static_cast<std::size_t>(scratch.blocked->hit[static_cast<std::size_t>(i)]), passes);
   });
 }
 

@@ -102,18 +102,27 @@ struct alignas(64) AlphaLayers {
   Lane<std::int32_t> kind;                                           // HitKind of the first layer
 };
 
+// Rays that first hits send on, and what those meet.
+struct alignas(64) SecondRays {
+  HitBatch hits;
+  RayQueue onward;                           // rays that leave a transparent surface
+  Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
+  Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
+};
+
+// One worker's memory for the tile in work. What only some scenes need is there where the plan asks for it
+// (Renderer::Impl::allocate_scratch), after the lanes, which it would shift.
 struct alignas(64) TileScratch {
   alignas(64) unsigned char packets[sizeof(RTCRayHit16) * kTileRays / 16];  // of whichever width
   std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
   alignas(64) std::array<std::array<std::int32_t, kMaxLanes>, kTileRays / 4> packet_valid;
-  HitBatch first, second;
-  RayQueue queue, blocked, onward;           // onward: rays that leave a transparent surface
-  Lane<float> visible, visible_without;      // of the light sample in work, per hit
-  Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
-  Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
-  std::unique_ptr<AlphaLayers> layers;       // where surfaces blend
-  std::unique_ptr<AdaptiveLight>
-      adaptive;  // where light samples are adaptive; after the lanes, which it would shift
+  HitBatch first;
+  RayQueue queue;
+  Lane<float> visible, visible_without;     // of the light sample in work, per hit
+  std::unique_ptr<SecondRays> second;       // where surfaces mirror or let light through
+  std::unique_ptr<RayQueue> blocked;        // where catchers shadow one another: blocked rays of catchers
+  std::unique_ptr<AlphaLayers> layers;      // where surfaces blend
+  std::unique_ptr<AdaptiveLight> adaptive;  // where light samples are adaptive
 };
 
 // Counts of one worker; added up after the frame.

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "renderer/memory_use.h"
+
 namespace herr {
 namespace {
 
@@ -234,6 +236,18 @@ void ProbeVolume::restore(std::span<const std::byte> bytes) {
     selected_.push_back(probe);
     keeps_.push_back(1.0f);
   }
+}
+
+std::int64_t ProbeVolume::bytes() const {
+  std::int64_t sum = bytes_of(node_directions) + bytes_of(results) + bytes_of(order_) + bytes_of(selected_) +
+                     bytes_of(keeps_) + bytes_of(updated_ns_);
+  sum += 3 * bytes_of(directions.x) + bytes_of(directions.weights) + bytes_of(directions.first_weight);
+  sum += static_cast<std::int64_t>(near_.capacity() + relocated_.capacity()) / 8;
+  for (const ProbeSet& set : sets) {
+    sum += bytes_of(set.distances) + bytes_of(set.places) + bytes_of(set.light) + bytes_of(set.gathered) +
+           bytes_of(set.mean) + bytes_of(set.square) + bytes_of(set.dark_updates);
+  }
+  return sum;
 }
 
 }  // namespace herr

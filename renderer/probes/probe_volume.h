@@ -72,6 +72,7 @@ class ProbeVolume {
   bool is_near(int probe) const { return near_[static_cast<std::size_t>(probe)]; }
   ProbeView view(int set, const glm::dvec3& anchor) const;
   const ProbeCounts& counts() const { return counts_; }
+  std::int64_t bytes() const;
 
   // State between frames as bytes: format version, grid, everything gathered. Exact.
   std::vector<std::byte> save() const;

@@ -69,4 +69,10 @@ StripScratch::StripScratch(int widest_px)
   camera_valid.resize(3 * camera_stride);
 }
 
+std::int64_t StripScratch::bytes() const {
+  const std::size_t floats =
+      u.capacity() + v.capacity() + theta.capacity() + camera_x.capacity() + camera_y.capacity();
+  return static_cast<std::int64_t>(sizeof(StripScratch) + floats * sizeof(float) + camera_valid.capacity());
+}
+
 }  // namespace herr

@@ -64,6 +64,7 @@ std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView&
 // One worker's memory for a strip of the widest viewport.
 struct StripScratch {
   explicit StripScratch(int widest_px);
+  std::int64_t bytes() const;
   std::vector<float> u, v, theta;         // 3 rows of polar cell corners
   std::vector<float> camera_x, camera_y;  // 3 rows of camera cell corners
   std::vector<std::uint8_t> camera_valid;

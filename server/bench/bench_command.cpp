@@ -9,6 +9,7 @@
 #include "renderer/bench_frame.h"
 #include "server/bench/bench_report.h"
 #include "server/bench/frame_time_table.h"
+#include "server/bench/left_out.h"
 #include "server/bench/ray_limits.h"
 #include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
@@ -80,6 +81,19 @@ int average_frames(const BenchOptions& options, const Scene& scene, bool camera,
   return kExitDone;
 }
 
+// Each instant with and without what the frame plan leaves out.
+int weigh_left_out(const BenchOptions& options, const Scene& scene, bool camera,
+                   const std::vector<BenchInput>& inputs, BenchSubject& subject) {
+  subject.settings = Renderer(scene, subject.profile, options.render, camera).settings();
+  const LeftOutResult result =
+      measure_left_out(scene, subject.profile, options.render, camera, inputs, options.repeats);
+  print_result(options.json ? json_text(left_out_json(result, subject)) : left_out_table(result, subject));
+  const std::string changed = changed_picture(result);
+  if (changed.empty()) return kExitDone;
+  print_message(changed);
+  return kExitInternal;
+}
+
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
@@ -104,6 +118,7 @@ int run_bench(const BenchOptions& options) {
   subject.profile = profile;
   const std::vector<BenchInput> inputs = choose_inputs(session, scene, options.frames);
   const bool camera = session.findings().camera_rows[0] > 0;
+  if (options.left_out) return weigh_left_out(options, scene, camera, inputs, subject);
   return options.table ? average_frames(options, scene, camera, inputs, subject)
                        : measure_frames(options, scene, camera, inputs, subject);
 }

@@ -16,6 +16,7 @@ struct BenchOptions {
   int frames = 8;            // instants of the session, spread evenly over it
   int repeats = 5;           // each instant is measured this often
   bool table = false;        // the paper's Table 1 instead: averages over runs
+  bool left_out = false;     // what the frame plan leaves out, and what that saves
   double seconds = 10;       // of frame time that each of its cells is averaged over
   bool polar_given = false;  // one row, for render's polar buffer; else one for each of the paper's two
   bool json = false;

@@ -41,6 +41,9 @@ void add_bench(CLI::App& app, BenchOptions& options) {
       "average frame times with 1, 64 and 256 light samples instead, for polar buffers 1576x768 and "
       "2048x1024 "
       "or the one of --polar");
+  app.add_flag_callback(
+      "--left-out", [&] { options.left_out = true; },
+      "what the frame plan leaves out of this scene instead, and the time and memory that this saves");
   value_flag(
       app, "--seconds", "S", "frame time that each cell of --table is averaged over (default 10)",
       [&](const std::string& text) { options.seconds = parse_real_number("--seconds", text, 0.001, 3600); });
@@ -71,6 +74,8 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
 // What no single flag of bench can know.
 void check_bench_flags(const CLI::App& app, BenchOptions& options) {
   options.polar_given = app.count("--polar") > 0;
+  if (options.table && options.left_out)
+    throw UsageError("--left-out: conflicts with --table; give one of them");
   if (!options.table) {
     if (app.count("--seconds") > 0) throw UsageError("--seconds: is of --table only; leave it out");
     return;

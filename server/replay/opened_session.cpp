@@ -44,6 +44,7 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   const bool has_camera = report.findings.camera_rows[0] > 0;
   opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, options.render, has_camera);
   report.plan = opened.renderer->plan();
+  report.memory = opened.renderer->memory();
   report.settings = opened.renderer->settings();
 }
 

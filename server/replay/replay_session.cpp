@@ -338,6 +338,7 @@ void SessionReplay::close_output() {
 
 void SessionReplay::describe_run() {
   report_.findings = tracker_->findings();
+  if (opened_.renderer) report_.memory = opened_.renderer->memory();
   report_.sanitised_camera_values = tracker_->state().sanitised_camera_values;
   report_.findings.skipped_rows += opened_.player->skipped_changes();
   const bool skipped = report_.findings.skipped_rows > 0 || report_.findings.skipped_images > 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/frame_plan.h"
+#include "renderer/memory_use.h"
 #include "renderer/render_settings.h"
 #include "server/cli/exit_code.h"
 #include "server/replay/frame_range.h"
@@ -40,6 +41,7 @@ struct SessionReport {
   FrameRange range;                      // what was to be rendered
   RenderSettings settings;               // threads and isa resolved to what ran
   FramePlan plan;                        // of the scene as it was loaded
+  MemoryUse memory;                      // of the renderer: after opening; at the end of a replay, then
   std::vector<PlanChange> plan_changes;  // of this run, the first 100
   std::vector<std::string> warnings;     // of session, scene and run
 

@@ -124,6 +124,13 @@ Json plan_json(const FramePlan& plan) {
   return entries;
 }
 
+Json memory_json(const MemoryUse& use) {
+  Json json = Json::object();
+  for (const MemoryEntry& entry : use) json[entry.name] = entry.bytes;
+  json["together"] = total_bytes(use);
+  return json;
+}
+
 static Json plan_changes_json(const std::vector<PlanChange>& changes) {
   Json list = Json::array();
   for (const PlanChange& change : changes) {
@@ -168,6 +175,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
   json["plan"] = plan_json(report.plan);
   if (!report.plan_changes.empty()) json["plan_changes"] = plan_changes_json(report.plan_changes);
+  json["memory_bytes"] = memory_json(report.memory);
   if (report.plan.probes) json["probes"] = probes_json(report.statistics);
   json["output"] = {{"folder", report.out_folder.string()},
                     {"picture_files", report.files_written},

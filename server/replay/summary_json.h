@@ -19,6 +19,8 @@ nlohmann::ordered_json subject_json(const SessionReport& report, const ReplayOpt
 nlohmann::ordered_json probes_json(const RunStatistics& run);
 // [{"name", "runs", "reason"}, ...]
 nlohmann::ordered_json plan_json(const FramePlan& plan);
+// Bytes by name, then their sum as "together".
+nlohmann::ordered_json memory_json(const MemoryUse& use);
 // {"sessions": [...], "total": {...}, "exit_code": N} of a whole run.
 nlohmann::ordered_json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options,
                                 int exit_code);

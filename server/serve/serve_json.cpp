@@ -146,6 +146,7 @@ Json plan_reply_json(const ServeSnapshot& snapshot) {
   return {{"format_version", 1},
           {"session", snapshot.subject ? Json(snapshot.subject->name) : Json(nullptr)},
           {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()},
+          {"memory_bytes", snapshot.subject ? memory_json(snapshot.subject->memory) : Json::object()},
           {"probes", snapshot.run.frames > 0 && snapshot.subject && snapshot.subject->plan.probes
                          ? probes_json(snapshot.run)
                          : Json()}};

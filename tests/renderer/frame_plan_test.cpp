@@ -29,104 +29,124 @@ Scene catcher_scene() {
   return scene;
 }
 
-RenderedFrame render_planned(const Scene& scene, const std::function<void(Renderer::Impl&)>& change) {
+struct PlannedFrame {
+  RenderedFrame frame;
+  FramePlan plan;
+};
+
+PlannedFrame render_insisting(const Scene& scene, std::vector<std::string> insist_on) {
   RenderSettings settings = test::small_settings();
   settings.light_samples = 4;
   settings.isa = Isa::best;
+  settings.insist_on = std::move(insist_on);
   FrameSample sample = test::sample_from({0, 0, 0}, test::gaze_deg(5, -5));
   static const test::TestCamera camera = test::TestCamera::pinhole(16, 16, 60, [](int x, int y) {
     return std::array<std::uint16_t, 4>{test::to_half(0.05 * x), test::to_half(0.05 * y), 0x3800, 0x3c00};
   });
   camera.attach_to(sample);
   Renderer renderer(scene, test::small_profile(), settings, true);
-  change(renderer.internals());
-  RenderedFrame frame;
-  test::render_with(renderer, scene, sample, frame);
-  return frame;
+  PlannedFrame out;
+  out.plan = renderer.plan();
+  test::render_with(renderer, scene, sample, out.frame);
+  return out;
 }
 
-// Switches one feature on where the plan had left it out: same picture, same rays.
-void expect_same_picture(const Scene& scene, bool FramePlan::*feature) {
-  bool planned = true;
-  const RenderedFrame lean =
-      render_planned(scene, [&](Renderer::Impl& impl) { planned = impl.plan.*feature; });
-  ASSERT_FALSE(planned) << "the scene needs it: this test would compare a frame with itself";
-  const RenderedFrame full = render_planned(scene, [&](Renderer::Impl& impl) { impl.plan.*feature = true; });
-  test::expect_same_bits(lean, full);
-  EXPECT_EQ(lean.counters.rays[RayKind::primary], full.counters.rays[RayKind::primary]);
-  EXPECT_EQ(lean.counters.rays[RayKind::shadow], full.counters.rays[RayKind::shadow]);
-  EXPECT_EQ(lean.counters.rays[RayKind::mirror], full.counters.rays[RayKind::mirror]);
-  EXPECT_EQ(lean.counters.rays[RayKind::catcher_shadow], full.counters.rays[RayKind::catcher_shadow]);
+// Insists on what the plan leaves out: same picture, and of each kind as many rays, but for those that
+// catchers send once more where they are blocked.
+void expect_same_picture(const Scene& scene, const std::vector<std::string>& insist_on,
+                         const std::vector<bool FramePlan::*>& features) {
+  const PlannedFrame lean = render_insisting(scene, {}), full = render_insisting(scene, insist_on);
+  for (const auto feature : features) {
+    ASSERT_FALSE(lean.plan.*feature) << "the scene needs it: this test would compare a frame with itself";
+    ASSERT_TRUE(full.plan.*feature);
+  }
+  test::expect_same_bits(lean.frame, full.frame);
+  for (std::size_t kind = 0; kind < kRayKinds; ++kind) {
+    if (static_cast<RayKind>(kind) == RayKind::catcher_shadow) continue;
+    EXPECT_EQ(lean.frame.counters.rays.of_kind[kind], full.frame.counters.rays.of_kind[kind])
+        << name_of(static_cast<RayKind>(kind));
+  }
 }
 
 TEST(FramePlanTest, TextureCodeDoesNotChangeASceneWithoutTextures) {
-  expect_same_picture(plain_scene(), &FramePlan::textures);
+  expect_same_picture(plain_scene(), {"textures"}, {&FramePlan::textures});
+}
+
+TEST(FramePlanTest, RaysThatKnowHowWideTheyAreDoNotChangeASceneWithoutVoxels) {
+  expect_same_picture(plain_scene(), {"voxels"}, {&FramePlan::voxels});
 }
 
 TEST(FramePlanTest, CodeForSurfaceDetailsDoesNotChangeASceneWithoutThem) {
-  expect_same_picture(plain_scene(), &FramePlan::surface_details);
+  expect_same_picture(plain_scene(), {"surface details"}, {&FramePlan::surface_details});
   Scene textured = plain_scene();
   textured.textures.push_back({"blue", 2, 1, true, {}, {}, {10, 20, 200, 255, 250, 20, 10, 255}});
   textured.materials[0].base_colour_texture = textured.materials[1].metallic_roughness_texture = 0;
-  expect_same_picture(textured, &FramePlan::surface_details);
+  expect_same_picture(textured, {"surface details"}, {&FramePlan::surface_details});
 }
 
 TEST(FramePlanTest, CodeForHolesAndSidesDoesNotChangeASceneWithoutThem) {
-  expect_same_picture(plain_scene(), &FramePlan::alpha_mask);
-  expect_same_picture(plain_scene(), &FramePlan::front_only);
+  expect_same_picture(plain_scene(), {"alpha masks"}, {&FramePlan::alpha_mask});
+  expect_same_picture(plain_scene(), {"back faces left out"}, {&FramePlan::front_only});
 }
 
 TEST(FramePlanTest, CodeForLayersDoesNotChangeASceneWithoutBlendedSurfaces) {
-  const RenderedFrame lean =
-      render_planned(catcher_scene(), [](Renderer::Impl& impl) { ASSERT_FALSE(impl.plan.alpha_blend); });
-  const RenderedFrame full = render_planned(catcher_scene(), [](Renderer::Impl& impl) {
-    impl.plan.alpha_blend = impl.plan.surface_details = true;
-    for (auto& scratch : impl.tile_scratch) scratch->layers = std::make_unique<AlphaLayers>();
-  });
-  test::expect_same_bits(lean, full);
-  EXPECT_EQ(full.counters.rays[RayKind::behind], 0);
+  expect_same_picture(catcher_scene(), {"alpha layers"}, {&FramePlan::alpha_blend});
 }
 
 TEST(FramePlanTest, SpecularCodeDoesNotChangeASceneOfCatchersAlone) {
   Scene scene = catcher_scene();
   scene.instances[1].catcher = true;
-  expect_same_picture(scene, &FramePlan::specular);
+  expect_same_picture(scene, {"specular lobe"}, {&FramePlan::specular});
 }
 
 TEST(FramePlanTest, CatcherCodeDoesNotChangeASceneWithoutCatchers) {
-  expect_same_picture(plain_scene(), &FramePlan::catchers);
+  expect_same_picture(plain_scene(), {"catchers", "catcher shadow rays"},
+                      {&FramePlan::catchers, &FramePlan::catchers_occlude});
 }
 
-TEST(FramePlanTest, MirrorCodeDoesNotChangeASceneWithoutMirrors) {
-  expect_same_picture(plain_scene(), &FramePlan::mirror_rays);
+TEST(FramePlanTest, SecondRaysDoNotChangeASceneWhereNothingSendsThem) {
+  expect_same_picture(catcher_scene(), {"mirror rays", "mirror rays of catchers", "refraction"},
+                      {&FramePlan::mirror_rays, &FramePlan::catcher_mirrors, &FramePlan::refraction});
 }
 
 TEST(FramePlanTest, ShadowRaysAmongCatchersDoNotChangeAFlatOne) {
   const Scene scene = catcher_scene();
-  bool planned = true;
-  const RenderedFrame lean =
-      render_planned(scene, [&](Renderer::Impl& impl) { planned = impl.plan.catchers_occlude; });
-  ASSERT_FALSE(planned);
-  const RenderedFrame full =
-      render_planned(scene, [](Renderer::Impl& impl) { impl.plan.catchers_occlude = true; });
-  test::expect_same_bits(lean, full);
-  EXPECT_EQ(lean.counters.rays[RayKind::catcher_shadow], 0);
-  EXPECT_GT(full.counters.rays[RayKind::catcher_shadow], 0)
-      << "the sphere's shadow must send them, or nothing was tested";
+  expect_same_picture(scene, {"catcher shadow rays"}, {&FramePlan::catchers_occlude});
+  const auto rays = [&](std::vector<std::string> insist_on) {
+    return render_insisting(scene, std::move(insist_on)).frame.counters.rays[RayKind::catcher_shadow];
+  };
+  EXPECT_EQ(rays({}), 0);
+  EXPECT_GT(rays({"catcher shadow rays"}), 0) << "the sphere's shadow must send them, or nothing was tested";
 }
 
 TEST(FramePlanTest, ARatioPerChannelIsTheSameUnderWhiteLight) {
-  const Scene scene = catcher_scene();
-  const RenderedFrame lean =
-      render_planned(scene, [](Renderer::Impl& impl) { ASSERT_FALSE(impl.plan.coloured_ratio); });
-  const RenderedFrame full = render_planned(scene, [](Renderer::Impl& impl) {
-    impl.plan.coloured_ratio = true;
-    for (RadianceBuffer& buffer : impl.buffers) {
-      buffer.allocate(padded_columns(impl.settings.polar_width), padded_rows(impl.settings.polar_height),
-                      true);
-    }
-  });
-  test::expect_same_bits(lean, full);
+  expect_same_picture(catcher_scene(), {kColouredRatio}, {&FramePlan::coloured_ratio});
+}
+
+TEST(FramePlanTest, EverythingThatIsLeftOutChangesNoBitTogether) {
+  for (const Scene& scene : {plain_scene(), catcher_scene()}) {
+    const PlannedFrame lean = render_insisting(scene, {});
+    const std::vector<std::string> names = left_out(lean.plan);
+    EXPECT_GE(names.size(), 8u);
+    const PlannedFrame full = render_insisting(scene, names);
+    for (const PlanEntry& entry : full.plan.entries) EXPECT_TRUE(entry.runs || !entry.unneeded) << entry.name;
+    test::expect_same_bits(lean.frame, full.frame);
+  }
+}
+
+TEST(FramePlanTest, RefusesToInsistOnWhatIsNoEntry) {
+  RenderSettings settings;
+  settings.insist_on = {"texture"};
+  EXPECT_THROW(plan_frame(plain_scene(), settings, true), std::invalid_argument);
+}
+
+TEST(FramePlanTest, InsistingDoesNotOverruleTheOtherSettings) {
+  Scene scene = plain_scene();
+  scene.materials[1].mirror = 0.5f;
+  RenderSettings settings;
+  settings.reflections = false;
+  settings.insist_on = {"mirror rays"};
+  EXPECT_FALSE(plan_frame(scene, settings, true).mirror_rays) << "it would change the picture";
 }
 
 bool runs(const FramePlan& plan, const std::string& name) {
@@ -203,16 +223,16 @@ TEST(FramePlanTest, CatchersShadowOneAnotherUnlessThereIsOneAndItIsFlat) {
   EXPECT_TRUE(plan_frame(box, {}, true).catchers_occlude);
 }
 
-TEST(FramePlanTest, TheRatioHasAColourWhereLightsOrAmbientDifferInHue) {
+TEST(FramePlanTest, TheRatioHasAColourWhereLightOrAmbientHas) {
   Scene scene = catcher_scene();
   EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
   scene.lights[0].intensity_w_sr = {15, 15, 14};
   EXPECT_TRUE(plan_frame(scene, {}, true).coloured_ratio);
-  scene.ambient = glm::vec3{0.0f};
+  scene.lights[0].intensity_w_sr = {0, 0, 0};  // one that does not shine has no colour
   EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
-  scene.lights.push_back(test::light_at({0, 1, 0}, {30, 30, 28}));  // the same hue, twice as strong
-  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
-  scene.lights.push_back(test::light_at({0, 1, 0}, {0, 0, 0}));  // one that does not shine has no hue
+  scene.ambient = {0.1f, 0.1f, 0.2f};
+  EXPECT_TRUE(plan_frame(scene, {}, true).coloured_ratio);
+  scene.instances[0].catcher = false;
   EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
 }
 

@@ -256,6 +256,8 @@ TEST(CommandLine, TheTableOfBenchHasColumnsOfItsOwn) {
   for (const Arguments& arguments : {Arguments{"bench", "--table", "--light-samples", "4"},
                                      {"bench", "--table", "--quality", "soft"},
                                      {"bench", "--table", "--repeats", "3"},
+                                     {"bench", "--table", "--left-out"},
+                                     {"bench", "--left-out", "--seconds", "3"},
                                      {"bench", "--seconds", "3"},
                                      {"bench", "--table", "--seconds", "0"}}) {
     EXPECT_NE(complaint(arguments), "") << arguments.back();

@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "renderer/render_settings.h"
 #include "temporary_folder.h"
@@ -82,6 +85,34 @@ TEST(BenchSmoke, AveragesRunsAsTheTableOfThePaperDoes) {
     EXPECT_GT(cell["probe_ms"].get<double>(), 0);
     EXPECT_GT(cell["raw_ms"].get<double>(), 0);
   }
+}
+
+TEST(BenchSmoke, WeighsWhatTheFramePlanLeavesOut) {
+  // Spheres and boxes of glass and metal: second rays are planned, textures and catchers are not.
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string() + "/out";
+  const std::string line = "cd '" + std::string(test::source_dir()) + "' && " + test::program_path() +
+                           " bench --left-out --json --frames 1 --repeats 1 --polar 64x32 --profile xr1-half"
+                           " --scene scenes/samples/shapes.scene.json >'" +
+                           out + "'";
+  const int status = std::system(line.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  ASSERT_EQ(WEXITSTATUS(status), 0) << "some picture differs";
+  const auto json = nlohmann::json::parse(content_of(out));
+  std::vector<std::string> names;
+  for (const auto& entry : json["left_out"]) {
+    names.push_back(entry["name"]);
+    EXPECT_EQ(entry["different_values"], 0) << names.back();
+    EXPECT_GE(entry["added_bytes"].get<std::int64_t>(), 0) << names.back();
+    EXPECT_GT(entry["time_ratio"].get<double>(), 0) << names.back();
+  }
+  EXPECT_EQ(std::count(names.begin(), names.end(), "textures"), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "catchers"), 1);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "mirror rays"), 0);
+  EXPECT_GT(json["everything"]["added_bytes"].get<std::int64_t>(), 0);
+  EXPECT_EQ(json["control"]["added_bytes"], 0);
+  EXPECT_EQ(json["memory_bytes"]["textures"], 0);
+  EXPECT_GT(json["memory_bytes"]["second rays"].get<std::int64_t>(), 0);
 }
 
 }  // namespace

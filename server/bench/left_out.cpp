@@ -1,0 +1,195 @@
+#include "server/bench/left_out.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "server/cli/version.h"
+#include "server/replay/summary_json.h"
+#include "server/statistics/number_text.h"
+#include "sessions/input_error.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kNameWidth = 25, kTimeWidth = 11, kShareWidth = 10, kMemoryWidth = 12;
+constexpr const char* kEverything = "everything at once";
+constexpr const char* kControl = "nothing, twice the plan";
+// Embree's own memory is the same whatever runs, but for where its threads happened to allocate.
+constexpr const char* kEmbreeEntry = "acceleration structures";
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::int64_t planned_bytes(const MemoryUse& use) {
+  std::int64_t sum = 0;
+  for (const MemoryEntry& entry : use) sum += entry.name == kEmbreeEntry ? 0 : entry.bytes;
+  return sum;
+}
+
+std::int64_t different_values(const RenderedFrame& a, const RenderedFrame& b) {
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < a.viewports.size(); ++i) {
+    const ViewportImage &one = a.viewports[i], &other = b.viewports[i];
+    for (int y = 0; y < one.height_px; ++y) {
+      const auto* row = one.row(y);
+      for (int x = 0; x < 4 * one.width_px; ++x) count += row[x] != other.row(y)[x] ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+// Times pairs of frames, with the planned renderer first in every other one.
+class Pairs {
+ public:
+  Pairs(Renderer& planned, Renderer& full) : planned_(planned), full_(full) {}
+
+  void render(const BenchInput& input, int repeats) {
+    // The first pair warms up and is compared; probes take another moment for another frame.
+    FrameSample sample = input.sample;
+    render_pair(sample, input.state, true);
+    different_ += different_values(planned_frame_, full_frame_);
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      sample.t_ns = input.sample.t_ns + repeat + 1;
+      render_pair(sample, input.state, repeat % 2 == 0);
+      planned_ms_.push_back(planned_frame_.times.frame_ms);
+      ratios_.push_back(full_frame_.times.frame_ms / planned_frame_.times.frame_ms);
+    }
+  }
+  std::int64_t different() const { return different_; }
+  double ratio() const { return median(ratios_); }
+  const std::vector<double>& planned_ms() const { return planned_ms_; }
+
+ private:
+  void render_pair(const FrameSample& sample, const SceneState& state, bool planned_first) {
+    if (planned_first) planned_.render_frame(sample, state, planned_frame_);
+    full_.render_frame(sample, state, full_frame_);
+    if (!planned_first) planned_.render_frame(sample, state, planned_frame_);
+  }
+
+  Renderer &planned_, &full_;
+  RenderedFrame planned_frame_, full_frame_;
+  std::vector<double> planned_ms_, ratios_;
+  std::int64_t different_ = 0;
+};
+
+std::string size_text(std::int64_t bytes) {
+  if (bytes == 0) return "0";
+  return std::llabs(bytes) < 1'000'000 ? fixed_text(static_cast<double>(bytes) * 1e-3, 1) + " kB"
+                                       : fixed_text(static_cast<double>(bytes) * 1e-6, 1) + " MB";
+}
+
+std::string with_sign(double value, int decimals) {
+  return (value >= 0 ? "+" : "") + fixed_text(value, decimals);
+}
+
+std::string row(const LeftOut& entry) {
+  return left_aligned(entry.name, kNameWidth) +
+         right_aligned(with_sign(entry.added_ms, 2) + " ms", kTimeWidth) +
+         right_aligned(with_sign(100 * (entry.time_ratio - 1), 1) + " %", kShareWidth) +
+         right_aligned(size_text(entry.added_bytes), kMemoryWidth) + "  " + entry.reason + "\n";
+}
+
+Json entry_json(const LeftOut& entry) {
+  return {{"name", entry.name},
+          {"reason", entry.reason},
+          {"added_ms", entry.added_ms},
+          {"time_ratio", entry.time_ratio},
+          {"added_bytes", entry.added_bytes},
+          {"different_values", entry.different_values}};
+}
+
+}  // namespace
+
+LeftOutResult measure_left_out(const Scene& scene, const DisplayProfile& profile,
+                               const RenderSettings& settings, bool session_has_camera,
+                               const std::vector<BenchInput>& inputs, int repeats) {
+  Renderer planned(scene, profile, settings, session_has_camera);
+  LeftOutResult result;
+  result.memory = planned.memory();
+  result.frames = static_cast<int>(inputs.size()) * repeats;
+  const std::vector<std::string> names = left_out(planned.plan());
+  std::vector<double> planned_ms;
+  const auto measure = [&](const std::vector<std::string>& insist_on) {
+    RenderSettings insisting = settings;
+    insisting.insist_on = insist_on;
+    Renderer full(scene, profile, insisting, session_has_camera);
+    Pairs pairs(planned, full);
+    for (const BenchInput& input : inputs) pairs.render(input, repeats);
+    planned_ms.insert(planned_ms.end(), pairs.planned_ms().begin(), pairs.planned_ms().end());
+    LeftOut entry;
+    entry.time_ratio = pairs.ratio();
+    entry.added_ms = (entry.time_ratio - 1) * median(pairs.planned_ms());
+    entry.added_bytes = planned_bytes(full.memory()) - planned_bytes(result.memory);
+    entry.different_values = pairs.different();
+    return entry;
+  };
+  result.control = measure({});
+  result.control.name = kControl;
+  result.control.reason = "how far chance moves a row";
+  for (const PlanEntry& entry : planned.plan().entries) {
+    if (!entry.unneeded || entry.runs) continue;
+    result.entries.push_back(measure({entry.name}));
+    result.entries.back().name = entry.name;
+    result.entries.back().reason = entry.reason;
+  }
+  result.everything = measure(names);
+  result.everything.name = kEverything;
+  result.frame_ms = median(planned_ms);
+  return result;
+}
+
+Json left_out_json(const LeftOutResult& result, const BenchSubject& subject) {
+  Json entries = Json::array();
+  for (const LeftOut& entry : result.entries) entries.push_back(entry_json(entry));
+  Json json{{"format_version", 1},
+            {"program", program_with_version()},
+            {"left_out", entries},
+            {"everything", entry_json(result.everything)},
+            {"control", entry_json(result.control)},
+            {"frame_ms", result.frame_ms},
+            {"pairs", result.frames},
+            {"memory_bytes", memory_json(result.memory)}};
+  add_subject(subject, settings_text(subject.settings), json);
+  json["definitions"] = {
+      {"time_ratio", "median over pairs of frames: with the entry running / as planned"},
+      {"added_ms", "(time_ratio - 1) times the median frame of the pairs, as planned"},
+      {"added_bytes", "memory of the renderer with the entry running, less that as planned"},
+      {"different_values", "half-float values of all pictures that differ"}};
+  return json;
+}
+
+std::string left_out_table(const LeftOutResult& result, const BenchSubject& subject) {
+  std::string text = subject_text(subject, settings_text(subject.settings)) + "\nframe " +
+                     fixed_text(result.frame_ms, 1) + " ms; what it would take more, medians of " +
+                     std::to_string(result.frames) + " pairs of frames\n\n" +
+                     left_aligned("left out", kNameWidth) + right_aligned("time", kTimeWidth + kShareWidth) +
+                     right_aligned("memory", kMemoryWidth) + "  because\n";
+  for (const LeftOut& entry : result.entries) text += row(entry);
+  text += row(result.everything) + row(result.control);
+  if (changed_picture(result).empty()) text += "pictures: the same, bit for bit, with each of them\n";
+  text += "\n" + left_aligned("memory", kNameWidth) + "\n";
+  for (const MemoryEntry& entry : result.memory) {
+    text += left_aligned(entry.name, kNameWidth) + right_aligned(size_text(entry.bytes), kTimeWidth) + "\n";
+  }
+  return text + left_aligned("together", kNameWidth) +
+         right_aligned(size_text(total_bytes(result.memory)), kTimeWidth) + "\n";
+}
+
+std::string changed_picture(const LeftOutResult& result) {
+  std::vector<LeftOut> all = result.entries;
+  all.insert(all.end(), {result.everything, result.control});
+  for (const LeftOut& entry : all) {
+    if (entry.different_values == 0) continue;
+    return "'" + entry.name + "' changes " + std::to_string(entry.different_values) +
+           " values of pictures of a scene that has nothing for it; please report it";
+  }
+  return "";
+}
+
+}  // namespace herr

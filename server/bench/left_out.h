@@ -1,0 +1,42 @@
+// What the frame plan leaves out of a scene, and what that saves: each stage and kernel feature is insisted
+// on in a second renderer, whose frames are timed in alternation with those of the planned one. Before:
+// bench_command opened session and scene. After: printed, for people or as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "renderer/bench_frame.h"
+#include "server/bench/bench_subject.h"
+
+namespace herr {
+
+struct LeftOut {
+  std::string name, reason;  // as the plan's entry
+  double added_ms = 0;       // to the median frame, were it to run; noise around 0 may be negative
+  double time_ratio = 1;     // median over pairs of frames of the time with it / without it
+  std::int64_t added_bytes = 0;
+  std::int64_t different_values = 0;  // of all pictures: 0, or the plan has changed a picture
+};
+
+struct LeftOutResult {
+  double frame_ms = 0;  // median, as planned
+  int frames = 0;       // pairs behind each ratio
+  std::vector<LeftOut> entries;
+  LeftOut everything;  // all of them at once
+  LeftOut control;     // nothing: two renderers of the same plan, to see the noise
+  MemoryUse memory;    // as planned
+};
+
+// Each input `repeats` times with each entry. Throws as Renderer.
+LeftOutResult measure_left_out(const Scene& scene, const DisplayProfile& profile,
+                               const RenderSettings& settings, bool session_has_camera,
+                               const std::vector<BenchInput>& inputs, int repeats);
+
+nlohmann::ordered_json left_out_json(const LeftOutResult& result, const BenchSubject& subject);
+std::string left_out_table(const LeftOutResult& result, const BenchSubject& subject);
+// One line that names the first entry whose pictures differ from the planned ones; empty when there is none.
+std::string changed_picture(const LeftOutResult& result);
+
+}  // namespace herr
