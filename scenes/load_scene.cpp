@@ -89,7 +89,9 @@ Scene load_scene(const std::filesystem::path& file) {
   }
   check_bounds(scene, file);
   complete_objects(scene);
-  scene.changes = !scene.timeline.empty() || !scene.models.empty();
+  scene.changes = !scene.timeline.empty() || !scene.models.empty() ||
+                  std::any_of(scene.objects.begin(), scene.objects.end(),
+                              [](const PlacedObject& object) { return !object.path.empty(); });
   if (!scene.timeline.empty()) check_timeline(scene);
   return scene;
 }

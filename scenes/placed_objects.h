@@ -5,8 +5,10 @@
 
 namespace herr {
 
-// Makes an object of each instance that belongs to none, with the instance's name, placed by its translation
-// alone.
+// Makes an object of one instance that belongs to none: it has the instance's name and is placed by its
+// translation alone. The object is valid until the next one is made.
+PlacedObject& add_object_of(std::uint32_t instance, Scene& scene);
+// Of each that belongs to none.
 void complete_objects(Scene& scene);
 
 }  // namespace herr

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "scenes/animation/animated_model.h"
+#include "scenes/changes/object_path.h"
 #include "scenes/changes/scene_change.h"
 #include "scenes/voxels/voxel_grid.h"
 #include "sessions/pose.h"
@@ -117,6 +118,9 @@ struct PlacedObject {
   Placement placement;
   std::uint32_t first = 0, count = 0;  // of Scene::instances
   bool present = true;                 // false: only there to be spawned
+  ObjectPath path{};                   // empty: it stands at `placement`
+
+  Placement start() const { return path.empty() ? placement : path.at(0); }  // at time 0
 };
 
 // box: radiates uniformly over its volume, into all directions. spot: from a point into a cone. sun: parallel

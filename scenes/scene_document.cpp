@@ -11,6 +11,7 @@
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/room_scan.h"
 #include "scenes/scene_document_parts.h"
+#include "scenes/scene_document_paths.h"
 #include "scenes/scene_document_shapes.h"
 #include "scenes/scene_document_voxels.h"
 #include "scenes/transform_checks.h"
@@ -45,9 +46,8 @@ std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& c
 
 void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   entry.allow_only({"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material",
-                    "detail_levels", "present", "animation"});
+                    "detail_levels", "present", "animation", "path"});
   const Placement placement = parse_placement_change(entry).apply({});
-  const glm::dmat4x3 world_from_gltf = placement.matrix();
   const std::string name = entry.text_or("name", "");
   const bool catcher = entry.boolean_or("catcher", false);
   const bool changes = entry.has("material");
@@ -63,13 +63,23 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
     known = loaded.insert(loaded.end(), {file, playback, append_gltf(file, scene, playback)});
 
   const bool detail_levels = entry.boolean_or("detail_levels", false);
-  PlacedObject object{name, placement, static_cast<std::uint32_t>(scene.instances.size()), 0,
-                      entry.boolean_or("present", true)};
+  PlacedObject object{name,
+                      placement,
+                      static_cast<std::uint32_t>(scene.instances.size()),
+                      0,
+                      entry.boolean_or("present", true),
+                      parse_path(entry, placement)};
+  const glm::dmat4x3 world_from_gltf = object.start().matrix();
   std::map<std::uint32_t, std::uint32_t> changed;
   for (const AreaLight& light : known->content.lights) {
     scene.lights.push_back(placed_light(world_from_gltf, light));
   }
+  if (!known->content.lights.empty() && !object.path.empty()) {
+    scene.warnings.push_back(printable(entry.file().string()) + ": " + entry.where() +
+                             ": the lights of a glTF file do not follow its path: they stay where it starts");
+  }
   for (Instance instance : known->content.instances) {
+    check_path(entry, object.path, scene, instance);
     instance.present = object.present;
     instance.world_from_object = compose(world_from_gltf, instance.world_from_object);
     if (const auto problem = transform_problem(instance.world_from_object)) {

@@ -9,6 +9,7 @@
 
 #include "scenes/catcher_meshes.h"
 #include "scenes/gltf/material_builder.h"
+#include "scenes/scene_document_paths.h"
 #include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
 
@@ -203,7 +204,8 @@ Material parse_catcher_material(const JsonObject& object, const std::string& nam
 }
 
 void append_catcher(const JsonObject& object, Scene& scene) {
-  object.allow_only({"name", "box", "quad", "base_colour", "metallic", "roughness", "mirror", "present"});
+  object.allow_only(
+      {"name", "box", "quad", "base_colour", "metallic", "roughness", "mirror", "present", "path"});
   if (object.has("box") == object.has("quad")) {
     object.fail(nullptr, "needs a box or a quad, and only one of them", "write \"box\" or \"quad\"");
   }
@@ -222,6 +224,7 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   scene.meshes.push_back(std::move(catcher.mesh));
   scene.materials.push_back(std::move(material));
   scene.instances.push_back(std::move(instance));
+  if (object.has("path")) put_on_path(object, scene);
 }
 
 ProbeGridSpec parse_probes(const JsonObject& object) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scenes/scene_document_parts.h"
+#include "scenes/scene_document_paths.h"
 #include "scenes/transform_checks.h"
 
 namespace herr {
@@ -66,7 +67,7 @@ glm::dmat4x3 parse_box(const JsonObject& box) {
 }  // namespace
 
 void append_shape(const JsonObject& entry, Scene& scene) {
-  entry.allow_only({"name", "sphere", "box", "material", "catcher"});
+  entry.allow_only({"name", "sphere", "box", "material", "catcher", "path"});
   if (entry.has("sphere") == entry.has("box")) {
     entry.fail(nullptr, "needs a sphere or a box, and only one of them", "write \"sphere\" or \"box\"");
   }
@@ -85,6 +86,7 @@ void append_shape(const JsonObject& entry, Scene& scene) {
   instance.material = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back(std::move(material));
   scene.instances.push_back(std::move(instance));
+  if (entry.has("path")) put_on_path(entry, scene);
 }
 
 }  // namespace herr

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scenes/scene_document_parts.h"
+#include "scenes/scene_document_paths.h"
 #include "scenes/transform_checks.h"
 #include "scenes/voxels/load_vox.h"
 #include "scenes/voxels/raw_grid.h"
@@ -83,16 +84,22 @@ MaterialOverride voxel_material(const JsonObject& object) {
 }
 
 void append_entry(const JsonObject& entry, VoxelSources& sources, Scene& scene) {
-  entry.allow_only(
-      {"file", "grid", "mesh", "name", "translation", "rotation_xyzw", "scale", "catcher", "material"});
-  const glm::dmat4x3 world_from_entry = parse_placement(entry);
+  entry.allow_only({"file", "grid", "mesh", "name", "translation", "rotation_xyzw", "scale", "catcher",
+                    "material", "path"});
   const std::string name = entry.text_or("name", "");
+  const Placement placement = parse_placement_change(entry).apply({});
+  PlacedObject object{name, placement, static_cast<std::uint32_t>(scene.instances.size()),
+                      0,    true,      parse_path(entry, placement)};
+  const glm::dmat4x3 world_from_entry = object.start().matrix();
   const bool catcher = entry.boolean_or("catcher", false);
   std::optional<MaterialOverride> change;
   if (entry.has("material")) change = voxel_material(entry.object("material"));
 
   std::map<std::uint32_t, std::uint32_t> changed;
-  for (Instance instance : sources.of(entry)) {
+  const std::vector<Instance>& parts = sources.of(entry);
+  for (Instance instance : parts) {
+    check_path(entry, object.path, scene, instance);
+    instance.placed_from_object = instance.world_from_object;
     instance.world_from_object = compose(world_from_entry, instance.world_from_object);
     if (const auto problem = transform_problem(instance.world_from_object)) {
       entry.fail("scale", "together with the size of a voxel " + *problem, "write a larger scale");
@@ -109,7 +116,10 @@ void append_entry(const JsonObject& entry, VoxelSources& sources, Scene& scene) 
       instance.material = made->second;
     }
     scene.instances.push_back(std::move(instance));
+    ++object.count;
   }
+  if (name.empty() && parts.size() == 1) object.name = parts.front().name;
+  if (object.count > 0) scene.objects.push_back(std::move(object));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct Placement {
     const glm::dmat3 r = glm::mat3_cast(rotation);
     return {r[0] * scale.x, r[1] * scale.y, r[2] * scale.z, translation};
   }
+  bool operator==(const Placement&) const = default;
 };
 
 // Parts that are not given stay as they are.

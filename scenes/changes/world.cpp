@@ -1,5 +1,6 @@
 #include "scenes/changes/world.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "scenes/gltf/gltf_limits.h"
@@ -42,6 +43,8 @@ World::World(Scene& scene)
       instances_at_start_(scene.instances),
       lights_at_start_(scene.lights),
       materials_at_start_(scene.materials.size()),
+      has_paths_(std::any_of(scene.objects.begin(), scene.objects.end(),
+                             [](const PlacedObject& object) { return !object.path.empty(); })),
       objects_(names_of(scene.objects)),
       lights_(names_of(scene.lights)) {
   for (const AnimatedModel& model : scene.models) models_.emplace_back(model);
@@ -82,7 +85,13 @@ void World::restart() {
     const PlacedObject& object = scene_.objects[i];
     if (!object.present) continue;
     Live& live = live_.emplace_back();
-    live = {object.name, static_cast<std::uint32_t>(i), object.placement, {}, true};
+    live = {object.name,
+            static_cast<std::uint32_t>(i),
+            object.start(),
+            {},
+            true,
+            animates(static_cast<std::uint32_t>(i)),
+            object.path.empty() ? nullptr : &object.path};
     for (std::uint32_t part = 0; part < object.count; ++part) live.slots.push_back(object.first + part);
     if (object.name.empty()) continue;
     const auto [entry, added] =
@@ -95,7 +104,7 @@ void World::restart() {
 
 void World::advance(double time_s) {
   apply_timeline_until(time_s);
-  pose_models(time_s);
+  move_on(time_s);
   scene_state_at(scene_, time_s, state_);
 }
 
@@ -157,6 +166,21 @@ std::optional<ChangeProblem> World::misplaced(std::uint32_t object, const Placem
   return std::nullopt;
 }
 
+// Would it at any key of its path, or where it stands?
+std::optional<ChangeProblem> World::misplaced(std::uint32_t object, const Live& live) const {
+  if (live.path == nullptr) return misplaced(object, live.placement);
+  for (const PathKey& key : live.path->keys) {
+    if (auto problem = misplaced(object, key.placement)) return problem;
+  }
+  return std::nullopt;
+}
+
+bool World::animates(std::uint32_t object) const {
+  const PlacedObject& placed = scene_.objects[object];
+  const auto first = instances_at_start_.begin() + placed.first;
+  return std::any_of(first, first + placed.count, [](const Instance& part) { return part.model >= 0; });
+}
+
 std::uint32_t World::free_slot() {
   if (!free_slots_.empty()) {
     const std::uint32_t slot = free_slots_.back();
@@ -176,6 +200,7 @@ void World::show(std::uint32_t index, std::uint32_t object) {
   Live& live = live_[index];
   live.object = object;
   live.present = true;
+  live.animated = animates(object);
   live.slots.clear();
   for (std::uint32_t part = 0; part < placed.count; ++part) {
     const std::uint32_t slot = free_slot();
@@ -202,8 +227,10 @@ void World::place(Live& live) {
   for (const std::uint32_t slot : live.slots) {
     Instance& instance = scene_.instances[slot];
     const glm::dmat4x3 world_from_object = compose(world_from_placed, placed_from_object(instance));
-    // A model may shrink a part to nothing for a while: then it is not there.
-    const bool present = instance.model < 0 || !transform_problem(world_from_object);
+    // A model may shrink a part to nothing for a while: then it is not there. Keys of a path are checked;
+    // what lies between two may be rounded across a limit.
+    const bool may_vanish = instance.model >= 0 || live.path != nullptr;
+    const bool present = !may_vanish || !transform_problem(world_from_object);
     if (present != instance.present) ++state_.shown[slot];
     instance.present = present;
     if (!present || world_from_object == instance.world_from_object) continue;
@@ -218,12 +245,16 @@ glm::dmat4x3 World::placed_from_object(const Instance& instance) const {
   return compose(model.model_from_node(instance.node), instance.placed_from_object);
 }
 
-void World::pose_models(double time_s) {
-  if (models_.empty()) return;
+// What moves by itself: models along their clips, objects along their paths.
+void World::move_on(double time_s) {
+  if (models_.empty() && !has_paths_) return;
   for (ModelPose& model : models_) model.pose(time_s);
   for (Live& live : live_) {
-    if (!live.present || live.slots.empty()) continue;
-    if (scene_.instances[live.slots.front()].model >= 0) place(live);
+    if (!live.present) continue;
+    const Placement placement = live.path != nullptr ? live.path->at(time_s) : live.placement;
+    const bool moved = placement != live.placement;
+    live.placement = placement;
+    if (moved || live.animated) place(live);
   }
   for (std::size_t i = 0; i < scene_.deformations.size(); ++i) {
     const MeshDeformation& deformation = scene_.deformations[i];
@@ -242,8 +273,13 @@ std::optional<ChangeProblem> World::spawn(const SceneChange& wanted) {
   if (static_cast<std::int64_t>(scene_.instances.size() + placed.count) > kMaxInstances) {
     return ChangeProblem{"makes more than a million instances", "remove some objects first"};
   }
-  const Placement placement = wanted.placement.apply(placed.placement);
-  if (auto problem = misplaced(object, placement)) return problem;
+  // A copy that is given a place stands there.
+  const bool on_path = !placed.path.empty() && !wanted.placement.any();
+  const Placement placement =
+      on_path ? placed.path.at(wanted.time_s) : wanted.placement.apply(placed.placement);
+  if (!on_path) {
+    if (auto problem = misplaced(object, placement)) return problem;
+  }
   std::uint32_t index = 0;
   if (free_live_.empty()) {
     index = static_cast<std::uint32_t>(live_.size());
@@ -254,6 +290,7 @@ std::optional<ChangeProblem> World::spawn(const SceneChange& wanted) {
   }
   live_[index].name = wanted.name;
   live_[index].placement = placement;
+  live_[index].path = on_path ? &placed.path : nullptr;
   live_names_.emplace(wanted.name, index);
   show(index, object);
   if (wanted.material) give_material(live_[index], *wanted.material);
@@ -274,9 +311,12 @@ std::optional<ChangeProblem> World::move(const SceneChange& wanted) {
   std::uint32_t index = 0;
   if (auto problem = find(live_names_, wanted.name, "object", index)) return problem;
   Live& live = live_[index];
-  const Placement placement = wanted.placement.apply(live.placement);
+  // From where its path has it at that time, not at the frame before.
+  const Placement placement =
+      wanted.placement.apply(live.path != nullptr ? live.path->at(wanted.time_s) : live.placement);
   if (auto problem = misplaced(live.object, placement)) return problem;
   live.placement = placement;
+  live.path = nullptr;
   place(live);
   return std::nullopt;
 }
@@ -285,7 +325,7 @@ std::optional<ChangeProblem> World::replace_mesh(const SceneChange& wanted) {
   std::uint32_t index = 0, object = 0;
   if (auto problem = find(live_names_, wanted.name, "object", index)) return problem;
   if (auto problem = find(objects_, wanted.of, "object", object)) return problem;
-  if (auto problem = misplaced(object, live_[index].placement)) return problem;
+  if (auto problem = misplaced(object, live_[index])) return problem;
   hide(live_[index]);
   show(index, object);
   return std::nullopt;

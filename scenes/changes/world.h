@@ -32,7 +32,7 @@ class World {
   // Makes one change after those of the timeline that are due by then. Times never decrease. A change that
   // cannot be made leaves everything as it was. Throws InputError where the timeline has one.
   [[nodiscard]] std::optional<ChangeProblem> apply(const SceneChange& change);
-  // Timeline, animation and paths of lights up to a time. Throws InputError for an entry of the timeline that
+  // Timeline, animation and paths up to a time. Throws InputError for an entry of the timeline that
   // cannot be applied (called again it goes on with the next).
   void advance(double time_s);
   const SceneState& state() const { return state_; }
@@ -41,10 +41,12 @@ class World {
   // An object that is there.
   struct Live {
     std::string name;
-    std::uint32_t object = 0;  // of Scene::objects, which it is a copy of
-    Placement placement;
+    std::uint32_t object = 0;          // of Scene::objects, which it is a copy of
+    Placement placement;               // on a path: of the last time that it was looked at
     std::vector<std::uint32_t> slots;  // of Scene::instances
     bool present = false;
+    bool animated = false;             // a model moves a part of it
+    const ObjectPath* path = nullptr;  // of Scene::objects; none: it stands
   };
   using Names = std::unordered_map<std::string, std::uint32_t>;
 
@@ -60,18 +62,21 @@ class World {
   std::optional<ChangeProblem> find(const Names& names, const std::string& name, const char* kind,
                                     std::uint32_t& index) const;
   std::optional<ChangeProblem> misplaced(std::uint32_t object, const Placement& placement) const;
+  std::optional<ChangeProblem> misplaced(std::uint32_t object, const Live& live) const;
+  bool animates(std::uint32_t object) const;
   void show(std::uint32_t live, std::uint32_t object);
   void hide(Live& live);
   void place(Live& live);
   void give_material(Live& live, const MaterialOverride& material);
   glm::dmat4x3 placed_from_object(const Instance& instance) const;
   std::uint32_t free_slot();
-  void pose_models(double time_s);
+  void move_on(double time_s);
 
   Scene& scene_;
   const std::vector<Instance> instances_at_start_;
   const std::vector<AreaLight> lights_at_start_;
   const std::size_t materials_at_start_;
+  const bool has_paths_;
   Names objects_, lights_;  // of the document by name; kAmbiguous where several have it
   Names live_names_;
   std::vector<Live> live_;

@@ -197,6 +197,7 @@ Json scene_json(const InspectReport& report) {
           {"texture_pixels", scene.texture_pixels},
           {"lights", scene.lights},
           {"moving_lights", scene.moving_lights},
+          {"moving_objects", scene.moving_objects},
           {"ambient", vector_json(scene.ambient)},
           {"environment", vector_json(scene.environment)},
           {"lower_m", vector_json(scene.bounds.lower)},

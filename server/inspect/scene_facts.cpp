@@ -79,6 +79,7 @@ SceneFacts facts_of(const Scene& scene) {
   facts.lights = static_cast<std::int64_t>(scene.lights.size());
   for (const AreaLight& light : scene.lights)
     facts.moving_lights += light.path_radius_m > 0 && light.path_period_s != 0 ? 1 : 0;
+  for (const PlacedObject& object : scene.objects) facts.moving_objects += object.path.empty() ? 0 : 1;
   facts.ambient = scene.ambient;
   facts.environment = scene.environment;
   facts.bounds = scene_bounds(scene);

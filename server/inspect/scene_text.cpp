@@ -78,6 +78,8 @@ std::string scene_text(const InspectReport& report) {
   text += line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
                              " on a path; ambient " + point(scene.ambient) + ", environment " +
                              point(scene.environment));
+  if (scene.moving_objects > 0)
+    text += line("paths", std::to_string(scene.moving_objects) + " objects follow a path of their own");
   text += line("bounds",
                point(scene.bounds.lower) + " to " + point(scene.bounds.upper) + " m" +
                    (scene.catchers > 0 && scene.catchers < scene.instances ? ", without catchers" : ""));

@@ -119,6 +119,36 @@ TEST(AnimationTest, AnAnimatedNodeCarriesItsMeshAndLoops) {
   EXPECT_EQ(world.state().placed, placed);
 }
 
+TEST(AnimationTest, ANodeMovesBesideOneThatStandsBeforeIt) {
+  const TemporaryFolder folder;
+  nlohmann::json document = moving_document();
+  document["nodes"] = nlohmann::json::parse(R"([{"mesh": 0}, {"mesh": 0}])");
+  document["scenes"][0]["nodes"] = {0, 1};
+  document["animations"][0]["channels"][0]["target"]["node"] = 1;
+  Scene scene = load_scene(write(folder, document, {{"SCALAR", {0, 2}}, {"VEC3", {1, 0, 0, 3, 0, 0}}}));
+  World world(scene);
+  world.advance(1);
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(scene.instances[0].world_from_object[3], glm::dvec3(0, 0, 0));
+  EXPECT_EQ(scene.instances[1].world_from_object[3], glm::dvec3(2, 0, 0));
+}
+
+TEST(AnimationTest, APathPlacesAModelWhoseNodesMoveByThemselves) {
+  const TemporaryFolder folder;
+  write(folder, moving_document(), {{"SCALAR", {0, 2}}, {"VEC3", {1, 0, 0, 3, 0, 0}}});
+  Scene scene = load_scene(folder.write("s.scene.json", R"({"format_version": 1, "name": "s", "gltf": [
+    {"file": "model.gltf", "path": {"keys": [{"t_s": 0, "translation": [0, 10, 0]},
+                                             {"t_s": 4, "translation": [0, 30, 0], "scale": 3}]}}]})"));
+  EXPECT_EQ(scene.instances[0].world_from_object[3], glm::dvec3(1, 10, 0));
+  World world(scene);
+  // At 1 s the node stands at x = 2 of its model, which stands at y = 15 and is 1.5 times as large.
+  world.advance(1);
+  EXPECT_EQ(scene.instances[0].world_from_object[3], glm::dvec3(3, 15, 0));
+  EXPECT_EQ(world.state().placed[0], 1u);  // two reasons, one move
+  world.advance(4);                        // the clip has gone round twice, the path has ended
+  EXPECT_EQ(scene.instances[0].world_from_object[3], glm::dvec3(3, 30, 0));
+}
+
 TEST(AnimationTest, ADocumentChoosesTheClipAndItsSpeed) {
   const TemporaryFolder folder;
   write(folder, moving_document(), {{"SCALAR", {0, 2}}, {"VEC3", {1, 0, 0, 3, 0, 0}}});

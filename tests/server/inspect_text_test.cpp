@@ -8,6 +8,7 @@
 
 #include "scenes/scene.h"
 #include "server/inspect/scene_facts.h"
+#include "server/inspect/scene_text.h"
 #include "server/inspect/time_plot.h"
 #include "small_session.h"
 #include "temporary_folder.h"
@@ -71,6 +72,17 @@ TEST(SceneFacts, CountObjectsTrianglesAndMemory) {
   EXPECT_EQ(facts.objects[0].name, "floor");
   EXPECT_TRUE(facts.objects[0].catcher);
   EXPECT_EQ(facts.bounds.upper.y, 2);
+}
+
+TEST(SceneFacts, CountObjectsThatFollowAPath) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "path.scene.json", R"({"format_version": 1, "name": "path", "shapes": [
+    {"name": "ball", "sphere": {"centre": [0, 0, 0], "radius": 1}, "path": {"keys": [{"t_s": 0}]}},
+    {"name": "bead", "sphere": {"centre": [0, 0, 0], "radius": 1}}]})");
+  InspectReport report;
+  report.scene = facts_of(load_scene(folder.path() / "path.scene.json"));
+  EXPECT_EQ(report.scene->moving_objects, 1);
+  EXPECT_NE(scene_text(report).find("1 objects follow a path"), std::string::npos);
 }
 
 TEST(SceneFacts, CountTrianglesThatNoRayCanHit) {
