@@ -11,30 +11,14 @@
 #include "scenes/animation/bend_mesh.h"
 #include "scenes/changes/world.h"
 #include "scenes/placed_objects.h"
-#include "tests/renderer/rendered_frames.h"
-#include "tests/renderer/test_scenes.h"
+#include "tests/renderer/changing_scenes.h"
 
 namespace herr {
 namespace {
 
-RenderSettings with_threads(int threads) {
-  RenderSettings settings = test::small_settings();
-  settings.threads = threads;
-  return settings;
-}
-
-// A floor, a ball and a block that is not there yet, by the names "instance 0", "1", "2".
-Scene small_world() {
-  Scene scene;
-  test::add(scene, test::floor_quad(4, -1), test::matte(glm::vec3{0.6f}));
-  test::add(scene, test::sphere({0, 0, 0}, 0.5f), test::matte({0.8f, 0.3f, 0.2f}), false,
-            glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -3)));
-  test::add(scene, test::box({-0.3f, -0.3f, -0.3f}, {0.3f, 0.3f, 0.3f}), test::matte({0.2f, 0.5f, 0.8f}));
-  scene.instances.back().present = false;
-  scene.lights = {test::light_at({1, 3, -1}, {20, 15, 10}, {0.4f, 0.1f, 0.4f})};
-  complete_objects(scene);
-  return scene;
-}
+using test::fresh;
+using test::small_world;
+using test::with_threads;
 
 SceneChange change(ChangeKind kind, const std::string& name, const glm::dvec3& to = glm::dvec3(0.0)) {
   SceneChange made;
@@ -43,21 +27,6 @@ SceneChange change(ChangeKind kind, const std::string& name, const glm::dvec3& t
   if (kind == ChangeKind::move || kind == ChangeKind::spawn) made.placement.translation = to;
   if (kind == ChangeKind::spawn) made.of = "instance 2";
   return made;
-}
-
-// What a renderer shows that never saw another state of the scene.
-RenderedFrame fresh(const Scene& scene, const SceneState& state, const RenderSettings& settings,
-                    const FrameSample& sample) {
-  Scene copy = scene;
-  copy.instances.erase(std::remove_if(copy.instances.begin(), copy.instances.end(),
-                                      [](const Instance& instance) { return !instance.present; }),
-                       copy.instances.end());
-  SceneState lights;
-  lights.lights = state.lights;
-  Renderer renderer(copy, test::small_profile(), settings, false);
-  RenderedFrame frame;
-  renderer.render_frame(sample, lights, frame);
-  return frame;
 }
 
 TEST(ChangingSceneTest, AnUnchangedFrameCommitsNothingAndAMovedInstanceOnlyTheTopLevel) {
