@@ -111,24 +111,32 @@ glm::dvec3 mean_of(const RenderedFrame& frame) {
 }
 
 TEST(VoxelFrames, CoarsePicturesHaveTheMeanOfFineOnes) {
-  // A lit ball of 128 voxels across 18 degrees of 30: at 480 pixels a voxel is 2.3 pixels wide and rays see
-  // voxels, at 60 and 30 it is 0.28 and 0.14, and rays see nodes of 1 and 2 voxels (half of 3.5 and 7,
-  // rounded down to a power of two). Nodes grow a round outline by up to 0.4 pixels: of 18 across, 4 * 0.4 /
-  // 18 of the ball, of which its light over the wall's is seen in the mean; measured 0.037.
+  // A lit ball of 256 voxels across 18 degrees of 30. At 240 pixels rays see the voxels. At 60 they take
+  // their colours from nodes of 2 voxels, at 24 of 8, at 12 of 16, at 6 of 32, and there nodes of 2 hide.
+  // Each coarse mean is of 10 x 10 pictures from places a tenth of a pixel apart, for it is chance how pixels
+  // fall on the outline: of a circle 3.6 pixels across 11 lie on it, each in or out, sqrt(11) * 0.3 / 10 =
+  // 0.1 of the ball in one picture, 0.01 in 100, of which its light over the wall's is seen in the mean.
   Scene scene;
-  add_grid(scene, patched_ball(128, 64), matte({1, 1, 1}), placed({-1, -1, -7.3}, 2.0 / 128));
+  add_grid(scene, patched_ball(256, 128), matte({1, 1, 1}), placed({-1, -1, -7.3}, 2.0 / 256));
   add(scene, quad({-9, -9, -9}, {18, 0, 0}, {0, 18, 0}), matte({0.5f, 0.5f, 0.5f}));
   scene.lights = {light_at({3, 4, 1}, {60, 60, 60})};
   scene.ambient = glm::vec3{0.1f};
-  const FrameSample sample = sample_from({0, 0, 0});
-  const auto mean = [&](int pixels) {
-    return mean_of(render(scene, single_view(pixels, pixels, 15, 15), planar_settings(), sample));
+  const auto mean = [&](int pixels, double step_m, int steps) {
+    Renderer renderer(scene, single_view(pixels, pixels, 15, 15), planar_settings(), false);
+    RenderedFrame frame;
+    glm::dvec3 sum{0.0};
+    for (int i = 0; i < steps * steps; ++i) {
+      const glm::dvec2 place = glm::dvec2{i % steps, i / steps} - 0.5 * (steps - 1);
+      render_with(renderer, scene, sample_from({step_m * place, 0}), frame);
+      sum += mean_of(frame);
+    }
+    return sum / static_cast<double>(steps * steps);
   };
-  const glm::dvec3 fine = mean(480);
-  for (const auto& [pixels, bound] : {std::pair{60, 0.01}, {30, 4 * 0.4 / 18}}) {
-    const glm::dvec3 coarse = mean(pixels);
+  for (const int pixels : {60, 24, 12, 6}) {
+    const double pixel_m = 2 * 6.3 * std::tan(glm::radians(15.0)) / pixels;
+    const glm::dvec3 fine = mean(240, pixel_m / 2, 2), coarse = mean(pixels, pixel_m / 10, 10);
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(coarse[c] / fine[c], 1, bound) << pixels << " pixels, channel " << c;
+      EXPECT_NEAR(coarse[c] / fine[c], 1, 0.01) << pixels << " pixels, channel " << c;
   }
 }
 
