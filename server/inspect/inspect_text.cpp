@@ -1,5 +1,7 @@
 #include "server/inspect/inspect_text.h"
 
+#include <algorithm>
+
 #include "server/inspect/scene_text.h"
 #include "server/inspect/session_text.h"
 #include "server/replay/summary_json.h"
@@ -12,10 +14,13 @@ namespace {
 std::string plan_text(const InspectReport& report) {
   if (!report.plan) return "";
   std::string text = "frame plan (" + settings_text(report.settings) + ")\n";
+  int widest = 0;
+  for (const PlanEntry& entry : report.plan->entries)
+    widest = std::max(widest, static_cast<int>(entry.name.size()));
   for (const PlanEntry& entry : report.plan->entries) {
     // Without a session nobody knows.
     const bool open = !report.session && entry.name == "camera composite" && report.settings.camera;
-    text += "  " + left_aligned(entry.runs ? "runs" : "skipped", 9) + left_aligned(entry.name, 24) +
+    text += "  " + left_aligned(entry.runs ? "runs" : "skipped", 9) + left_aligned(entry.name, widest + 2) +
             (open ? "no session is inspected" : entry.reason) + "\n";
   }
   return text + "\n";

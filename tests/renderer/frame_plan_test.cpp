@@ -20,6 +20,7 @@ Scene plain_scene() {
   scene.environment = glm::vec3{0.3f};
   return scene;
 }
+
 // The room's floor, under a sphere.
 Scene catcher_scene() {
   Scene scene = plain_scene();
