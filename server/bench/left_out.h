@@ -15,14 +15,14 @@ namespace herr {
 struct LeftOut {
   std::string name, reason;  // as the plan's entry
   double added_ms = 0;       // to the median frame, were it to run; noise around 0 may be negative
-  double time_ratio = 1;     // median over pairs of frames of the time with it / without it
+  double time_ratio = 1;     // median over instants of the fastest frame with it / without it
   std::int64_t added_bytes = 0;
   std::int64_t different_values = 0;  // of all pictures: 0, or the plan has changed a picture
 };
 
 struct LeftOutResult {
-  double frame_ms = 0;  // median, as planned
-  int frames = 0;       // pairs behind each ratio
+  double frame_ms = 0;  // median over instants of the fastest frame, as planned
+  int instants = 0, repeats = 0;
   std::vector<LeftOut> entries;
   LeftOut everything;  // all of them at once
   LeftOut control;     // nothing: two renderers of the same plan, to see the noise
