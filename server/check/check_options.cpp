@@ -1,9 +1,30 @@
 #include "server/check/check_options.h"
 
+#include <unistd.h>
+
 #include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
+#include "sessions/input_error.h"
 
 namespace herr {
+namespace {
+
+// Before minutes of measuring, not after.
+void check_place(const char* flag, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(folder, unknown)) {
+    throw UsageError(std::string(flag) + ": there is no folder " + printable(folder.string()) +
+                     "; make it first");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0 || std::filesystem::is_directory(file, unknown)) {
+    throw UsageError(std::string(flag) + ": " + printable(file.string()) +
+                     " cannot be written; choose another place");
+  }
+}
+
+}  // namespace
 
 void check_check_options(const CheckOptions& options) {
   if (options.run.replay.sessions.size() != 1) {
@@ -18,6 +39,9 @@ void check_check_options(const CheckOptions& options) {
         "check: give one of --against PROGRAM (another build), --save FILE (store runs) and --baseline FILE "
         "(compare with stored runs)");
   }
+  check_place("--save", options.save);
+  check_place("--junit", options.junit);
+  check_place("--markdown", options.markdown);
   if (options.overwrite && options.save.empty()) throw UsageError("--overwrite: only --save writes a file");
   if (options.json && options.github_annotations) {
     throw UsageError(

@@ -181,6 +181,20 @@ TEST_F(ProgramCheck, RefusesWhatItCannotCompare) {
   }
 }
 
+TEST_F(ProgramCheck, RefusesPlacesThatCannotBeWrittenBeforeItMeasures) {
+  write_text(root() / "file", "");
+  for (const std::string flag : {"--save", "--junit", "--markdown"}) {
+    for (const auto& [place, told] : {std::pair{"missing/b", "there is no folder missing;"},
+                                      {"file/b", "there is no folder file;"},
+                                      {"session", "session cannot be written;"}}) {
+      const Outcome run = check((flag == "--save" ? "" : "--against other ") + flag + " " + place);
+      EXPECT_EQ(run.exit_code, 2) << flag << place << run.out;
+      EXPECT_EQ(lines_in(run.err), 1) << flag << place << run.err;
+      EXPECT_NE(run.err.find("herr: " + flag + ": " + told), std::string::npos) << run.err;
+    }
+  }
+}
+
 TEST_F(ProgramCheck, TellsItsHelpWithoutWhatIsForTests) {
   const Outcome run = run_program(root(), "check --help");
   EXPECT_EQ(run.exit_code, 0);
