@@ -91,6 +91,7 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   const SceneUpdate update =
       timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample, state); });
   count(update, out.counters);
+  out.times.commit_ms = update.commit_ms;
   if (update.anything() &&
       timed(out.times, Stage::scene_update, [&] { return frame.follow(update, state); })) {
     out.counters.plan_changes = 1;
@@ -141,7 +142,11 @@ SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const
     eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
   }
   if (plan.detail_levels) choose_details();
-  const auto commit = [&] { geometry->commit_changes(update); };
+  const auto commit = [&] {
+    const auto start = SteadyClock::now();
+    geometry->commit_changes(update);
+    if (update.commits > 0) update.commit_ms = milliseconds_since(start);
+  };
   threads.inside(std::cref(commit));  // by reference: the capture would not fit in std::function
   return update;
 }

@@ -35,6 +35,7 @@ const char* name_of(Stage stage);
 struct StageTimes {
   std::array<double, kStageCount> ms{};  // wall milliseconds
   double frame_ms = 0;                   // equals the sum of ms
+  double commit_ms = 0;                  // of the stage acceleration: Embree's commits, 0 without any
 
   double& operator[](Stage s) { return ms[static_cast<std::size_t>(s)]; }
   double operator[](Stage s) const { return ms[static_cast<std::size_t>(s)]; }

@@ -30,8 +30,9 @@ void check_transform(const glm::dmat4x3& matrix, const std::string& name);
 
 // What a frame changed, and what that took.
 struct SceneUpdate {
-  int commits = 0;  // Embree scenes committed
-  int moved = 0;    // instances that stand elsewhere
+  int commits = 0;       // Embree scenes committed
+  double commit_ms = 0;  // wall time of the commits
+  int moved = 0;         // instances that stand elsewhere
   int spawned = 0, removed = 0;
   int restyled = 0;               // instances with another material or mesh
   int refitted = 0, rebuilt = 0;  // meshes that bent: boxes moved along, or sorted anew

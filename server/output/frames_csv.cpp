@@ -54,6 +54,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("invalid_rays", counters.invalid_rays);
   visit("nonfinite_values", counters.nonfinite_values);
   visit("nonfinite_picture_values", record.nonfinite_pictures);
+  visit("commit_ms", record.times.commit_ms);
   visit("commits", counters.commits);
   visit("instances_moved", counters.instances_moved);
   visit("instances_spawned", counters.instances_spawned);

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "sessions/input_error.h"
+#include "sessions/streams/field_text.h"
 #include "sessions/strict_json.h"
 
 namespace herr {
@@ -13,16 +14,6 @@ namespace {
 // Loggers add whatever the application has: 69 columns and 1.5 kB of names are a real example.
 constexpr std::size_t kMaxLineBytes = 64 << 10;
 constexpr std::size_t kMaxFields = 4096;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::string in_quotes(std::string_view text) {
-  return "'" + printable(std::string(text)) + "'";
-}
 
 // Cuts the first field off `rest`.
 std::string_view take_field(std::string_view& rest, char separator) {

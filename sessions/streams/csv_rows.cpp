@@ -5,6 +5,7 @@
 
 #include "sessions/input_error.h"
 #include "sessions/session_header.h"
+#include "sessions/streams/field_text.h"
 #include "sessions/strict_json.h"
 
 namespace herr {
@@ -13,16 +14,6 @@ namespace {
 // Nine columns of 25 digits take 234 bytes; trackers add a few dozen columns.
 constexpr std::size_t kMaxLineBytes = 8192;
 constexpr std::size_t kMaxFields = 256;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-std::string in_quotes(std::string_view text) {
-  return "'" + printable(std::string(text)) + "'";
-}
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;

@@ -37,8 +37,11 @@ TEST(ChangingSceneTest, AnUnchangedFrameCommitsNothingAndAMovedInstanceOnlyTheTo
   RenderedFrame frame;
   renderer.render_frame(sample, world.state(), frame);
   EXPECT_EQ(frame.counters.commits, 1);  // the anchor's first place
+  EXPECT_GT(frame.times.commit_ms, 0);
+  EXPECT_LE(frame.times.commit_ms, frame.times[Stage::acceleration]);
   renderer.render_frame(sample, world.state(), frame);
   EXPECT_EQ(frame.counters.commits, 0);
+  EXPECT_EQ(frame.times.commit_ms, 0);
   EXPECT_EQ(frame.counters.instances_moved, 0);
   ASSERT_FALSE(world.apply(change(ChangeKind::move, "instance 1", {0.5, 0.2, -3})));
   world.advance(0);
