@@ -152,13 +152,24 @@ HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& 
     return hn::BitCast(bits, hn::DemoteTo(half, half_rounded(kF, value)));
   };
   hn::StoreInterleaved4(to_half(rgb.x), to_half(rgb.y), to_half(rgb.z), to_half(w), bits, texels);
-  alignas(64) std::int32_t kinds[kMaxLanes];
-  hn::Store(kind, kI, kinds);
   const int x = scratch.packet_x[static_cast<std::size_t>(packet)],
             y = scratch.packet_y[static_cast<std::size_t>(packet)];
+  const TexelSink& sink = job.grid->sink;
+  const bool repeated = sink.polar && (x == 0 || y == 0 || x + 4 >= sink.width);
+  if (!repeated && hn::AllTrue(kI, hn::Ne(kind, hn::Set(kI, static_cast<int>(HitKind::none))))) {
+    // Rows of four texels at once: stores wait for the cache, so few of them.
+    for (int row = 0; row < kLanes / 4; ++row) {
+      const auto first = static_cast<std::size_t>(y + row) * sink.row_stride +
+                         static_cast<std::size_t>(x + (sink.polar ? 1 : 0));
+      std::memcpy(plane + 4 * first, texels + 16 * row, 16 * sizeof(std::uint16_t));
+    }
+    return;
+  }
+  alignas(64) std::int32_t kinds[kMaxLanes];
+  hn::Store(kind, kI, kinds);
   for (int lane = 0; lane < kLanes; ++lane) {
     if (kinds[lane] == static_cast<int>(HitKind::none)) continue;
-    place(job.grid->sink, plane, x + lane % 4, y + lane / 4, texels + 4 * lane);
+    place(sink, plane, x + lane % 4, y + lane / 4, texels + 4 * lane);
   }
 }
 
