@@ -67,7 +67,7 @@ glm::dmat4x3 parse_box(const JsonObject& box) {
 }  // namespace
 
 void append_shape(const JsonObject& entry, Scene& scene) {
-  entry.allow_only({"name", "sphere", "box", "material", "catcher", "path"});
+  entry.allow_only({"name", "sphere", "box", "material", "catcher", "present", "path"});
   if (entry.has("sphere") == entry.has("box")) {
     entry.fail(nullptr, "needs a sphere or a box, and only one of them", "write \"sphere\" or \"box\"");
   }
@@ -80,6 +80,7 @@ void append_shape(const JsonObject& entry, Scene& scene) {
     entry.fail(nullptr, *problem, "write a larger size");
   }
   instance.catcher = entry.boolean_or("catcher", false);
+  instance.present = entry.boolean_or("present", true);
   Material material;
   if (entry.has("material")) material = parse_material_override(entry.object("material")).apply(material);
   material.name = instance.name;

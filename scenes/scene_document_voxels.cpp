@@ -85,11 +85,12 @@ MaterialOverride voxel_material(const JsonObject& object) {
 
 void append_entry(const JsonObject& entry, VoxelSources& sources, Scene& scene) {
   entry.allow_only({"file", "grid", "mesh", "name", "translation", "rotation_xyzw", "scale", "catcher",
-                    "material", "path"});
+                    "material", "present", "path"});
   const std::string name = entry.text_or("name", "");
   const Placement placement = parse_placement_change(entry).apply({});
+  const bool present = entry.boolean_or("present", true);
   PlacedObject object{name, placement, static_cast<std::uint32_t>(scene.instances.size()),
-                      0,    true,      parse_path(entry, placement)};
+                      0,    present,   parse_path(entry, placement)};
   const glm::dmat4x3 world_from_entry = object.start().matrix();
   const bool catcher = entry.boolean_or("catcher", false);
   std::optional<MaterialOverride> change;
@@ -106,6 +107,7 @@ void append_entry(const JsonObject& entry, VoxelSources& sources, Scene& scene) 
     }
     if (!name.empty()) instance.name = name + "/" + instance.name;
     instance.catcher = catcher;
+    instance.present = present;
     if (change) {
       const auto [made, added] =
           changed.try_emplace(instance.material, static_cast<std::uint32_t>(scene.materials.size()));

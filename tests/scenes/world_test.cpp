@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenes/changes/check_changes.h"
 #include "scenes/changes/parse_change.h"
 #include "tests/scenes/scene_files.h"
+#include "tests/scenes/vox_files.h"
 
 namespace herr::test {
 namespace {
@@ -55,6 +58,29 @@ TEST(WorldTest, ASpawnedCopyStandsWhereTheEventSaysAndLeavesWhenItIsRemoved) {
   EXPECT_EQ(scene.instances[1].world_from_object[0], glm::dvec3(1, 0, 0));
   EXPECT_EQ(problem_of(world, R"({"t_ns": 6, "op": "remove", "name": "b"})"), "");
   EXPECT_FALSE(scene.instances[1].present);
+}
+
+TEST(WorldTest, AnEntryOfAnyKindCanBeLeftForAnEvent) {
+  const TemporaryFolder folder;
+  folder.write("cube.vox", vox_bytes(vox_model(1, 1, 1, {{0, 0, 0, 1}})));
+  const std::string later = R"("present": false})";
+  Scene scene = load(
+      folder, R"(, "catchers": [{"name": "door", "quad": [[0,0,0], [1,0,0], [1,2,0], [0,2,0]], )" + later +
+                  R"(], "shapes": [{"name": "ball", "sphere": {"centre": [0, 1, 0], "radius": 0.5}, )" +
+                  later + R"(], "voxels": [{"file": "cube.vox", "name": "cube", )" + later + "]");
+  World world(scene);
+  for (const char* name : {"spare", "door", "ball", "cube"}) {
+    const auto there = [&] {
+      return std::count_if(scene.instances.begin(), scene.instances.end(),
+                           [](const Instance& i) { return i.present; });
+    };
+    const auto before = there();
+    EXPECT_EQ(problem_of(world, R"({"t_ns": 1, "op": "spawn", "of": ")" + std::string(name) +
+                                    R"(", "name": ")" + name + "\"}"),
+              "");
+    EXPECT_EQ(there(), before + 1) << name;
+  }
+  EXPECT_EQ(scene.instances.size(), 5u);  // each in a slot of its own kind's or another's that was free
 }
 
 TEST(WorldTest, SlotsAreUsedAgain) {
