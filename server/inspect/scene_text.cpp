@@ -4,6 +4,7 @@
 
 #include "server/statistics/number_text.h"
 #include "sessions/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -33,14 +34,14 @@ std::string objects_text(const SceneFacts& scene) {
   if (scene.objects.size() > kObjectsShown)
     text += "  and " + std::to_string(scene.objects.size() - kObjectsShown) + " more\n";
   const std::string head =
-      "  " + left_aligned("object", 30) + right_aligned("meshes", 8) + right_aligned("triangles", 12) + "\n";
+      "  " + left_aligned("object", 30) + right_aligned("parts", 8) + right_aligned("triangles", 12) + "\n";
   return text.empty() ? "" : head + text;
 }
 
 std::string grids_text(const SceneFacts& scene) {
   if (scene.grids.empty()) return "";
-  std::string text = line("voxels", std::to_string(scene.grids.size()) + " grids, " +
-                                        megabytes(scene.voxel_bytes) + " (octrees come on top)");
+  std::string text = line("voxels", counted(static_cast<std::int64_t>(scene.grids.size()), "grid", "grids") +
+                                        ", " + megabytes(scene.voxel_bytes) + " (octrees come on top)");
   for (std::size_t i = 0; i < std::min(scene.grids.size(), kObjectsShown); ++i) {
     const GridFacts& grid = scene.grids[i];
     text += line("", printable(grid.name) + ": " + std::to_string(grid.counts.x) + " x " +
@@ -59,17 +60,17 @@ std::string scene_text(const InspectReport& report) {
   std::string text =
       "scene " + printable(scene.name) + "   (" + printable(report.scene_file.string()) + ")\n";
   text += line("triangles", std::to_string(scene.triangles) + " in " +
-                                std::to_string(scene.instances - scene.catchers) + " instances, and " +
-                                std::to_string(scene.catcher_triangles) + " in " +
-                                std::to_string(scene.catchers) + " catchers; " +
+                                counted(scene.instances - scene.catchers, "instance", "instances") +
+                                ", and " + std::to_string(scene.catcher_triangles) + " in " +
+                                counted(scene.catchers, "catcher", "catchers") + "; " +
                                 std::to_string(scene.degenerate_triangles) + " without area");
   text += line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
-                             std::to_string(scene.meshes) + " meshes, " + megabytes(scene.geometry_bytes) +
-                             " (acceleration structures come on top)");
+                             counted(scene.meshes, "mesh", "meshes") + ", " +
+                             megabytes(scene.geometry_bytes) + " (acceleration structures come on top)");
   text += grids_text(scene);
   if (scene.spheres + scene.boxes > 0)
-    text += line("shapes", std::to_string(scene.spheres) + " spheres, " + std::to_string(scene.boxes) +
-                               " boxes, met analytically");
+    text += line("shapes", counted(scene.spheres, "sphere", "spheres") + ", " +
+                               counted(scene.boxes, "box", "boxes") + ", met analytically");
   text += line("materials", std::to_string(scene.materials) + ", " + std::to_string(scene.mirrors) +
                                 " reflect, " + std::to_string(scene.emitters) + " emit light");
   text += line("textures", std::to_string(scene.textures) + ", " +
@@ -79,7 +80,8 @@ std::string scene_text(const InspectReport& report) {
                              " on a path; ambient " + point(scene.ambient) + ", environment " +
                              point(scene.environment));
   if (scene.moving_objects > 0)
-    text += line("paths", std::to_string(scene.moving_objects) + " objects follow a path of their own");
+    text += line("paths", counted(scene.moving_objects, "object follows a path of its own",
+                                  "objects follow paths of their own"));
   text += line("bounds",
                point(scene.bounds.lower) + " to " + point(scene.bounds.upper) + " m" +
                    (scene.catchers > 0 && scene.catchers < scene.instances ? ", without catchers" : ""));

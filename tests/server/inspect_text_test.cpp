@@ -82,7 +82,7 @@ TEST(SceneFacts, CountObjectsThatFollowAPath) {
   InspectReport report;
   report.scene = facts_of(load_scene(folder.path() / "path.scene.json"));
   EXPECT_EQ(report.scene->moving_objects, 1);
-  EXPECT_NE(scene_text(report).find("1 objects follow a path"), std::string::npos);
+  EXPECT_NE(scene_text(report).find("1 object follows a path of its own"), std::string::npos);
 }
 
 TEST(SceneFacts, CountTrianglesThatNoRayCanHit) {

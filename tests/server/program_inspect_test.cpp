@@ -109,7 +109,7 @@ TEST_F(InspectProgram, WritesOneJsonDocument) {
 TEST_F(InspectProgram, DescribesASceneAlone) {
   const Outcome got = herr("inspect scene/small.scene.json");
   EXPECT_EQ(got.exit_code, 0) << got.err;
-  for (const char* part : {"1 in 1 instances, and 2 in 1 catchers", "no session is inspected", "sound:"})
+  for (const char* part : {"1 in 1 instance, and 2 in 1 catcher", "no session is inspected", "sound:"})
     EXPECT_NE(got.out.find(part), std::string::npos) << got.out;
   EXPECT_EQ(nlohmann::json::parse(herr("inspect scene/triangle.gltf --json").out)["kind"], "scene");
 }
