@@ -82,7 +82,8 @@ void Connection::send(Clock::duration linger_time) {
     sent_ += static_cast<std::size_t>(count);
   }
   ::shutdown(fd_, SHUT_WR);
-  answer_.clear();
+  std::string().swap(answer_);
+  sent_ = 0;
   state_ = State::lingering;
   deadline_ = Clock::now() + linger_time;
 }

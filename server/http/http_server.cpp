@@ -4,6 +4,7 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -38,6 +39,13 @@ std::vector<std::string> allowed_names(const HttpServer::Config& config) {
   return names;
 }
 
+// The rest is for the files of the session and of the scene, which are opened while clients are there.
+std::size_t most_connections(std::size_t wanted) {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0 || files.rlim_cur == RLIM_INFINITY) return wanted;
+  return std::min<std::size_t>(wanted, std::max<std::size_t>(files.rlim_cur / 2, 1));
+}
+
 }  // namespace
 
 std::vector<std::string> host_names_for(const std::string& host) {
@@ -70,6 +78,7 @@ class HttpServer::Loop {
   void handle_head(std::uint64_t id, Connection& connection);
   void refuse(Connection& connection, int status, const std::string& reason, bool head_only);
   void answer(Connection& connection, HttpLibrary::Answer made);
+  void bound_unsent();
   void accept_clients();
   bool make_room();
   void take_made_answers();
@@ -78,6 +87,7 @@ class HttpServer::Loop {
 
   const Config config_;
   const std::vector<std::string> host_names_;
+  const std::size_t most_connections_;
   HttpLibrary library_;
   HttpLibrary::Listener listener_;
   int wake_fd_ = -1;
@@ -96,7 +106,10 @@ class HttpServer::Loop {
 };
 
 HttpServer::Loop::Loop(Config config, HttpHandler handler)
-    : config_(std::move(config)), host_names_(allowed_names(config_)), library_(std::move(handler)) {
+    : config_(std::move(config)),
+      host_names_(allowed_names(config_)),
+      most_connections_(most_connections(config_.limits.connections)),
+      library_(std::move(handler)) {
   wake_fd_ = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
   if (wake_fd_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
   try {
@@ -249,6 +262,23 @@ void HttpServer::Loop::answer(Connection& connection, HttpLibrary::Answer made) 
   }
   connection.start_answer(std::move(made.bytes), Clock::now() + config_.limits.send_time);
   connection.send(config_.limits.linger_time);
+  if (connection.state() == State::writing) bound_unsent();
+}
+
+void HttpServer::Loop::bound_unsent() {
+  std::size_t unsent = 0;
+  // From the youngest on: whatever does not fit beside the younger ones has had the longest time.
+  for (auto entry = connections_.rbegin(); entry != connections_.rend(); ++entry) {
+    Connection& connection = entry->second;
+    if (connection.state() != State::writing) continue;
+    const bool first = unsent == 0;  // one answer may be larger than that by itself
+    unsent += connection.unsent_bytes();
+    if (first || unsent <= config_.limits.unsent_bytes) continue;
+    unsent -= connection.unsent_bytes();
+    connection.close();
+    const std::lock_guard lock(counters_mutex_);
+    ++counters_.rejected["unread"];
+  }
 }
 
 void HttpServer::Loop::take_made_answers() {
@@ -306,7 +336,7 @@ bool HttpServer::Loop::make_room() {
 void HttpServer::Loop::accept_clients() {
   bool dropped = false;
   for (;;) {
-    if (connections_.size() >= config_.limits.connections) {
+    if (connections_.size() >= most_connections_) {
       if (dropped) return;  // those that are there have their turn before the next poll accepts another
       if (!make_room()) break;
       dropped = true;

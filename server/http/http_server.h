@@ -22,8 +22,13 @@ struct HttpLimits {
   std::chrono::milliseconds answer_time{30000};  // to make the answer
   std::chrono::milliseconds send_time{30000};    // to send it
   std::chrono::milliseconds linger_time{500};    // for the client to close after the answer
-  std::size_t connections = 64;                  // at once; one more drops the longest incomplete request
-  std::size_t waiting = 64;                      // requests that wait for a lane; one more gets 503
+  // At once; one more drops the longest incomplete request. Many, so that an honest client that is slow to
+  // ask is not dropped for a few dozen that never ask. At most half of the files that the process may open.
+  std::size_t connections = 256;
+  std::size_t waiting = 256;  // requests that wait for a lane; one more gets 503
+  // Of answers that clients have yet to take. One answer more drops the client that has been taking the
+  // longest, so that clients that ask for pictures and read none cost no more memory than this.
+  std::size_t unsent_bytes = std::size_t{64} << 20;
 };
 
 struct HttpCounters {

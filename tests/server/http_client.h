@@ -34,6 +34,12 @@ class RawClient {
   bool send(std::string_view text) {
     return ::send(fd_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
   }
+  // Of the next bytes at most twelve, once there are any.
+  std::string receive_some() {
+    char buffer[12];
+    const ssize_t count = ::recv(fd_, buffer, sizeof buffer, 0);
+    return {buffer, count > 0 ? static_cast<std::size_t>(count) : 0};
+  }
   // Everything until the server closes.
   std::string receive() {
     std::string text;

@@ -1,5 +1,6 @@
 // The server on a real socket with clients that behave badly.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <chrono>
@@ -26,6 +27,22 @@ HttpResponse echo(const HttpRequest& request) {
   if (request.path == "/large") response.body.assign(20'000'000, 'x');
   return response;
 }
+
+// The soft limit of open files, for the life of this object.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t most) {
+    EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
+    const rlimit lowered{most, before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &lowered), 0);
+  }
+  ~FileLimit() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
 
 class Http : public ::testing::Test {
  protected:
@@ -170,6 +187,36 @@ TEST_F(Http, AtTheLimitTheOldestIncompleteRequestGoes) {
   EXPECT_GE(server->counters().rejected.at("crowd"), 22);
 }
 
+// An honest client may be slow to ask, on a loaded machine or a long line: a hundred that never ask must not
+// have it dropped.
+TEST_F(Http, AClientThatAsksLateIsAnsweredBesideAHundredThatNeverAsk) {
+  limits.request_time = milliseconds(20000);
+  const auto server = serve();
+  RawClient late(server->port());
+  std::vector<std::unique_ptr<RawClient>> idle;
+  for (int i = 0; i < 100; ++i) {
+    idle.push_back(std::make_unique<RawClient>(server->port()));
+    idle.back()->send("GET /");
+  }
+  EXPECT_EQ(get(server->port(), "/livez").status, 200);
+  late.send(request_text("/late"));
+  EXPECT_EQ(late.receive().substr(0, 12), "HTTP/1.1 200");
+  EXPECT_EQ(server->counters().rejected.count("crowd"), 0u);
+}
+
+// Files of scenes and sessions are opened while clients are there: clients never hold them all.
+TEST_F(Http, ClientsLeaveHalfOfTheFilesToTheProcess) {
+  limits.request_time = milliseconds(20000);
+  const auto server = [this] {
+    const FileLimit files(64);
+    return serve();
+  }();
+  std::vector<std::unique_ptr<RawClient>> idle;
+  for (int i = 0; i < 50; ++i) idle.push_back(std::make_unique<RawClient>(server->port()));
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(get(server->port(), "/livez").status, 200);
+  EXPECT_GE(server->counters().rejected.at("crowd"), 50 + 1 - 32);  // one more for the first that asks
+}
+
 TEST_F(Http, AClientThatDoesNotReadCostsNobodyElseTime) {
   limits.send_time = milliseconds(400);
   const auto server = serve();
@@ -179,6 +226,24 @@ TEST_F(Http, AClientThatDoesNotReadCostsNobodyElseTime) {
   std::this_thread::sleep_for(milliseconds(900));
   // Cut off at the deadline: what is left is what the buffers held.
   EXPECT_LT(deaf.receive().size(), 20'000'000u);
+}
+
+// They ask for much and take nothing: the server keeps the bytes of the last ones alone.
+TEST_F(Http, ClientsThatDoNotReadCostABoundedAmountOfMemory) {
+  limits.unsent_bytes = 50'000'000;
+  const auto server = serve();
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < 10; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server->port()));
+    clients.back()->send(request_text("/large"));
+    // The answers in this order: each has begun to arrive.
+    EXPECT_EQ(clients.back()->receive_some(), "HTTP/1.1 200");
+  }
+  EXPECT_EQ(get(server->port(), "/livez").status, 200);
+  // Ten of 20 MB, of which kernels hold a few themselves: at most the last five fit.
+  EXPECT_GE(server->counters().rejected.at("unread"), 5);
+  EXPECT_LT(clients.front()->receive().size(), 20'000'000u);
+  EXPECT_GT(clients.back()->receive().size(), 20'000'000u) << "the last had the shortest time";
 }
 
 TEST_F(Http, ALargeAnswerArrivesWhole) {

@@ -127,8 +127,13 @@ TEST_F(ServeProgram, WellBehavedClientsAreAnsweredBesideEveryOther) {
     const auto started = steady_clock::now();
     while (steady_clock::now() - started < kLoadTime) {
       const auto asked = steady_clock::now();
-      if (get(port, "/livez").status != 200) ++livez_failed;
+      const Reply reply = get(port, "/livez");
       livez_ms.push_back(duration<double, std::milli>(steady_clock::now() - asked).count());
+      if (reply.status != 200) {
+        ++livez_failed;
+        std::cout << "  /livez failed: status " << reply.status << " after " << livez_ms.back() << " ms, "
+                  << duration<double>(asked - started).count() << " s after the start\n";
+      }
       // The last ten seconds of frames fill their ring first.
       if (settled_kb == 0 && steady_clock::now() - started > seconds(12)) settled_kb = resident_kb(pid());
       std::this_thread::sleep_for(milliseconds(20));
