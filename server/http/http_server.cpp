@@ -78,7 +78,7 @@ class HttpServer::Loop {
   void handle_head(std::uint64_t id, Connection& connection);
   void refuse(Connection& connection, int status, const std::string& reason, bool head_only);
   void answer(Connection& connection, HttpLibrary::Answer made);
-  void bound_unsent();
+  void bound_untaken();
   void accept_clients();
   bool make_room();
   void take_made_answers();
@@ -262,19 +262,21 @@ void HttpServer::Loop::answer(Connection& connection, HttpLibrary::Answer made) 
   }
   connection.start_answer(std::move(made.bytes), Clock::now() + config_.limits.send_time);
   connection.send(config_.limits.linger_time);
-  if (connection.state() == State::writing) bound_unsent();
+  if (connection.state() == State::writing) bound_untaken();
 }
 
-void HttpServer::Loop::bound_unsent() {
-  std::size_t unsent = 0;
+void HttpServer::Loop::bound_untaken() {
+  std::size_t held = 0;
   // From the youngest on: whatever does not fit beside the younger ones has had the longest time.
   for (auto entry = connections_.rbegin(); entry != connections_.rend(); ++entry) {
     Connection& connection = entry->second;
     if (connection.state() != State::writing) continue;
-    const bool first = unsent == 0;  // one answer may be larger than that by itself
-    unsent += connection.unsent_bytes();
-    if (first || unsent <= config_.limits.unsent_bytes) continue;
-    unsent -= connection.unsent_bytes();
+    const std::size_t bytes = connection.answer_bytes();
+    // One answer may be larger than that by itself.
+    if (held == 0 || held + bytes <= config_.limits.untaken_bytes) {
+      held += bytes;
+      continue;
+    }
     connection.close();
     const std::lock_guard lock(counters_mutex_);
     ++counters_.rejected["unread"];

@@ -26,9 +26,9 @@ struct HttpLimits {
   // ask is not dropped for a few dozen that never ask. At most half of the files that the process may open.
   std::size_t connections = 256;
   std::size_t waiting = 256;  // requests that wait for a lane; one more gets 503
-  // Of answers that clients have yet to take. One answer more drops the client that has been taking the
-  // longest, so that clients that ask for pictures and read none cost no more memory than this.
-  std::size_t unsent_bytes = std::size_t{64} << 20;
+  // Of answers that clients have not taken whole. One answer more drops the client that has been taking the
+  // longest, so that clients that ask for pictures and do not read them cost no more memory than this.
+  std::size_t untaken_bytes = std::size_t{64} << 20;
 };
 
 struct HttpCounters {

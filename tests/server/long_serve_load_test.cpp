@@ -155,8 +155,9 @@ TEST_F(ServeProgram, WellBehavedClientsAreAnsweredBesideEveryOther) {
   EXPECT_EQ(end(SIGTERM), 0);
 }
 
-// Frames of windows of 10 s, undisturbed and polled once a second in turn. Each side is judged by its better
-// window: the machine's other work only ever slows frames.
+// Frames of windows of 10 s, undisturbed and polled once a second in turn. Each side is judged by its best
+// window: the machine's other work only ever slows frames. The best of two windows a side were seen to differ
+// by 16 % where nothing disturbs them, the best of six by 1 to 5 %.
 TEST_F(ServeProgram, FramesDoNotFeelSomebodyWhoLooksOnceASecond) {
   // 5 % of a frame's time is less than what a machine that others share adds by itself.
   if (std::getenv("CI") != nullptr) GTEST_SKIP() << "measures times: run it on a quiet machine";
@@ -165,8 +166,8 @@ TEST_F(ServeProgram, FramesDoNotFeelSomebodyWhoLooksOnceASecond) {
   ASSERT_TRUE(port != 0 && wait_for_frames(port));
   std::this_thread::sleep_for(seconds(3));
   double best[2] = {1e9, 1e9};
-  for (int window = 0; window < 4; ++window) {
-    const int polled = window % 2;
+  for (int window = 0; window < 12; ++window) {
+    const int polled = (window + 1) / 2 % 2;  // 0 1 1 0: a machine that slows down slows both
     for (int second = 0; second < 10; ++second) {
       std::this_thread::sleep_for(seconds(1));
       if (polled == 0) continue;
