@@ -29,7 +29,8 @@ class Connection {
   State state() const { return state_; }
   Clock::time_point deadline() const { return deadline_; }
   const std::string& received() const { return received_; }
-  std::size_t answer_bytes() const { return answer_.size(); }  // held until the last of them is sent
+  // Of the answer, which is held until the last of them is sent.
+  std::size_t answer_bytes() const { return answer_.size(); }
   short poll_events() const;  // 0: nothing to wait for on the socket itself
 
   // Reads what is there, at most `most_bytes` in all. Closed when the client is gone.

@@ -8,6 +8,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -37,7 +38,7 @@ class RawClient {
   // Of the next bytes at most twelve, once there are any.
   std::string receive_some() {
     char buffer[12];
-    const ssize_t count = ::recv(fd_, buffer, sizeof buffer, 0);
+    const ssize_t count = receive_into(buffer, sizeof buffer);
     return {buffer, count > 0 ? static_cast<std::size_t>(count) : 0};
   }
   // Everything until the server closes.
@@ -45,13 +46,21 @@ class RawClient {
     std::string text;
     char buffer[4096];
     for (;;) {
-      const ssize_t count = ::recv(fd_, buffer, sizeof buffer, 0);
+      const ssize_t count = receive_into(buffer, sizeof buffer);
       if (count <= 0) return text;
       text.append(buffer, static_cast<std::size_t>(count));
     }
   }
 
  private:
+  // A child process that ends interrupts a recv that has a time limit, even where nobody handles SIGCHLD.
+  ssize_t receive_into(char* buffer, std::size_t size) const {
+    for (;;) {
+      const ssize_t count = ::recv(fd_, buffer, size, 0);
+      if (count >= 0 || errno != EINTR) return count;
+    }
+  }
+
   int fd_;
   bool connected_ = false;
 };
