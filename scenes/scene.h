@@ -9,6 +9,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -88,8 +89,10 @@ struct TriangleMesh {
   std::vector<glm::vec3> normals;                // unit; always present (generated when the file has none)
   std::vector<glm::vec2> uvs;                    // empty when the material has no texture
   std::vector<std::vector<glm::vec2>> more_uvs;  // sets 1, 2, ...; used where textures differ in coordinates
-  std::vector<glm::vec4> colours;                // of vertices, linear RGBA in [0, 1]; empty = white
-  bool closed = false;  // known to be a closed surface: from within, its inside is seen
+  // xyz unit, w = 1 or -1: the bitangent is w cross(normal, xyz). Empty unless a normal texture reads them.
+  std::vector<glm::vec4> tangents;
+  std::vector<glm::vec4> colours;  // of vertices, linear RGBA in [0, 1]; empty = white
+  bool closed = false;             // known to be a closed surface: from within, its inside is seen
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
   std::vector<CoarserMesh> coarser;  // by ascending error; empty unless a document asks for detail levels
 };

@@ -61,7 +61,12 @@ float dot3(V a, V b) {
 }  // namespace
 
 DeformedMesh::DeformedMesh(const TriangleMesh& mesh, const MeshDeformation& deformation, MeshGeometry& built)
-    : mesh_(mesh), deformation_(deformation), built_(built), normals_(mesh.positions.size()) {
+    : mesh_(mesh),
+      deformation_(deformation),
+      built_(built),
+      normals_(mesh.positions.size()),
+      tangents_(deformation.rest_tangents.size()),
+      handedness_(deformation.rest_tangents.size()) {
   rtcSetSceneFlags(built.scene.get(), RTC_SCENE_FLAG_DYNAMIC);
   rtcSetSceneBuildQuality(built.scene.get(), RTC_BUILD_QUALITY_LOW);
   geometry_ = rtcGetGeometry(built.scene.get(), 0);
@@ -104,11 +109,15 @@ void DeformedMesh::bend_vertices(const DeformationPose& pose, std::size_t first,
   const auto width = static_cast<std::size_t>(deformation_.influences);
   for (std::size_t i = first; i < last; ++i) {
     glm::vec3 position = deformation_.rest_positions[i], normal = deformation_.rest_normals[i];
+    const bool has_tangent = !tangents_.empty();
+    glm::vec3 tangent = has_tangent ? glm::vec3(deformation_.rest_tangents[i]) : glm::vec3(0.0f);
+    float side = 1.0f;  // -1: mirrored
     for (std::size_t t = 0; t < deformation_.targets.size(); ++t) {
       if (pose.weights[t] == 0) continue;
       const MorphTarget& target = deformation_.targets[t];
       if (!target.positions.empty()) position += pose.weights[t] * target.positions[i];
       if (!target.normals.empty()) normal += pose.weights[t] * target.normals[i];
+      if (!target.tangents.empty()) tangent += pose.weights[t] * target.tangents[i];
     }
     if (deformation_.skin >= 0) {
       V x = hn::Zero(kFour), y = x, z = x, shift = x;
@@ -134,12 +143,24 @@ void DeformedMesh::bend_vertices(const DeformationPose& pose, std::size_t first,
           hn::MulAdd(cx, hn::Set(kFour, normal.x),
                      hn::MulAdd(cy, hn::Set(kFour, normal.y), hn::Mul(cz, hn::Set(kFour, normal.z))));
       hn::Store(turned, kFour, p);
-      const float side = dot3(x, cx) < 0 ? -1.0f : 1.0f;  // mirrored: turned back
+      side = dot3(x, cx) < 0 ? -1.0f : 1.0f;
       normal = side * glm::vec3(p[0], p[1], p[2]);
+      if (has_tangent) {
+        const V along =
+            hn::MulAdd(x, hn::Set(kFour, tangent.x),
+                       hn::MulAdd(y, hn::Set(kFour, tangent.y), hn::Mul(z, hn::Set(kFour, tangent.z))));
+        hn::Store(along, kFour, p);
+        tangent = {p[0], p[1], p[2]};
+      }
     }
     vertices_[3 * i] = position.x;
     vertices_[3 * i + 1] = position.y;
     vertices_[3 * i + 2] = position.z;
+    if (has_tangent) {
+      const glm::vec4& rest = deformation_.rest_tangents[i];
+      tangents_[i] = encode_octahedral(glm::dot(tangent, tangent) > 0 ? tangent : glm::vec3(rest));
+      handedness_[i] = side * rest.w;
+    }
     if (deformation_.flat_normals) continue;
     const bool vanished = !(glm::dot(normal, normal) > 0);
     normals_[i] = encode_octahedral(vanished ? deformation_.rest_normals[i] : normal);
@@ -163,6 +184,11 @@ void DeformedMesh::bake(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     for (std::size_t corner = 0; corner < 3; ++corner)
       built_.baked.records[t].normal[corner] = normals_[mesh_.triangles[t][corner]];
+    if (tangents_.empty()) continue;
+    TangentRecord& record = built_.baked.tangents[t];
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      record.tangent[corner] = tangents_[mesh_.triangles[t][corner]];
+    record.handedness = handedness_[mesh_.triangles[t][0]];
   }
 }
 
@@ -228,7 +254,8 @@ double DeformedMesh::spread() const {
 }
 
 std::int64_t DeformedMesh::bytes() const {
-  return bytes_of(joints_) + bytes_of(normals_) + bytes_of(sampled_) + bytes_of(order_);
+  return bytes_of(joints_) + bytes_of(normals_) + bytes_of(tangents_) + bytes_of(handedness_) +
+         bytes_of(sampled_) + bytes_of(order_);
 }
 
 }  // namespace herr

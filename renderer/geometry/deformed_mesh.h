@@ -43,12 +43,13 @@ class DeformedMesh {
   const TriangleMesh& mesh_;
   const MeshDeformation& deformation_;
   MeshGeometry& built_;
-  RTCGeometry geometry_ = nullptr;      // of the built scene
-  float* vertices_ = nullptr;           // Embree's own, three a vertex
-  std::vector<Joint> joints_;           // of this pose
-  std::vector<std::uint32_t> normals_;  // encoded
-  std::vector<std::uint32_t> sampled_;  // triangles, kGroup neighbours in a row
-  std::vector<std::uint64_t> order_;    // scratch of choose_groups
+  RTCGeometry geometry_ = nullptr;                 // of the built scene
+  float* vertices_ = nullptr;                      // Embree's own, three a vertex
+  std::vector<Joint> joints_;                      // of this pose
+  std::vector<std::uint32_t> normals_, tangents_;  // encoded; tangents where the mesh has them
+  std::vector<float> handedness_;                  // of tangents
+  std::vector<std::uint32_t> sampled_;             // triangles, kGroup neighbours in a row
+  std::vector<std::uint64_t> order_;               // scratch of choose_groups
   double spread_when_built_ = 0;
   std::uint32_t version_ = 0;
 };

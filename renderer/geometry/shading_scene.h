@@ -27,6 +27,13 @@ struct alignas(32) ColourRecord {
 };
 static_assert(sizeof(ColourRecord) == 32);
 
+// Tangents of a triangle's corners, for its normal texture. 16 bytes.
+struct alignas(16) TangentRecord {
+  std::uint32_t tangent[3] = {};  // octahedral, as TriangleRecord::normal
+  float handedness = 1;           // bitangent = handedness * cross(normal, tangent)
+};
+static_assert(sizeof(TangentRecord) == 16);
+
 inline constexpr int kMostLevels = 15;  // 16384 texels down to 1
 
 struct TextureRecord {
@@ -51,6 +58,9 @@ struct DetailRecord {
   const ColourRecord* colours = nullptr;  // of vertices, one per triangle
   // The two base textures stand here instead of in the instance's record where they read a second set.
   TextureUse base_colour, metallic_roughness, emission, specular_use, specular_colour, transmission;
+  TextureUse normal;                        // with `tangents`
+  const TangentRecord* tangents = nullptr;  // one per triangle; null: no normal texture
+  float normal_scale = 1;
   TextureUse coverage;  // alpha = that of the base colour texture, wherever that stands
   float specular = 1, specular_rgb[3] = {1, 1, 1};
   float alpha = 1, alpha_cutoff = 0.5f;

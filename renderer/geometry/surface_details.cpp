@@ -13,9 +13,9 @@ bool has_colours(const Scene& scene, const Instance& instance) {
 }
 
 bool has_further_textures(const Material& m) {
-  return m.emission_texture.texture >= 0 || m.specular_texture.texture >= 0 ||
-         m.specular_colour_texture.texture >= 0 || m.transmission_texture.texture >= 0 ||
-         (m.base_colour_texture >= 0 && m.base_colour_uv_set != 0) ||
+  return m.emission_texture.texture >= 0 || m.normal_texture.texture >= 0 ||
+         m.specular_texture.texture >= 0 || m.specular_colour_texture.texture >= 0 ||
+         m.transmission_texture.texture >= 0 || (m.base_colour_texture >= 0 && m.base_colour_uv_set != 0) ||
          (m.metallic_roughness_texture >= 0 && m.metallic_roughness_uv_set != 0);
 }
 
@@ -77,6 +77,11 @@ std::optional<DetailRecord> detail_record(const Scene& scene, const Instance& in
   record.specular_use = slot(material.specular_texture);
   record.specular_colour = slot(material.specular_colour_texture);
   record.transmission = slot(material.transmission_texture);
+  if (!baked->tangents.empty() && material.normal_texture.texture >= 0) {
+    record.normal = slot(material.normal_texture);
+    record.normal_scale = material.normal_scale;
+    record.tangents = baked->tangents.data();
+  }
   record.coverage = use(material.base_colour_texture, material.base_colour_uv_set);
   if (material.base_colour_uv_set != 0) record.base_colour = record.coverage;
   if (material.metallic_roughness_uv_set != 0) {

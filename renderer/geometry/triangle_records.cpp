@@ -71,6 +71,14 @@ ColourRecord bake_colours(const TriangleMesh& mesh, const std::array<std::uint32
   return record;
 }
 
+TangentRecord bake_tangents(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  TangentRecord record;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    record.tangent[corner] = encode_octahedral(glm::vec3(mesh.tangents[triangle[corner]]));
+  record.handedness = mesh.tangents[triangle[0]].w;
+  return record;
+}
+
 }  // namespace
 
 std::uint32_t encode_octahedral(const glm::vec3& n) {
@@ -102,14 +110,19 @@ BakedMesh bake_triangles(const TriangleMesh& mesh) {
     set.records.resize(mesh.triangles.size());
     bake_coordinates(mesh, uvs, set);
   }
-  if (mesh.colours.empty()) return baked;
-  baked.colours.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) baked.colours.push_back(bake_colours(mesh, triangle));
+  if (!mesh.colours.empty()) {
+    baked.colours.reserve(mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) baked.colours.push_back(bake_colours(mesh, triangle));
+  }
+  if (!mesh.tangents.empty()) {
+    baked.tangents.reserve(mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) baked.tangents.push_back(bake_tangents(mesh, triangle));
+  }
   return baked;
 }
 
 std::int64_t BakedMesh::bytes() const {
-  std::int64_t sum = bytes_of(records) + bytes_of(colours);
+  std::int64_t sum = bytes_of(records) + bytes_of(colours) + bytes_of(tangents);
   for (const BakedCoordinates& set : more) sum += bytes_of(set.records);
   return sum;
 }

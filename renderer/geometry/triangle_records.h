@@ -19,8 +19,9 @@ struct BakedCoordinates {
   glm::vec2 uv_scale{0.0f};  // uv = lower + scale * (unorm / 65535)
 };
 struct BakedMesh : BakedCoordinates {
-  std::vector<BakedCoordinates> more;  // of TriangleMesh::more_uvs, without normals
-  std::vector<ColourRecord> colours;   // empty where the mesh has none
+  std::vector<BakedCoordinates> more;   // of TriangleMesh::more_uvs, without normals
+  std::vector<ColourRecord> colours;    // empty where the mesh has none
+  std::vector<TangentRecord> tangents;  // likewise
   std::int64_t bytes() const;
 };
 BakedMesh bake_triangles(const TriangleMesh& mesh);

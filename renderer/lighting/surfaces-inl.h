@@ -9,7 +9,7 @@
 #endif
 
 #include "renderer/lighting/generate_rays-inl.h"
-#include "renderer/lighting/surface_details-inl.h"
+#include "renderer/lighting/normal_texture-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -22,16 +22,6 @@ constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi 
 // o + t d near a plane of 0).
 constexpr float kOffsetScale = 0x1p-16f;
 constexpr float kSmallestOffsetScale_m = 1.0f / 32.0f;
-
-HWY_INLINE V3 decode_normal(VU code) {
-  const VF to_unit = set(1.0f / 32767.0f);
-  const VF x =
-      hn::Mul(hn::ConvertTo(kF, hn::ShiftRight<16>(hn::BitCast(kI, hn::ShiftLeft<16>(code)))), to_unit);
-  const VF y = hn::Mul(hn::ConvertTo(kF, hn::ShiftRight<16>(hn::BitCast(kI, code))), to_unit);
-  const VF z = hn::Sub(set(1.0f), hn::Add(hn::Abs(x), hn::Abs(y)));
-  const VF fold = hn::Max(hn::Neg(z), hn::Zero(kF));
-  return {hn::Sub(x, hn::CopySign(fold, x)), hn::Sub(y, hn::CopySign(fold, y)), z};
-}
 
 // Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance,
 // and what passes where the frame follows light through `transparent` surfaces.
@@ -77,64 +67,6 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   put(m.emission.z, out.eb);
   put(set(instance.mirror), out.mirror);
   put(set(instance.catcher ? 1.0f : 0.0f), out.real);
-}
-
-// Normals of `lanes`, turned to the viewer's side.
-HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
-                              const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
-  const auto* words = reinterpret_cast<const std::uint32_t*>(instance.triangles);
-  const V3 n0 = decode_normal(hn::GatherIndex(kU, words, record)),
-           n1 = decode_normal(hn::GatherIndex(kU, words + 1, record)),
-           n2 = decode_normal(hn::GatherIndex(kU, words + 2, record));
-  const float* m = instance.normal_from_object;
-  const auto to_world = [&](const V3& n) HWY_ATTR {
-    return normalise(V3{dot(set3(m), n), dot(set3(m + 3), n), dot(set3(m + 6), n)});
-  };
-  // Embree's normal has the triangle's area for its length: brought near 1 first, or a sliver's would
-  // underflow.
-  const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
-  const VF largest =
-      hn::Max(hn::Max(hn::Abs(area.x), hn::Abs(area.y)), hn::Max(hn::Abs(area.z), set(1e-37f)));
-  V3 g = to_world(scale(area, hn::Div(set(1.0f), largest)));
-  V3 n = to_world(mul_add(at.w, n0, mul_add(at.u, n1, scale(n2, at.v))));
-  const MF g_behind = hn::Lt(dot(g, viewer), hn::Zero(kF));
-  g = select(g_behind, scale(g, set(-1.0f)), g);
-  // Normals of a closed surface point outwards: from behind, the viewer is inside.
-  const float index = instance.refractive_index;
-  store_lanes(hn::IfThenElse(g_behind, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
-  // The shading normal follows the geometric one's side, so that both see the same lights.
-  n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
-  // A flat triangle's stored normal is its own but for rounding to 16 bits (6.6e-5 rad at most): glass shows
-  // that.
-  const V3 bend = sub(n, g);
-  n = select(hn::Lt(dot(bend, bend), set(2e-8f)), g, n);
-  store_lanes(g.x, lanes, out.gx.data() + slot);
-  store_lanes(g.y, lanes, out.gy.data() + slot);
-  store_lanes(g.z, lanes, out.gz.data() + slot);
-  store_lanes(n.x, lanes, out.nx.data() + slot);
-  store_lanes(n.y, lanes, out.ny.data() + slot);
-  store_lanes(n.z, lanes, out.nz.data() + slot);
-}
-
-// The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat: outward, in
-// object space.
-HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet, const V3& viewer, MF lanes,
-                            HitBatch& out, int slot) {
-  const float* m = instance.normal_from_object;
-  const V3 outward = load3(packet.hit.Ng_x, packet.hit.Ng_y, packet.hit.Ng_z);
-  V3 n = normalise(V3{dot(set3(m), outward), dot(set3(m + 3), outward), dot(set3(m + 6), outward)});
-  const MF inside = hn::Lt(dot(n, viewer), hn::Zero(kF));
-  n = select(inside, scale(n, set(-1.0f)), n);
-  const float index = instance.refractive_index;
-  store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
-  store_lanes(n.x, lanes, out.nx.data() + slot);
-  store_lanes(n.y, lanes, out.ny.data() + slot);
-  store_lanes(n.z, lanes, out.nz.data() + slot);
-  store_lanes(n.x, lanes, out.gx.data() + slot);
-  store_lanes(n.y, lanes, out.gy.data() + slot);
-  store_lanes(n.z, lanes, out.gz.data() + slot);
-  const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
-  store_lanes(offset, lanes, out.offset.data() + slot);
 }
 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
@@ -193,6 +125,10 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
     if constexpr (kDetail != SurfaceDetail::plain) {
       const VF slope = hn::Abs(dot(load3(&out.gx[slot], &out.gy[slot], &out.gz[slot]), viewer));
       object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
+    }
+    if constexpr (kDetail == SurfaceDetail::all) {
+      if (instance.detail && instance.detail->tangents)
+        bend_normals(instance, record, at, object_width2, lanes, out, slot);
     }
     store_material<kDetail>(instance, record, at, object_width2, shading.plan->refraction, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;

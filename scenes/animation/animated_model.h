@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -65,18 +66,19 @@ struct AnimatedModel {
   Playback playback;
 };
 
-// Added times its weight; either may be empty.
+// Added times its weight; each may be empty.
 struct MorphTarget {
-  std::vector<glm::vec3> positions, normals;
+  std::vector<glm::vec3> positions, normals, tangents;
 };
 
 // How one mesh bends: morph targets first, then the skin.
 struct MeshDeformation {
   std::uint32_t mesh = 0;  // index into Scene::meshes, whose arrays are the shape at time 0
   std::vector<glm::vec3> rest_positions, rest_normals;
-  bool flat_normals = false;  // every triangle has three vertices of its own, and its own normal
-  int model = 0, node = 0;    // of Scene::models: whose weights
-  int skin = -1;              // of that model
+  std::vector<glm::vec4> rest_tangents;  // empty where the mesh has none
+  bool flat_normals = false;             // every triangle has three vertices of its own, and its own normal
+  int model = 0, node = 0;               // of Scene::models: whose weights
+  int skin = -1;                         // of that model
   // Per vertex, of a skin: joints and weights that sum to 1, as many as `influences`; vertex by vertex.
   int influences = 0;  // 0, 4 or 8
   std::vector<std::uint16_t> joints;

@@ -2,14 +2,13 @@
 // load; the reference of the renderer's kernels. Source: glTF 2.0 section 3.7.3.
 #pragma once
 
-#include "scenes/animation/animated_model.h"
+#include "scenes/scene.h"
 
 namespace herr {
 
-// `positions` and `normals` are resized to the mesh's. Normals are turned by each joint's inverse transpose
-// and come out unit; where they vanish they stay as they were at rest. Flat normals follow the triangles:
-// three vertices in a row are one.
-void bend_mesh(const MeshDeformation& deformation, const DeformationPose& pose,
-               std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals);
+// Gives `mesh` its positions, normals and tangents (where it has these at rest). Normals are turned by each
+// joint's inverse transpose, tangents by the joint itself, and both come out unit; where they vanish they
+// stay as they were at rest. Flat normals follow the triangles: three vertices in a row are one.
+void bend_mesh(const MeshDeformation& deformation, const DeformationPose& pose, TriangleMesh& mesh);
 
 }  // namespace herr

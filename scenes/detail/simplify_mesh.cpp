@@ -27,6 +27,7 @@ TriangleMesh with_indices(const TriangleMesh& mesh, const std::vector<std::uint3
   };
   moved(mesh.positions, out.positions);
   moved(mesh.normals, out.normals);
+  moved(mesh.tangents, out.tangents);
   moved(mesh.uvs, out.uvs);
   for (const auto& set : mesh.more_uvs) moved(set, out.more_uvs.emplace_back());
   moved(mesh.colours, out.colours);

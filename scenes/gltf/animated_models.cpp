@@ -207,6 +207,7 @@ std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const Gl
   to.node = node;
   to.rest_positions = mesh.positions;
   to.rest_normals = mesh.normals;
+  to.rest_tangents = mesh.tangents;
   to.flat_normals = primitive.normal < 0;
   const std::size_t vertices = accessor_of(model, primitive.position).count;
   if (skinned) {
@@ -218,6 +219,8 @@ std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const Gl
     if (target.position >= 0) made.positions = read_offsets(model, target.position, vertices, sources);
     if (target.normal >= 0 && !to.flat_normals)
       made.normals = read_offsets(model, target.normal, vertices, sources);
+    if (target.tangent >= 0 && !mesh.tangents.empty() && !to.flat_normals)
+      made.tangents = read_offsets(model, target.tangent, vertices, sources);
   }
   return to;
 }

@@ -47,13 +47,13 @@ struct GltfAccessor {
 
 // A morph target: accessors of what is added, -1 = nothing.
 struct GltfTarget {
-  int position = -1, normal = -1;
+  int position = -1, normal = -1, tangent = -1;
 };
 
 struct GltfPrimitive {
   int mode = 4;  // 0 points ... 4 triangles, 5 strip, 6 fan
   int indices = -1, material = -1;
-  int position = -1, normal = -1;
+  int position = -1, normal = -1, tangent = -1;
   std::vector<int> uv_sets;                            // accessor of TEXCOORD_n, -1 = absent
   int colour = -1;                                     // COLOR_0
   std::array<int, 2> joints{-1, -1}, weights{-1, -1};  // JOINTS_0 and _1, WEIGHTS_0 and _1

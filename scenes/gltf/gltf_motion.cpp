@@ -42,7 +42,8 @@ void read_primitive(const JsonObject& from, GltfPrimitive& to) {
   const std::vector<JsonObject> targets = from.objects("targets");
   if (targets.size() > kMaxTargets) from.fail("targets", "has more than 256 morph targets", "leave some out");
   for (const JsonObject& target : targets)
-    to.targets.push_back({index_or_none(target, "POSITION"), index_or_none(target, "NORMAL")});
+    to.targets.push_back({index_or_none(target, "POSITION"), index_or_none(target, "NORMAL"),
+                          index_or_none(target, "TANGENT")});
 }
 
 void read_meshes(const JsonObject& root, GltfModel& model) {

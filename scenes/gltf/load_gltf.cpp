@@ -17,6 +17,7 @@
 #include "scenes/gltf/mesh_builder.h"
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/gltf/read_gltf.h"
+#include "scenes/gltf/vertex_tangents.h"
 #include "scenes/transform_checks.h"
 #include "sessions/input_error.h"
 
@@ -60,7 +61,8 @@ class PrimitiveCache {
  private:
   std::optional<BuiltPrimitive> build(const GltfPrimitive& primitive, const std::string& name) {
     const std::vector<UvSource> sources = materials_.uv_sources(primitive.material, primitive);
-    BuiltMesh built = build_mesh(model_, primitive, sources, budget_);
+    BuiltMesh built =
+        build_mesh(model_, primitive, sources, materials_.reads_tangents(primitive.material), budget_);
     for (const std::string& warning : built.warnings) warn("mesh \"" + printable(name) + "\": " + warning);
     if (built.mesh.triangles.empty()) return std::nullopt;
     if (materials_.lacks_coordinates(primitive.material, sources)) {
@@ -76,6 +78,11 @@ class PrimitiveCache {
     if (!reads_coordinates(made)) {
       built.mesh.uvs.clear();
       built.mesh.more_uvs.clear();
+    }
+    if (made.normal_texture.texture < 0) {
+      built.mesh.tangents.clear();
+    } else if (built.mesh.tangents.empty()) {
+      make_tangents(built, made.normal_texture.uv_set);
     }
     if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
@@ -171,7 +178,7 @@ class ModelBuilder {
     bent.model = index_;
     DeformationPose pose;
     pose_.bend(bent, pose);
-    bend_mesh(bent, pose, scene_.meshes[mesh].positions, scene_.meshes[mesh].normals);
+    bend_mesh(bent, pose, scene_.meshes[mesh]);
     if (plays()) scene_.deformations.push_back(std::move(bent));
     return mesh;
   }

@@ -60,6 +60,10 @@ bool MaterialBuilder::lacks_coordinates(int material, const std::vector<UvSource
   return false;
 }
 
+bool MaterialBuilder::reads_tangents(int material) const {
+  return material_of(model_, material).normal_texture.texture >= 0;
+}
+
 std::uint32_t MaterialBuilder::material(int material, const std::vector<UvSource>& sources, bool coloured) {
   // Transforms belong to the material: sets tell meshes of one material apart.
   Key key{material, {}, coloured};

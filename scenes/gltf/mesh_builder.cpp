@@ -6,6 +6,7 @@
 
 #include "scenes/gltf/accessor_reader.h"
 #include "scenes/gltf/gltf_limits.h"
+#include "scenes/gltf/vertex_tangents.h"
 #include "sessions/input_error.h"
 
 namespace herr {
@@ -122,6 +123,23 @@ std::vector<glm::vec4> read_vertex_colours(const GltfModel& model, int accessor,
   return colours;
 }
 
+// Tangents of the vertices that are kept: unit, w = 1 or -1. One of length zero becomes any across its
+// normal.
+std::vector<glm::vec4> read_tangents(const GltfModel& model, int accessor, std::size_t count,
+                                     const std::vector<std::uint32_t>& old_index,
+                                     const std::vector<glm::vec3>& normals, MeshBudget& budget) {
+  const std::vector<float> values = read_attribute(model, accessor, 4, count, "TANGENT", budget);
+  std::vector<glm::vec4> tangents;
+  tangents.reserve(old_index.size());
+  for (const std::size_t i : old_index) {
+    const glm::dvec3 along(values[4 * i], values[4 * i + 1], values[4 * i + 2]);
+    const double length = glm::length(along);
+    const glm::vec3 unit = length < 1e-6 ? any_tangent(normals[tangents.size()]) : glm::vec3(along / length);
+    tangents.emplace_back(unit, values[4 * i + 3] < 0 ? -1.0f : 1.0f);
+  }
+  return tangents;
+}
+
 // The run of vertex indices that a primitive draws.
 std::vector<std::uint32_t> index_run(const GltfModel& model, const GltfPrimitive& primitive,
                                      std::size_t vertices, MeshBudget& budget) {
@@ -136,8 +154,8 @@ std::vector<std::uint32_t> index_run(const GltfModel& model, const GltfPrimitive
 
 }  // namespace
 
-// Decoded elements: positions, normals, uvs, colours and three indices per triangle, each at most once per
-// vertex, and as much again for primitives that share vertex arrays.
+// Decoded elements: positions, normals, tangents, uvs, colours and three indices per triangle, each at most
+// once per vertex, and nearly as much again for primitives that share vertex arrays.
 MeshBudget::MeshBudget()
     : triangles(kMaxFileTriangles), decoded_elements(6 * kMaxFileVertices + 6 * kMaxFileTriangles) {}
 
@@ -167,7 +185,7 @@ void make_flat(TriangleMesh& mesh) {
 }
 
 BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
-                     const std::vector<UvSource>& sources, MeshBudget& budget) {
+                     const std::vector<UvSource>& sources, bool with_tangents, MeshBudget& budget) {
   BuiltMesh built;
   TriangleMesh& mesh = built.mesh;
   if (primitive.mode < 4) {
@@ -223,6 +241,9 @@ BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
   if (repaired > 0) {
     built.warnings.push_back(std::to_string(repaired) +
                              " normals of length zero are taken from their triangles");
+  }
+  if (with_tangents && primitive.tangent >= 0) {
+    mesh.tangents = read_tangents(model, primitive.tangent, count, old_index, mesh.normals, budget);
   }
   return built;
 }

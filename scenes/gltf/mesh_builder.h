@@ -25,9 +25,10 @@ struct BuiltMesh {
 };
 
 // `sources`: the coordinates that the material reads; mesh.uvs and more_uvs are them, transformed, in the
-// same order. The primitive has all of them.
+// same order. The primitive has all of them. `with_tangents`: reads TANGENT too, where the file has it and
+// NORMAL.
 BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
-                     const std::vector<UvSource>& sources, MeshBudget& budget);
+                     const std::vector<UvSource>& sources, bool with_tangents, MeshBudget& budget);
 
 // Flat normals: every triangle gets its own three vertices. As the specification asks when NORMAL is absent.
 void make_flat(TriangleMesh& mesh);

@@ -181,6 +181,7 @@ GltfPrimitive convert(const tinygltf::Primitive& from) {
   };
   to.position = attribute("POSITION");
   to.normal = attribute("NORMAL");
+  to.tangent = attribute("TANGENT");
   for (int set = 0, accessor = 0; (accessor = attribute("TEXCOORD_" + std::to_string(set))) >= 0; ++set) {
     to.uv_sets.push_back(accessor);
   }

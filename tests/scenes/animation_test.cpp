@@ -226,8 +226,9 @@ TEST(AnimationTest, ASkinnedVertexIsTheWeightedMeanOfItsJoints) {
   EXPECT_EQ(scene.instances[0].world_from_object, glm::dmat4x3(1.0));
   World world(scene);
   world.advance(0.999999999);
-  std::vector<glm::vec3> positions, normals;
-  bend_mesh(scene.deformations[0], world.state().poses[0], positions, normals);
+  TriangleMesh bent;
+  bend_mesh(scene.deformations[0], world.state().poses[0], bent);
+  const std::vector<glm::vec3>& positions = bent.positions;
   EXPECT_NEAR(positions[0].y, 0, 1e-6);
   EXPECT_NEAR(positions[1].y, 1, 1e-6);
   EXPECT_NEAR(positions[2].y, 3, 1e-6);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "scenes/gltf/closed_mesh.h"
+#include "scenes/gltf/vertex_tangents.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {
@@ -215,6 +216,91 @@ TEST(GltfSurfaces, ASurfaceIsClosedWhenEveryEdgeIsPassedBothWays) {
   std::swap(turned.triangles[0][1], turned.triangles[0][2]);
   EXPECT_FALSE(is_closed(turned));
   EXPECT_FALSE(is_closed({}));
+}
+
+// The triangle (0,0,0) (1,0,0) (0,1,0), which looks along z, with a normal texture.
+json with_normal_texture(const TemporaryFolder& folder, const std::vector<float>& uvs) {
+  json document = with_texture(folder, triangle_document());
+  add_attribute(folder, document, "TEXCOORD_0", uvs);
+  document["materials"][0]["normalTexture"] = {{"index", 0}, {"scale", 0.5}};
+  return document;
+}
+
+const std::vector<float> kUpright{0, 1, 1, 1, 0, 0};  // a picture as it hangs: v points down
+
+TEST(GltfSurfaces, TangentsAreReadWhereANormalTextureNeedsThem) {
+  const TemporaryFolder folder;
+  json document = with_normal_texture(folder, kUpright);
+  add_attribute(folder, document, "NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+  add_attribute(folder, document, "TANGENT", {0, 2, 0, 1, 0, 1, 0, -1, 0, 0, 0, 1});
+  const Scene scene = load_scene(write_model(folder, document));
+  EXPECT_EQ(scene.materials.at(0).normal_scale, 0.5f);
+  const auto& tangents = scene.meshes.at(0).tangents;
+  ASSERT_EQ(tangents.size(), 3u);
+  EXPECT_EQ(tangents[0], glm::vec4(0, 1, 0, 1)) << "made unit";
+  EXPECT_EQ(tangents[1], glm::vec4(0, 1, 0, -1));
+  EXPECT_NEAR(glm::length(glm::vec3(tangents[2])), 1.0f, 1e-6f) << "of length zero: any across the normal";
+  EXPECT_NEAR(tangents[2].z, 0.0f, 1e-6f);
+
+  json plain = document;
+  plain["materials"][0].erase("normalTexture");
+  EXPECT_TRUE(load_scene(write_model(folder, plain)).meshes.at(0).tangents.empty()) << "nothing reads them";
+
+  json wrong = document;
+  wrong["accessors"].back()["count"] = 2;
+  EXPECT_THROW(load_scene(write_model(folder, wrong)), InputError);
+}
+
+TEST(GltfSurfaces, MissingTangentsPointWhereUGrows) {
+  const TemporaryFolder folder;
+  struct {
+    std::vector<float> uvs;
+    glm::vec4 tangent;
+  } const cases[] = {{kUpright, {1, 0, 0, 1}},
+                     {{0, 0, 1, 0, 0, 1}, {1, 0, 0, -1}},   // upside down: mirrored
+                     {{1, 1, 0, 1, 1, 0}, {-1, 0, 0, -1}},  // left to right: mirrored
+                     {{0, 0, 0, 1, 1, 0}, {0, 1, 0, 1}}};   // turned by a quarter
+  for (const auto& one : cases) {
+    json document = with_normal_texture(folder, one.uvs);
+    // Without NORMAL those of a file are not for its flat normals.
+    add_attribute(folder, document, "TANGENT", {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1});
+    const auto flat = load_scene(write_model(folder, document)).meshes.at(0).tangents;
+    document["meshes"][0]["primitives"][0]["attributes"].erase("TANGENT");
+    add_attribute(folder, document, "NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    const auto smooth = load_scene(write_model(folder, document)).meshes.at(0).tangents;
+    for (const auto& tangents : {flat, smooth}) {
+      ASSERT_EQ(tangents.size(), 3u);
+      for (const glm::vec4& tangent : tangents) EXPECT_LT(glm::distance(tangent, one.tangent), 1e-6f);
+    }
+  }
+  const auto nowhere =
+      load_scene(write_model(folder, with_normal_texture(folder, {0, 0, 0, 0, 0, 0}))).meshes.at(0);
+  for (const glm::vec4& tangent : nowhere.tangents) {
+    EXPECT_NEAR(glm::length(glm::vec3(tangent)), 1.0f, 1e-6f) << "coordinates that say nothing";
+    EXPECT_NEAR(tangent.z, 0.0f, 1e-6f);
+  }
+}
+
+TEST(GltfSurfaces, AVertexWhereMirroredCoordinatesMeetOthersBecomesTwo) {
+  // A square of two triangles whose picture is mirrored at the diagonal that they share.
+  BuiltMesh built;
+  TriangleMesh& mesh = built.mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.normals.assign(4, {0, 0, 1});
+  mesh.uvs = {{0, 1}, {1, 1}, {1, 0}, {1, 1}};
+  mesh.colours.assign(4, glm::vec4(0.5f));
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  built.sources = {7, 8, 9, 10};
+  make_tangents(built, 0);
+  ASSERT_EQ(mesh.positions.size(), 6u);
+  EXPECT_EQ(built.sources, (std::vector<std::uint32_t>{7, 8, 9, 10, 7, 9}));
+  ASSERT_EQ(mesh.tangents.size(), 6u);
+  ASSERT_EQ(mesh.uvs.size(), 6u);
+  ASSERT_EQ(mesh.colours.size(), 6u);
+  EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
+  EXPECT_EQ(mesh.triangles[1], (std::array<std::uint32_t, 3>{4, 5, 3}));
+  for (const std::uint32_t i : mesh.triangles[0]) EXPECT_EQ(mesh.tangents[i], glm::vec4(1, 0, 0, 1)) << i;
+  for (const std::uint32_t i : mesh.triangles[1]) EXPECT_EQ(mesh.tangents[i], glm::vec4(0, 1, 0, -1)) << i;
 }
 
 }  // namespace
