@@ -95,20 +95,36 @@ Subject subject_of(const Scene& scene) {
           std::max(0.5 * glm::length(bounds.upper - bounds.lower), 1e-6)};
 }
 
-// One planar picture by a camera at `eye` that looks at `target`.
+// Planar pictures of one scene.
+class Camera {
+ public:
+  Camera(const Scene& scene, double half_view_deg)
+      : scene_(scene),
+        renderer_(scene, test::single_view(kSide, kSide, half_view_deg, half_view_deg),
+                  test::planar_settings(), false) {}
+
+  Picture picture(const glm::dvec3& eye, const glm::dvec3& target) {
+    FrameSample sample = test::sample_from(eye);
+    const glm::dmat4 eye_from_world = glm::lookAt(eye, target, glm::dvec3(0, 1, 0));
+    sample.head.world_from_head.orientation = glm::conjugate(glm::quat_cast(glm::dmat3(eye_from_world)));
+    RenderedFrame frame;
+    test::render_with(renderer_, scene_, sample, frame);
+    test::expect_finite(frame);
+    Picture picture;
+    test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+      picture[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = pixel;
+    });
+    return picture;
+  }
+
+ private:
+  const Scene& scene_;
+  Renderer renderer_;
+};
+
 Picture picture_of(const Scene& scene, const glm::dvec3& eye, const glm::dvec3& target,
                    double half_view_deg) {
-  FrameSample sample = test::sample_from(eye);
-  const glm::dmat4 eye_from_world = glm::lookAt(eye, target, glm::dvec3(0, 1, 0));
-  sample.head.world_from_head.orientation = glm::conjugate(glm::quat_cast(glm::dmat3(eye_from_world)));
-  const RenderedFrame frame = test::render(
-      scene, test::single_view(kSide, kSide, half_view_deg, half_view_deg), test::planar_settings(), sample);
-  test::expect_finite(frame);
-  Picture picture;
-  test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
-    picture[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = pixel;
-  });
-  return picture;
+  return Camera(scene, half_view_deg).picture(eye, target);
 }
 
 // More than one colour, by more than a step of 8 bits.
@@ -291,6 +307,62 @@ TEST(DataModels, EveryPositiveModelOfTheAssetGeneratorLooksLikeItsReference) {
   }
   EXPECT_GE(compared, 40);
   sheet.write("gltf_asset_generator.png");
+}
+
+// Of the brightness of two pictures, over all pixels.
+double correlation(const Picture& a, const Picture& b) {
+  double n = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
+  for (std::size_t y = 0; y < kSide; ++y) {
+    for (std::size_t x = 0; x < kSide; ++x) {
+      const double p = a[y][x][0] + a[y][x][1] + a[y][x][2], q = b[y][x][0] + b[y][x][1] + b[y][x][2];
+      n += 1, sum_a += p, sum_b += q, sum_aa += p * p, sum_bb += q * q, sum_ab += p * q;
+    }
+  }
+  const double spread = (n * sum_aa - sum_a * sum_a) * (n * sum_bb - sum_b * sum_b);
+  return spread > 0 ? (n * sum_ab - sum_a * sum_b) / std::sqrt(spread) : 0;
+}
+
+// Two models of tiles, each with a ball as a shape beside flat tiles that show it by a normal texture, turned
+// by a fifth of a turn from row to row; the second has its coordinates mirrored as well.
+TEST(DataModels, NormalTexturesLookLikeTheShapesThatTheyStandFor) {
+  if (!std::filesystem::exists(models_folder("khronos_sample_assets"))) GTEST_SKIP() << "needs the models";
+  struct Tiles {
+    const char* model;
+    double shape_x;
+    std::vector<double> textured_x;
+  };
+  const Tiles kinds[] = {{"NormalTangentTest", -0.96, {-0.64}},
+                         {"NormalTangentTest", -0.16, {0.16}},
+                         {"NormalTangentMirrorTest", -1.275, {-0.955, -0.629, -0.291}}};
+  for (const Tiles& tiles : kinds) {
+    const std::string name = tiles.model;
+    Scene scene = load_scene(models_folder("khronos_sample_assets") / name / "glTF-Binary" / (name + ".glb"));
+    // The tile that is least like its shape, lit from the left and from above so that no ball shadows its
+    // tile.
+    const auto least_likeness = [&] {
+      double least = 1;
+      for (const glm::dvec3& towards : {glm::dvec3(0.3, 0, -1), glm::dvec3(0, -0.3, -1)}) {
+        light_for_looking(scene, towards);
+        scene.lights[0].direction = glm::normalize(towards);
+        Camera camera(scene, kDegreesPerRadian * std::atan(0.13 / 3.5));
+        const auto tile = [&](double x, double y) { return camera.picture({x, y, 3.5}, {x, y, 0}); };
+        for (const double y : {0.8, 0.4, 0.0, -0.4, -0.8}) {
+          const Picture shape = tile(tiles.shape_x, y);
+          for (const double x : tiles.textured_x) least = std::min(least, correlation(shape, tile(x, y)));
+        }
+      }
+      return least;
+    };
+    const double least = least_likeness();
+    for (TriangleMesh& mesh : scene.meshes) {
+      for (glm::vec4& tangent : mesh.tangents) tangent.w = -tangent.w;
+    }
+    const double mirrored = least_likeness();
+    std::cout << name << " at " << tiles.shape_x << ": correlation of the worst tile " << least
+              << ", with mirrored tangents " << mirrored << "\n";
+    EXPECT_GT(least, 0.9);
+    EXPECT_LT(mirrored, 0.75) << "or the measure tells nothing";
+  }
 }
 
 }  // namespace
