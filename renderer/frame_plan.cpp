@@ -40,13 +40,11 @@ Traits traits_of(const Scene& scene) {
     if (instance.kind == ShapeKind::voxels) ++traits.voxels;
     const bool is_mesh = instance.kind == ShapeKind::mesh;
     if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) ++traits.shapes;
-    const bool has_uvs = is_mesh && !scene.meshes[instance.mesh].uvs.empty();
     traits.detailed += has_details(scene, instance) ? 1 : 0;
     traits.blended += blends(scene, instance) ? 1 : 0;
     traits.masked += has_holes(scene, instance) && !blends(scene, instance) ? 1 : 0;
     traits.front_only += shows_fronts_only(scene, instance) ? 1 : 0;
-    if (has_uvs && (material.base_colour_texture >= 0 || material.metallic_roughness_texture >= 0))
-      ++traits.textured;
+    traits.textured += has_textures(scene, instance) ? 1 : 0;
     if (instance.catcher) {
       ++traits.catchers;
       if (material.mirror > 0) ++traits.reflecting_catchers;

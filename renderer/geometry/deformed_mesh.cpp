@@ -158,8 +158,11 @@ void DeformedMesh::bend_vertices(const DeformationPose& pose, std::size_t first,
     vertices_[3 * i + 2] = position.z;
     if (has_tangent) {
       const glm::vec4& rest = deformation_.rest_tangents[i];
-      tangents_[i] = encode_octahedral(glm::dot(tangent, tangent) > 0 ? tangent : glm::vec3(rest));
-      handedness_[i] = side * rest.w;
+      if (!(glm::dot(tangent, tangent) > 0)) tangent = glm::vec3(rest);
+      // A flat normal is not turned back: it is its tangent that turns.
+      const bool flat = deformation_.flat_normals;
+      tangents_[i] = encode_octahedral(flat ? side * tangent : tangent);
+      handedness_[i] = flat ? rest.w : side * rest.w;
     }
     if (deformation_.flat_normals) continue;
     const bool vanished = !(glm::dot(normal, normal) > 0);
@@ -188,7 +191,9 @@ void DeformedMesh::bake(std::size_t first, std::size_t last) {
     TangentRecord& record = built_.baked.tangents[t];
     for (std::size_t corner = 0; corner < 3; ++corner)
       record.tangent[corner] = tangents_[mesh_.triangles[t][corner]];
-    record.handedness = handedness_[mesh_.triangles[t][0]];
+    const auto& corners = mesh_.triangles[t];
+    record.handedness =
+        common_handedness(handedness_[corners[0]], handedness_[corners[1]], handedness_[corners[2]]);
   }
 }
 

@@ -28,6 +28,14 @@ bool shows_fronts_only(const Scene& scene, const Instance& instance) {
          !instance.catcher;
 }
 
+bool has_textures(const Scene& scene, const Instance& instance) {
+  const Material& material = scene.materials[instance.material];
+  const TriangleMesh* mesh = mesh_of(scene, instance);
+  return mesh != nullptr && !mesh->uvs.empty() &&
+         (material.base_colour_texture >= 0 || material.metallic_roughness_texture >= 0 ||
+          has_further_textures(material));
+}
+
 bool has_holes(const Scene& scene, const Instance& instance) {
   const Material& material = scene.materials[instance.material];
   return instance.kind == ShapeKind::mesh && material.alpha_mode != AlphaMode::opaque;

@@ -75,11 +75,16 @@ TangentRecord bake_tangents(const TriangleMesh& mesh, const std::array<std::uint
   TangentRecord record;
   for (std::size_t corner = 0; corner < 3; ++corner)
     record.tangent[corner] = encode_octahedral(glm::vec3(mesh.tangents[triangle[corner]]));
-  record.handedness = mesh.tangents[triangle[0]].w;
+  record.handedness = common_handedness(mesh.tangents[triangle[0]].w, mesh.tangents[triangle[1]].w,
+                                        mesh.tangents[triangle[2]].w);
   return record;
 }
 
 }  // namespace
+
+float common_handedness(float a, float b, float c) {
+  return a + b + c < 0 ? -1.0f : 1.0f;
+}
 
 std::uint32_t encode_octahedral(const glm::vec3& n) {
   const float norm = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);

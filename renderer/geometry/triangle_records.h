@@ -26,6 +26,9 @@ struct BakedMesh : BakedCoordinates {
 };
 BakedMesh bake_triangles(const TriangleMesh& mesh);
 
+// Of a triangle, from its corners' (1 or -1).
+float common_handedness(float a, float b, float c);
+
 // Unit normal <-> two 16-bit snorms. Worst angle between a normal and its round trip: 0.0038 degrees, at the
 // centre of a face of the octahedron.
 std::uint32_t encode_octahedral(const glm::vec3& normal);

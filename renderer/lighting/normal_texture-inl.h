@@ -15,8 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Replaces the shading normals of `lanes`, which store_normals left in `out`. They stay as they are where a
-// bent one would face away from the triangle's own side, so light is always in front of both.
+constexpr float kLeastTangent2 = 1e-7f;  // squared, of a tangent across its normal; less may be rounding
+
+// Replaces the shading normals of `lanes`, which store_normals left in `out`. A slope that would face away
+// from the viewer is hidden by the bump that it belongs to: it is taken for the one that faces the viewer as
+// much. They stay as they are where a bent one would face away from the triangle's own side, so light is
+// always in front of both, and where the tangents say no direction.
 HWY_INLINE void bend_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
                              VF object_width2, MF lanes, HitBatch& out, int slot) {
   const DetailRecord& detail = *instance.detail;
@@ -33,7 +37,8 @@ HWY_INLINE void bend_normals(const InstanceRecord& instance, VI record, const Ba
   const VI tangents = hn::ShiftRight<1>(record);
   const V3 along = interpolate_directions(words, tangents, at);
   const VF handedness = hn::GatherIndex(kF, reinterpret_cast<const float*>(detail.tangents) + 3, tangents);
-  const V3 t = normalise(mul_add(hn::Neg(dot(n, along)), n, along));
+  const V3 across = mul_add(hn::Neg(dot(n, along)), n, along);
+  const V3 t = normalise(across);
   const V3 b = scale(cross(n, t), handedness);
   V3 bent = normal_to_world(instance, mul_add(x, t, mul_add(y, b, scale(n, z))));
 
@@ -42,7 +47,11 @@ HWY_INLINE void bend_normals(const InstanceRecord& instance, VI record, const Ba
   const V3 g = load3(&out.gx[slot], &out.gy[slot], &out.gz[slot]);
   const MF turned = hn::Lt(dot(normal_to_world(instance, n), plain), hn::Zero(kF));
   bent = select(turned, scale(bent, set(-1.0f)), bent);
-  const MF bends = hn::And(lanes, hn::Gt(dot(bent, g), hn::Zero(kF)));
+  const V3 viewer = load3(&out.vx[slot], &out.vy[slot], &out.vz[slot]);
+  const VF away = hn::Max(hn::Neg(dot(bent, viewer)), hn::Zero(kF));
+  bent = mul_add(hn::Mul(two, away), viewer, bent);
+  const MF bends = hn::And(hn::And(lanes, hn::Gt(dot(bent, g), hn::Zero(kF))),
+                           hn::Gt(dot(across, across), set(kLeastTangent2)));
   store_lanes(bent.x, bends, &out.nx[slot]);
   store_lanes(bent.y, bends, &out.ny[slot]);
   store_lanes(bent.z, bends, &out.nz[slot]);

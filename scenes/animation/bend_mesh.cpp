@@ -49,8 +49,11 @@ void bend_mesh(const MeshDeformation& deformation, const DeformationPose& pose, 
     const float length2 = glm::dot(normal, normal);
     if (length2 > 0) mesh.normals[i] = normal / std::sqrt(length2);
     if (mesh.tangents.empty()) continue;
+    glm::vec4& bent = mesh.tangents[i];
     const float tangent2 = glm::dot(tangent, tangent);
-    if (tangent2 > 0) mesh.tangents[i] = glm::vec4(tangent / std::sqrt(tangent2), side * mesh.tangents[i].w);
+    if (tangent2 > 0) bent = glm::vec4(tangent / std::sqrt(tangent2), bent.w);
+    // A flat normal is not turned back: it is its tangent that turns.
+    bent *= deformation.flat_normals ? glm::vec4(side, side, side, 1) : glm::vec4(1, 1, 1, side);
   }
   if (!deformation.flat_normals) return;
   for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3) {

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "scenes/animation/bend_mesh.h"
 #include "scenes/gltf/accessor_reader.h"
+#include "scenes/gltf/vertex_tangents.h"
 #include "sessions/input_error.h"
 #include "sessions/strict_json.h"
 
@@ -163,6 +165,26 @@ std::vector<glm::vec3> read_offsets(const GltfModel& model, int accessor, std::s
   return offsets;
 }
 
+// What a morph target without tangents adds to them: those that its shape has at weight 1, less those at
+// rest.
+std::vector<glm::vec3> tangent_offsets(const MeshDeformation& rest, const MorphTarget& target,
+                                       const TriangleMesh& mesh, int uv_set,
+                                       const std::vector<glm::vec3>& at_rest) {
+  MeshDeformation morph;
+  morph.rest_positions = rest.rest_positions;
+  morph.rest_normals = rest.rest_normals;
+  morph.rest_tangents = rest.rest_tangents;
+  morph.flat_normals = rest.flat_normals;
+  morph.targets = {target};
+  DeformationPose pose;
+  pose.weights = {1.0f};
+  TriangleMesh morphed = mesh;
+  bend_mesh(morph, pose, morphed);
+  std::vector<glm::vec3> offsets = tangent_directions(morphed, uv_set);
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] -= at_rest[i];
+  return offsets;
+}
+
 }  // namespace
 
 AnimatedModel animated_model(const GltfModel& model, const PlaybackRequest& request) {
@@ -197,30 +219,44 @@ std::vector<bool> moved_nodes(const AnimatedModel& model) {
   return moved;
 }
 
-std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const GltfPrimitive& primitive,
-                                                int node, const std::vector<std::uint32_t>& sources,
-                                                const TriangleMesh& mesh) {
+std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const BuiltPrimitive& built, int node,
+                                                const TriangleMesh& mesh, MeshBudget& budget) {
+  const GltfPrimitive& primitive = *built.from;
+  const std::vector<std::uint32_t>& sources = built.sources;
   const int skin = model.nodes[static_cast<std::size_t>(node)].skin;
   const bool skinned = skin >= 0 && primitive.joints[0] >= 0;
   if (!skinned && primitive.targets.empty()) return std::nullopt;
+  const std::size_t vertices = accessor_of(model, primitive.position).count;
   MeshDeformation to;
   to.node = node;
   to.rest_positions = mesh.positions;
   to.rest_normals = mesh.normals;
   to.rest_tangents = mesh.tangents;
   to.flat_normals = primitive.normal < 0;
-  const std::size_t vertices = accessor_of(model, primitive.position).count;
+  // What is kept, and what is decoded on the way.
+  spend(budget.decoded_elements, 3 * sources.size(), model, "bent vertices");
   if (skinned) {
+    spend(budget.decoded_elements, 2 * (sources.size() + vertices), model, "bent vertices");
     to.skin = skin;
     read_influences(model, primitive, model.skins[static_cast<std::size_t>(skin)].joints.size(), sources, to);
   }
+  std::vector<glm::vec3> directions;  // of tangents at rest
   for (const GltfTarget& target : primitive.targets) {
     MorphTarget& made = to.targets.emplace_back();
-    if (target.position >= 0) made.positions = read_offsets(model, target.position, vertices, sources);
-    if (target.normal >= 0 && !to.flat_normals)
-      made.normals = read_offsets(model, target.normal, vertices, sources);
-    if (target.tangent >= 0 && !mesh.tangents.empty() && !to.flat_normals)
-      made.tangents = read_offsets(model, target.tangent, vertices, sources);
+    const auto read = [&](int accessor) {
+      spend(budget.decoded_elements, sources.size() + vertices, model, "values of morph targets");
+      return read_offsets(model, accessor, vertices, sources);
+    };
+    if (target.position >= 0) made.positions = read(target.position);
+    if (target.normal >= 0 && !to.flat_normals) made.normals = read(target.normal);
+    if (mesh.tangents.empty()) continue;
+    if (target.tangent >= 0 && !built.made_tangents) {
+      made.tangents = read(target.tangent);
+    } else {
+      spend(budget.decoded_elements, sources.size(), model, "values of morph targets");
+      if (directions.empty()) directions = tangent_directions(mesh, built.normal_uv_set);
+      made.tangents = tangent_offsets(to, made, mesh, built.normal_uv_set, directions);
+    }
   }
   return to;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "scenes/animation/animated_model.h"
-#include "scenes/gltf/gltf_model.h"
+#include "scenes/gltf/mesh_builder.h"
 
 namespace herr {
 
@@ -31,10 +31,18 @@ AnimatedModel animated_model(const GltfModel& model, const PlaybackRequest& requ
 // Per node: the clip moves it, or one of its ancestors.
 std::vector<bool> moved_nodes(const AnimatedModel& model);
 
-// None for a primitive that a node neither skins nor morphs. `sources` as of BuiltMesh; `mesh` is the shape
-// at rest. Throws InputError for joints that do not exist and counts that do not fit.
-std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const GltfPrimitive& primitive,
-                                                int node, const std::vector<std::uint32_t>& sources,
-                                                const TriangleMesh& mesh);
+// A primitive once built: where it stands in the scene, and which of its vertices were kept.
+struct BuiltPrimitive {
+  std::uint32_t mesh, material;
+  const GltfPrimitive* from = nullptr;
+  std::vector<std::uint32_t> sources;  // as of BuiltMesh; only where something may bend it
+  int normal_uv_set = 0;               // where its mesh has tangents: the coordinates that they follow
+  bool made_tangents = false;          // these are ours, not the file's
+};
+
+// None for a primitive that a node neither skins nor morphs. `mesh` is its shape at rest. Throws InputError
+// for joints that do not exist, counts that do not fit, and more than the budget reaches for.
+std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const BuiltPrimitive& primitive,
+                                                int node, const TriangleMesh& mesh, MeshBudget& budget);
 
 }  // namespace herr

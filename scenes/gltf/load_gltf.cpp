@@ -24,13 +24,6 @@
 namespace herr {
 namespace {
 
-// A primitive once built: where it stands in the scene, and which of its vertices were kept.
-struct BuiltPrimitive {
-  std::uint32_t mesh, material;
-  const GltfPrimitive* from = nullptr;
-  std::vector<std::uint32_t> sources;  // only where something may bend it
-};
-
 bool reads_coordinates(const Material& material) {
   const int textures[] = {material.base_colour_texture,         material.metallic_roughness_texture,
                           material.emission_texture.texture,    material.normal_texture.texture,
@@ -42,8 +35,8 @@ bool reads_coordinates(const Material& material) {
 // Builds the meshes of a file when the first instance asks for them.
 class PrimitiveCache {
  public:
-  PrimitiveCache(const GltfModel& model, Scene& scene)
-      : model_(model), scene_(scene), materials_(model, scene) {}
+  PrimitiveCache(const GltfModel& model, Scene& scene, MeshBudget& budget)
+      : model_(model), scene_(scene), budget_(budget), materials_(model, scene) {}
 
   bool has(int mesh) const { return built_.count(mesh) != 0; }
 
@@ -79,15 +72,15 @@ class PrimitiveCache {
       built.mesh.uvs.clear();
       built.mesh.more_uvs.clear();
     }
-    if (made.normal_texture.texture < 0) {
-      built.mesh.tangents.clear();
-    } else if (built.mesh.tangents.empty()) {
-      make_tangents(built, made.normal_texture.uv_set);
-    }
+    const bool bends_normals = made.normal_texture.texture >= 0;
+    const bool makes_tangents = bends_normals && built.mesh.tangents.empty();
+    if (!bends_normals) built.mesh.tangents = {};
+    if (makes_tangents) make_tangents(built, made.normal_texture.uv_set);
     if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
     if (primitive.joints[0] < 0 && primitive.targets.empty()) built.sources.clear();
-    return BuiltPrimitive{mesh, material, &primitive, std::move(built.sources)};
+    return BuiltPrimitive{
+        mesh, material, &primitive, std::move(built.sources), made.normal_texture.uv_set, makes_tangents};
   }
 
   // Says each thing once, however many primitives it holds for.
@@ -97,8 +90,8 @@ class PrimitiveCache {
 
   const GltfModel& model_;
   Scene& scene_;
+  MeshBudget& budget_;
   MaterialBuilder materials_;
-  MeshBudget budget_;
   std::map<int, std::vector<BuiltPrimitive>> built_;
   std::set<std::string> said_;
 };
@@ -118,9 +111,10 @@ void check_unshown_indices(const GltfModel& model, const PrimitiveCache& cache) 
 // Places primitives as a model has them at time 0, and keeps what moves or bends them later.
 class ModelBuilder {
  public:
-  ModelBuilder(const GltfModel& gltf, const PlaybackRequest& playback, Scene& scene)
+  ModelBuilder(const GltfModel& gltf, const PlaybackRequest& playback, Scene& scene, MeshBudget& budget)
       : gltf_(gltf),
         scene_(scene),
+        budget_(budget),
         model_(animated_model(gltf, playback)),
         pose_(model_),
         moved_(moved_nodes(model_)),
@@ -134,8 +128,7 @@ class ModelBuilder {
     instance.world_from_object = placed.gltf_from_mesh;
     std::optional<MeshDeformation> bent;
     if (!primitive.sources.empty()) {
-      bent =
-          mesh_deformation(gltf_, *primitive.from, placed.node, primitive.sources, rest_of(primitive.mesh));
+      bent = mesh_deformation(gltf_, primitive, placed.node, rest_of(primitive.mesh), budget_);
     }
     const bool skinned = bent && bent->skin >= 0;
     if (bent) instance.mesh = bend(std::move(*bent), primitive.mesh);
@@ -185,6 +178,7 @@ class ModelBuilder {
 
   const GltfModel& gltf_;
   Scene& scene_;
+  MeshBudget& budget_;
   AnimatedModel model_;
   ModelPose pose_;
   std::vector<bool> moved_;
@@ -197,8 +191,9 @@ GltfContent append(const std::filesystem::path& file, Scene& scene, const Playba
   scene.files.insert(scene.files.end(), model.files.begin(), model.files.end());
   scene.warnings.insert(scene.warnings.end(), model.warnings.begin(), model.warnings.end());
 
-  PrimitiveCache cache(model, scene);
-  ModelBuilder builder(model, playback, scene);
+  MeshBudget budget;
+  PrimitiveCache cache(model, scene, budget);
+  ModelBuilder builder(model, playback, scene, budget);
   FlattenedNodes nodes = flatten_nodes(model);
   GltfContent content{{}, std::move(nodes.lights)};
   std::vector<Instance>& instances = content.instances;

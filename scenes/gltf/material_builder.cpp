@@ -61,7 +61,8 @@ bool MaterialBuilder::lacks_coordinates(int material, const std::vector<UvSource
 }
 
 bool MaterialBuilder::reads_tangents(int material) const {
-  return material_of(model_, material).normal_texture.texture >= 0;
+  const GltfMaterial& from = material_of(model_, material);
+  return from.normal_texture.texture >= 0 && !from.unlit;
 }
 
 std::uint32_t MaterialBuilder::material(int material, const std::vector<UvSource>& sources, bool coloured) {

@@ -28,7 +28,7 @@ class MaterialBuilder {
   std::vector<UvSource> uv_sources(int material, const GltfPrimitive& primitive) const;
   // Does it read coordinates that are not among `sources`?
   bool lacks_coordinates(int material, const std::vector<UvSource>& sources) const;
-  // Has it a normal texture, which needs tangents?
+  // Has it a normal texture that is seen, which needs tangents?
   bool reads_tangents(int material) const;
   // Index in scene.materials, for a mesh that has `sources`; textures that read others are left out.
   // `coloured`: the mesh has vertex colours.

@@ -6,7 +6,6 @@
 
 #include "scenes/gltf/accessor_reader.h"
 #include "scenes/gltf/gltf_limits.h"
-#include "scenes/gltf/vertex_tangents.h"
 #include "sessions/input_error.h"
 
 namespace herr {
@@ -52,12 +51,6 @@ std::vector<std::uint32_t> compact(std::vector<Triangle>& triangles, std::size_t
     for (std::uint32_t& vertex : triangle) vertex = new_index[vertex];
   }
   return old_index;
-}
-
-void spend(std::int64_t& budget, std::size_t amount, const GltfModel& model, const char* what) {
-  budget -= static_cast<std::int64_t>(amount);
-  if (budget < 0)
-    throw InputError(model.file, 0, std::string("has too many ") + what, "split or simplify the model");
 }
 
 std::vector<float> read_attribute(const GltfModel& model, int accessor, int components, std::size_t count,
@@ -123,19 +116,23 @@ std::vector<glm::vec4> read_vertex_colours(const GltfModel& model, int accessor,
   return colours;
 }
 
-// Tangents of the vertices that are kept: unit, w = 1 or -1. One of length zero becomes any across its
-// normal.
+// Tangents of the vertices that are kept: unit, w = 1 or -1. `unusable`: how many have no length or lie along
+// their normals.
 std::vector<glm::vec4> read_tangents(const GltfModel& model, int accessor, std::size_t count,
                                      const std::vector<std::uint32_t>& old_index,
-                                     const std::vector<glm::vec3>& normals, MeshBudget& budget) {
+                                     const std::vector<glm::vec3>& normals, MeshBudget& budget,
+                                     std::int64_t& unusable) {
   const std::vector<float> values = read_attribute(model, accessor, 4, count, "TANGENT", budget);
   std::vector<glm::vec4> tangents;
   tangents.reserve(old_index.size());
   for (const std::size_t i : old_index) {
-    const glm::dvec3 along(values[4 * i], values[4 * i + 1], values[4 * i + 2]);
+    const glm::dvec3 along(values[4 * i], values[4 * i + 1], values[4 * i + 2]),
+        normal(normals[tangents.size()]);
     const double length = glm::length(along);
-    const glm::vec3 unit = length < 1e-6 ? any_tangent(normals[tangents.size()]) : glm::vec3(along / length);
-    tangents.emplace_back(unit, values[4 * i + 3] < 0 ? -1.0f : 1.0f);
+    const bool usable = length >= 1e-6 && glm::length(glm::cross(normal, along)) >= 1e-3 * length;
+    unusable += usable ? 0 : 1;
+    tangents.emplace_back(usable ? glm::vec3(along / length) : glm::vec3(0.0f),
+                          values[4 * i + 3] < 0 ? -1.0f : 1.0f);
   }
   return tangents;
 }
@@ -155,9 +152,15 @@ std::vector<std::uint32_t> index_run(const GltfModel& model, const GltfPrimitive
 }  // namespace
 
 // Decoded elements: positions, normals, tangents, uvs, colours and three indices per triangle, each at most
-// once per vertex, and nearly as much again for primitives that share vertex arrays.
+// once per vertex, and half as much again for primitives that share vertex arrays.
 MeshBudget::MeshBudget()
     : triangles(kMaxFileTriangles), decoded_elements(6 * kMaxFileVertices + 6 * kMaxFileTriangles) {}
+
+void spend(std::int64_t& budget, std::size_t amount, const GltfModel& model, const char* what) {
+  budget -= static_cast<std::int64_t>(amount);
+  if (budget < 0)
+    throw InputError(model.file, 0, std::string("has too many ") + what, "split or simplify the model");
+}
 
 void make_flat(TriangleMesh& mesh) {
   TriangleMesh flat;
@@ -243,7 +246,13 @@ BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
                              " normals of length zero are taken from their triangles");
   }
   if (with_tangents && primitive.tangent >= 0) {
-    mesh.tangents = read_tangents(model, primitive.tangent, count, old_index, mesh.normals, budget);
+    std::int64_t unusable = 0;
+    mesh.tangents = read_tangents(model, primitive.tangent, count, old_index, mesh.normals, budget, unusable);
+    if (unusable > 0) {
+      built.warnings.push_back(std::to_string(unusable) +
+                               " tangents of length zero or along their normals: all are made anew");
+      mesh.tangents = {};
+    }
   }
   return built;
 }

@@ -18,6 +18,9 @@ struct MeshBudget {
   MeshBudget();
 };
 
+// Throws InputError where the budget does not reach. `what`: in the plural.
+void spend(std::int64_t& budget, std::size_t amount, const GltfModel& model, const char* what);
+
 struct BuiltMesh {
   TriangleMesh mesh;                   // no triangles: nothing to draw, `warnings` says why
   std::vector<std::string> warnings;   // without the file's name

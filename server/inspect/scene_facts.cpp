@@ -21,7 +21,10 @@ void add_meshes(const Scene& scene, SceneFacts& facts) {
       facts.degenerate_triangles += has_no_area(mesh, triangle) ? 1 : 0;
     facts.geometry_bytes += static_cast<std::int64_t>(
         mesh.positions.size() * sizeof(mesh.positions[0]) + mesh.normals.size() * sizeof(mesh.normals[0]) +
-        mesh.uvs.size() * sizeof(mesh.uvs[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]));
+        mesh.uvs.size() * sizeof(mesh.uvs[0]) + mesh.tangents.size() * sizeof(mesh.tangents[0]) +
+        mesh.colours.size() * sizeof(mesh.colours[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]));
+    for (const auto& set : mesh.more_uvs)
+      facts.geometry_bytes += static_cast<std::int64_t>(set.size() * sizeof(set[0]));
   }
 }
 

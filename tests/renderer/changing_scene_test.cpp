@@ -192,6 +192,15 @@ Scene bent_beforehand(const Scene& scene, const DeformationPose& pose) {
   return bent;
 }
 
+// The second joint turned, and everything mirrored.
+DeformationPose mirrored(const DeformationPose& pose) {
+  DeformationPose other = pose;
+  for (auto& joint : other.joints) {
+    for (std::size_t column = 0; column < 4; ++column) joint[3 * column] = -joint[3 * column];
+  }
+  return other;
+}
+
 // Of all values, by more than 8 steps of a half.
 double share_of_differing(const RenderedFrame& one, const RenderedFrame& other) {
   std::int64_t differing = 0, all = 0;
@@ -207,7 +216,7 @@ double share_of_differing(const RenderedFrame& one, const RenderedFrame& other) 
   return static_cast<double>(differing) / static_cast<double>(all);
 }
 
-void expect_bent_as_if_loaded_bent(const Scene& scene) {
+void expect_bent_as_if_loaded_bent(const Scene& scene, const DeformationPose& pose) {
   SceneState state;
   scene_state_at(scene, 0, state);
   const FrameSample sample = test::sample_from({0, 0, 0});
@@ -216,7 +225,7 @@ void expect_bent_as_if_loaded_bent(const Scene& scene) {
     RenderedFrame frame;
     state.poses = {turned(0, 1)};
     renderer.render_frame(sample, state, frame);
-    state.poses = {turned(0.7, 2)};
+    state.poses = {pose};
     renderer.render_frame(sample, state, frame);
     EXPECT_EQ(frame.counters.meshes_refitted + frame.counters.meshes_rebuilt, 1);
     EXPECT_EQ(frame.counters.commits, 2);  // the mesh and the top level
@@ -231,12 +240,12 @@ void expect_bent_as_if_loaded_bent(const Scene& scene) {
 }
 
 TEST(ChangingSceneTest, ABentMeshLooksLikeOneThatWasLoadedBent) {
-  expect_bent_as_if_loaded_bent(bending_sheet(20));
+  expect_bent_as_if_loaded_bent(bending_sheet(20), turned(0.7, 2));
 }
 
-TEST(ChangingSceneTest, ABentMeshBendsItsTangentsToo) {
-  // A normal texture that leans by 39 degrees along tangents that are halfway to the bitangents.
-  Scene scene = bending_sheet(20);
+// With a normal texture that leans by 39 degrees along tangents that are halfway to the bitangents.
+Scene textured_bending_sheet(int n) {
+  Scene scene = bending_sheet(n);
   TriangleMesh& mesh = scene.meshes[0];
   mesh.uvs.assign(mesh.positions.size(), glm::vec2(0.5f));
   mesh.tangents.assign(mesh.positions.size(), glm::vec4(0.6f, 0.8f, 0, -1));
@@ -247,7 +256,40 @@ TEST(ChangingSceneTest, ABentMeshBendsItsTangentsToo) {
   image.rgba = {230, 128, 255, 255};
   scene.textures.push_back(image);
   scene.materials[0].normal_texture = {0, 0};
-  expect_bent_as_if_loaded_bent(scene);
+  return scene;
+}
+
+// Every triangle has three vertices of its own, and its own normal.
+void flatten(TriangleMesh& mesh, MeshDeformation& deformation) {
+  const TriangleMesh from = std::exchange(mesh, {});
+  const MeshDeformation bends = deformation;
+  deformation.joints.clear();
+  deformation.weights.clear();
+  for (const auto& triangle : from.triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const std::uint32_t vertex : triangle) {
+      mesh.positions.push_back(from.positions[vertex]);
+      mesh.normals.push_back(from.normals[vertex]);
+      mesh.uvs.push_back(from.uvs[vertex]);
+      mesh.tangents.push_back(from.tangents[vertex]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        deformation.joints.push_back(bends.joints[4 * vertex + k]);
+        deformation.weights.push_back(bends.weights[4 * vertex + k]);
+      }
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  deformation.flat_normals = true;
+  deformation.rest_positions = mesh.positions;
+  deformation.rest_normals = mesh.normals;
+  deformation.rest_tangents = mesh.tangents;
+}
+
+TEST(ChangingSceneTest, ABentMeshBendsItsTangentsToo) {
+  Scene scene = textured_bending_sheet(20);
+  for (const DeformationPose& pose : {turned(0.7, 2), mirrored(turned(0.7, 2))})
+    expect_bent_as_if_loaded_bent(scene, pose);
+  const TriangleMesh& mesh = scene.meshes[0];
   // And it matters: unbent tangents of a bent mesh look otherwise.
   const DeformationPose pose = turned(0.7, 2);
   const Scene bent = bent_beforehand(scene, pose);
@@ -258,6 +300,13 @@ TEST(ChangingSceneTest, ABentMeshBendsItsTangentsToo) {
     return test::render(of, test::small_profile(), with_threads(1), sample);
   };
   EXPECT_GT(share_of_differing(picture(bent), picture(unbent)), 0.05);
+}
+
+TEST(ChangingSceneTest, AFlatMeshBendsItsTangentsToo) {
+  Scene scene = textured_bending_sheet(20);
+  flatten(scene.meshes[0], scene.deformations[0]);
+  for (const DeformationPose& pose : {turned(0.7, 2), mirrored(turned(0.7, 2))})
+    expect_bent_as_if_loaded_bent(scene, pose);
 }
 
 TEST(ChangingSceneTest, AMeshThatCrumplesIsBuiltAnew) {

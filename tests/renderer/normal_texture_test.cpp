@@ -50,17 +50,18 @@ double radiance(Scene scene, const glm::dvec3& towards_sun, Isa isa) {
   RenderSettings settings = test::planar_settings();
   settings.isa = isa;
   const RenderedFrame frame =
-      test::render(scene, test::single_view(8, 8, 20, 20), settings, test::sample_from({0, 0, 0}));
+      test::render(scene, test::single_view(9, 9, 20, 20), settings, test::sample_from({0, 0, 0}));
   test::expect_finite(frame);
   return test::pixel_at(frame.viewports[0], 4, 4)[0];
 }
 
-// For suns from all sides, of which some are behind the bent normal.
-void expect_normal(const Scene& scene, const glm::dvec3& normal) {
+// For suns from all sides, of which some are behind the bent normal; light must be before the triangle too.
+void expect_normal(const Scene& scene, const glm::dvec3& normal, const glm::dvec3& triangle = {0, 0, 1}) {
   const glm::dvec3 unit = glm::normalize(normal);
   for (const Isa isa : test::offered_isas()) {
     for (const glm::dvec3& sun : kTowardsSuns) {
-      const double expected = kAlbedo / glm::pi<double>() * kIrradiance * std::max(0.0, glm::dot(unit, sun));
+      const double cosine = glm::dot(triangle, sun) > 0 ? std::max(0.0, glm::dot(unit, sun)) : 0.0;
+      const double expected = kAlbedo / glm::pi<double>() * kIrradiance * cosine;
       // Octahedral codes are off by 6.6e-5 rad at most: as much for the normal and for the tangent.
       EXPECT_NEAR(radiance(scene, sun, isa), expected, 3e-4 + 2 * test::half_rounding(expected))
           << name_of(isa) << ", sun at " << sun.x << ", " << sun.y;
@@ -110,12 +111,35 @@ TEST(NormalTextureTest, SeenFromBehindTheWholeNormalIsReversed) {
   expect_normal(wall({100, 240, 200}, 1, turn), -(glm::dmat3(turn) * bent));
 }
 
-TEST(NormalTextureTest, OneThatPointsIntoTheSurfaceLeavesTheNormalAlone) {
-  expect_normal(wall({128, 128, 0}), {0, 0, 1});
+TEST(NormalTextureTest, OneThatPointsIntoTheSurfaceIsTakenForOneThatFacesTheViewer) {
+  expect_normal(wall({128, 128, 0}), decoded({128, 128, 255}, 1));
   expect_normal(wall({128, 128, 128}), decoded({128, 128, 128}, 1));
   Scene flat = wall({255, 128, 0});
   flat.materials[0].normal_scale = 0;
   expect_normal(flat, {0, 0, 1});
+}
+
+TEST(NormalTextureTest, ASlopeThatFacesAwayIsTakenForOneThatFacesTheViewerAsMuch) {
+  // The wall is seen at 70 degrees, and the texture leans 45 degrees farther.
+  const glm::dmat4 turn = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -1)) *
+                          glm::rotate(glm::dmat4(1.0), 70 / kDegreesPerRadian, glm::dvec3(0, 1, 0)) *
+                          glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 1));
+  const glm::dvec3 viewer(0, 0, 1), bent = glm::normalize(glm::dmat3(turn) * decoded({255, 128, 255}, 1));
+  ASSERT_LT(glm::dot(bent, viewer), -0.3);
+  const glm::dvec3 triangle = glm::dmat3(turn) * glm::dvec3(0, 0, 1);
+  expect_normal(wall({255, 128, 255}, 1, turn), bent - 2.0 * glm::dot(bent, viewer) * viewer, triangle);
+  // The other way it faces the viewer anyway; beyond the triangle's own horizon it is left out.
+  const glm::dvec3 facing = glm::dmat3(turn) * decoded({0, 128, 255}, 1);
+  expect_normal(wall({0, 128, 255}, 1, turn), facing, triangle);
+  expect_normal(wall({0, 128, 100}, 1, turn), triangle, triangle);
+}
+
+TEST(NormalTextureTest, ATangentAlongTheNormalSaysNoDirection) {
+  Scene scene = wall({230, 128, 220});
+  scene.meshes[0].tangents.assign(4, glm::vec4(0, 0, 1, 1));
+  expect_normal(scene, {0, 0, 1});
+  scene.meshes[0].tangents.assign(4, glm::vec4(0, 0, -1, -1));
+  expect_normal(scene, {0, 0, 1});
 }
 
 TEST(NormalTextureTest, AMeshWithoutTangentsIsNotBent) {

@@ -238,5 +238,31 @@ TEST(AnimationTest, ASkinnedVertexIsTheWeightedMeanOfItsJoints) {
   EXPECT_TRUE(contains(error_of(write(folder, wrong, arrays)), "names joint 1 of 1"));
 }
 
+TEST(AnimationTest, AMirroringJointMirrorsWhatANormalTextureShows) {
+  for (const bool flat : {false, true}) {
+    MeshDeformation deformation;
+    deformation.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    deformation.rest_normals.assign(3, {0, 0, 1});
+    deformation.rest_tangents.assign(3, {1, 0, 0, 1});
+    deformation.flat_normals = flat;
+    deformation.skin = 0;
+    deformation.influences = 4;
+    deformation.joints.assign(12, 0);
+    deformation.weights = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    DeformationPose pose;
+    pose.joints = {{-1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}};  // x changes its sign
+    TriangleMesh bent;
+    bend_mesh(deformation, pose, bent);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec3 n = bent.normals[i], t(bent.tangents[i]), b = bent.tangents[i].w * glm::cross(n, t);
+      // The texel (0.3, 0.2, 0.9), which shading turns to the viewer whole.
+      const glm::vec3 shown = 0.3f * t + 0.2f * b + 0.9f * n;
+      const glm::vec3 expected(-0.3f, 0.2f, 0.9f);
+      EXPECT_LT(std::min(glm::distance(shown, expected), glm::distance(shown, -expected)), 1e-6f)
+          << (flat ? "flat" : "smooth");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace herr::test

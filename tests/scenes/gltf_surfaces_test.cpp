@@ -232,15 +232,14 @@ TEST(GltfSurfaces, TangentsAreReadWhereANormalTextureNeedsThem) {
   const TemporaryFolder folder;
   json document = with_normal_texture(folder, kUpright);
   add_attribute(folder, document, "NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1});
-  add_attribute(folder, document, "TANGENT", {0, 2, 0, 1, 0, 1, 0, -1, 0, 0, 0, 1});
+  add_attribute(folder, document, "TANGENT", {0, 2, 0, 1, 0, 1, 0, -1, 0.6f, 0.8f, 0, -3});
   const Scene scene = load_scene(write_model(folder, document));
   EXPECT_EQ(scene.materials.at(0).normal_scale, 0.5f);
   const auto& tangents = scene.meshes.at(0).tangents;
   ASSERT_EQ(tangents.size(), 3u);
   EXPECT_EQ(tangents[0], glm::vec4(0, 1, 0, 1)) << "made unit";
   EXPECT_EQ(tangents[1], glm::vec4(0, 1, 0, -1));
-  EXPECT_NEAR(glm::length(glm::vec3(tangents[2])), 1.0f, 1e-6f) << "of length zero: any across the normal";
-  EXPECT_NEAR(tangents[2].z, 0.0f, 1e-6f);
+  EXPECT_EQ(tangents[2], glm::vec4(0.6f, 0.8f, 0, -1));
 
   json plain = document;
   plain["materials"][0].erase("normalTexture");
@@ -279,6 +278,65 @@ TEST(GltfSurfaces, MissingTangentsPointWhereUGrows) {
     EXPECT_NEAR(glm::length(glm::vec3(tangent)), 1.0f, 1e-6f) << "coordinates that say nothing";
     EXPECT_NEAR(tangent.z, 0.0f, 1e-6f);
   }
+}
+
+TEST(GltfSurfaces, TangentsThatSayNoDirectionAreAllMadeAnew) {
+  const TemporaryFolder folder;
+  for (const std::vector<float>& one : {std::vector<float>{0, 0, 0, 1}, std::vector<float>{0, 0, -5, 1}}) {
+    json document = with_normal_texture(folder, kUpright);
+    add_attribute(folder, document, "NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    std::vector<float> tangents{0, 1, 0, 1, 0, 1, 0, 1};
+    tangents.insert(tangents.end(), one.begin(), one.end());
+    add_attribute(folder, document, "TANGENT", tangents);
+    const Scene scene = load_scene(write_model(folder, document));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(contains(scene.warnings[0], "1 tangents of length zero or along their normals"));
+    for (const glm::vec4& tangent : scene.meshes.at(0).tangents)
+      EXPECT_LT(glm::distance(tangent, glm::vec4(1, 0, 0, 1)), 1e-6f);
+  }
+}
+
+TEST(GltfSurfaces, MorphTargetsWithoutTangentsTurnThemWithTheirShape) {
+  // A target that turns the triangle by a quarter about y: x becomes -z, z becomes x.
+  for (const bool flat : {false, true}) {
+    const TemporaryFolder folder;
+    json document = with_normal_texture(folder, kUpright);
+    json& primitive = document["meshes"][0]["primitives"][0];
+    add_attribute(folder, document, "SHIFT", {0, 0, 0, -1, 0, -1, 0, 0, 0});
+    add_attribute(folder, document, "TURN", {1, 0, -1, 1, 0, -1, 1, 0, -1});
+    json target = {{"POSITION", primitive["attributes"]["SHIFT"]}};
+    if (!flat) {
+      target["NORMAL"] = primitive["attributes"]["TURN"];
+      add_attribute(folder, document, "NORMAL", {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    }
+    primitive["attributes"].erase("SHIFT");
+    primitive["attributes"].erase("TURN");
+    primitive["targets"] = json::array({target});
+    document["meshes"][0]["weights"] = {1};
+    const TriangleMesh turned = load_scene(write_model(folder, document)).meshes.at(0);
+    ASSERT_EQ(turned.tangents.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LT(glm::distance(turned.normals[i], glm::vec3(1, 0, 0)), 1e-6f) << (flat ? "flat" : "smooth");
+      EXPECT_LT(glm::distance(turned.tangents[i], glm::vec4(0, 0, -1, 1)), 1e-6f)
+          << (flat ? "flat" : "smooth");
+    }
+  }
+}
+
+TEST(GltfSurfaces, VerticesThatDifferInColourAloneShareTheirTangent) {
+  // Two triangles of a smooth fold that share no vertex, and one whose coordinates say nothing.
+  BuiltMesh built;
+  TriangleMesh& mesh = built.mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, -1}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, -1}, {0, 2, 0}};
+  mesh.normals.assign(7, {0, 0, 1});
+  mesh.uvs = {{0, 1}, {1, 1}, {0, 0}, {0, 1}, {0, 0}, {-2, 1.5f}, {0, -1}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}};
+  make_tangents(built, 0);
+  ASSERT_EQ(mesh.tangents.size(), 7u) << "no twins";
+  EXPECT_EQ(mesh.tangents[0], mesh.tangents[3]);
+  EXPECT_EQ(mesh.tangents[2], mesh.tangents[4]);
+  EXPECT_GT(glm::distance(mesh.tangents[1], mesh.tangents[5]), 0.01f) << "the triangles do differ";
+  for (const glm::vec4& tangent : mesh.tangents) EXPECT_EQ(tangent.w, 1.0f);
 }
 
 TEST(GltfSurfaces, AVertexWhereMirroredCoordinatesMeetOthersBecomesTwo) {

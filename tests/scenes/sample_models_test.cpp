@@ -43,6 +43,7 @@ void expect_sound(const Material& material, const TriangleMesh& mesh, std::size_
     ASSERT_FALSE(mesh.uvs.empty()) << name;
     ASSERT_LE(static_cast<std::size_t>(slot.uv_set), mesh.more_uvs.size()) << name;
   }
+  ASSERT_EQ(mesh.tangents.size(), material.normal_texture.texture < 0 ? 0 : mesh.positions.size()) << name;
 }
 
 // What scene.h promises about every scene that load_scene returns.
@@ -59,6 +60,10 @@ void expect_sound(const Scene& scene, const std::string& name) {
       ASSERT_TRUE(std::isfinite(glm::dot(position, position))) << name;
     // A unit vector rounded to float has a length within 1e-7 * sqrt(3) of 1.
     for (const glm::vec3& normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0, 5e-7) << name;
+    for (const glm::vec4& tangent : mesh.tangents) {
+      ASSERT_NEAR(glm::length(glm::vec3(tangent)), 1.0, 5e-7) << name;
+      ASSERT_EQ(std::abs(tangent.w), 1.0f) << name;
+    }
   }
   for (const Instance& instance : scene.instances) {
     ASSERT_LT(instance.mesh, scene.meshes.size()) << name;
