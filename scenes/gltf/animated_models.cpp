@@ -165,6 +165,18 @@ std::vector<glm::vec3> read_offsets(const GltfModel& model, int accessor, std::s
   return offsets;
 }
 
+// Before anything is read: one accessor may stand for all of a small file's targets. `each`: vertices of one
+// array, those that are decoded and those that are kept.
+void charge(MeshBudget& budget, const GltfModel& model, const GltfPrimitive& primitive, bool skinned,
+            std::size_t each) {
+  std::size_t arrays = 3;  // the shape at rest
+  if (skinned) arrays += primitive.joints[1] >= 0 ? 4 : 2;
+  for (const GltfTarget& target : primitive.targets) {
+    arrays += (target.position >= 0 ? 1u : 0u) + (target.normal >= 0 ? 1u : 0u) + 1u;  // 1: tangents
+  }
+  spend(budget.decoded_elements, arrays * each, model, "vertices that bend");
+}
+
 // What a morph target without tangents adds to them: those that its shape has at weight 1, less those at
 // rest.
 std::vector<glm::vec3> tangent_offsets(const MeshDeformation& rest, const MorphTarget& target,
@@ -233,27 +245,21 @@ std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const Bu
   to.rest_normals = mesh.normals;
   to.rest_tangents = mesh.tangents;
   to.flat_normals = primitive.normal < 0;
-  // What is kept, and what is decoded on the way.
-  spend(budget.decoded_elements, 3 * sources.size(), model, "bent vertices");
+  charge(budget, model, primitive, skinned, sources.size() + vertices);
   if (skinned) {
-    spend(budget.decoded_elements, 2 * (sources.size() + vertices), model, "bent vertices");
     to.skin = skin;
     read_influences(model, primitive, model.skins[static_cast<std::size_t>(skin)].joints.size(), sources, to);
   }
   std::vector<glm::vec3> directions;  // of tangents at rest
   for (const GltfTarget& target : primitive.targets) {
     MorphTarget& made = to.targets.emplace_back();
-    const auto read = [&](int accessor) {
-      spend(budget.decoded_elements, sources.size() + vertices, model, "values of morph targets");
-      return read_offsets(model, accessor, vertices, sources);
-    };
+    const auto read = [&](int accessor) { return read_offsets(model, accessor, vertices, sources); };
     if (target.position >= 0) made.positions = read(target.position);
     if (target.normal >= 0 && !to.flat_normals) made.normals = read(target.normal);
     if (mesh.tangents.empty()) continue;
     if (target.tangent >= 0 && !built.made_tangents) {
       made.tangents = read(target.tangent);
     } else {
-      spend(budget.decoded_elements, sources.size(), model, "values of morph targets");
       if (directions.empty()) directions = tangent_directions(mesh, built.normal_uv_set);
       made.tangents = tangent_offsets(to, made, mesh, built.normal_uv_set, directions);
     }

@@ -238,6 +238,20 @@ TEST(AnimationTest, ASkinnedVertexIsTheWeightedMeanOfItsJoints) {
   EXPECT_TRUE(contains(error_of(write(folder, wrong, arrays)), "names joint 1 of 1"));
 }
 
+TEST(AnimationTest, ASmallFileCannotAskForMorphTargetsWithoutEnd) {
+  // 256 targets over one accessor of zeros, which needs no bytes.
+  const TemporaryFolder folder;
+  nlohmann::json document = nlohmann::json::parse(R"({"asset": {"version": "2.0"}, "scene": 0,
+      "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+      "accessors": [{"componentType": 5126, "count": 450000, "type": "VEC3"}],
+      "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": []}]}]})");
+  nlohmann::json& targets = document["meshes"][0]["primitives"][0]["targets"];
+  targets.push_back({{"POSITION", 0}});
+  EXPECT_NO_THROW(load_scene(write_model(folder, document)));
+  while (targets.size() < 256) targets.push_back({{"POSITION", 0}});
+  EXPECT_TRUE(contains(error_of(write_model(folder, document)), "too many vertices that bend"));
+}
+
 TEST(AnimationTest, AMirroringJointMirrorsWhatANormalTextureShows) {
   for (const bool flat : {false, true}) {
     MeshDeformation deformation;
