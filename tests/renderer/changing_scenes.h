@@ -1,9 +1,13 @@
-// A small scene whose objects have names, and the picture of a scene that was loaded as it stands now.
-// Before: a test changes the scene. After: it compares frames bit for bit.
+// A small scene whose objects have names, the picture of a scene that was loaded as it stands now, and how
+// long changes take. Before: a test changes the scene. After: it compares frames bit for bit, or medians of
+// times.
 #pragma once
 
 #include <algorithm>
+#include <chrono>
+#include <vector>
 
+#include "renderer/geometry/embree_scene.h"
 #include "scenes/placed_objects.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
@@ -42,6 +46,27 @@ inline RenderedFrame fresh(const Scene& scene, const SceneState& state, const Re
   RenderedFrame frame;
   renderer.render_frame(sample, lights, frame);
   return frame;
+}
+
+inline SceneUpdate bring_up_to_date(EmbreeScene& geometry, const SceneState& state) {
+  SceneUpdate update;
+  geometry.follow(glm::dvec3(0.0));
+  geometry.take_up(state, update);
+  geometry.commit_changes(update);
+  return update;
+}
+
+inline double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+template <typename Work>
+double milliseconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace herr::test
