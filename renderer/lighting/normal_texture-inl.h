@@ -52,9 +52,7 @@ HWY_INLINE void bend_normals(const InstanceRecord& instance, VI record, const Ba
   bent = mul_add(hn::Mul(two, away), viewer, bent);
   const MF bends = hn::And(hn::And(lanes, hn::Gt(dot(bent, g), hn::Zero(kF))),
                            hn::Gt(dot(across, across), set(kLeastTangent2)));
-  store_lanes(bent.x, bends, &out.nx[slot]);
-  store_lanes(bent.y, bends, &out.ny[slot]);
-  store_lanes(bent.z, bends, &out.nz[slot]);
+  store_shading_normal(bent, bends, out, slot);
 }
 
 }  // namespace HWY_NAMESPACE
