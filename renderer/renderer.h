@@ -13,13 +13,13 @@
 
 #include "renderer/frame_plan.h"
 #include "renderer/memory_use.h"
-#include "renderer/probes/probe_counts.h"
+#include "renderer/probe_counts.h"
 #include "renderer/probes/probe_reader.h"
 #include "renderer/render_settings.h"
 #include "renderer/stage_times.h"
 #include "renderer/viewport_image.h"
-#include "scenes/scene.h"
-#include "sessions/display_profile.h"
+#include "scenes/model/scene.h"
+#include "sessions/format/display_profile.h"
 #include "sessions/session.h"
 
 namespace herr {

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "scenes/changes/check_changes.h"
+#include "scenes/document/scene_document.h"
 #include "scenes/gltf/load_gltf.h"
-#include "scenes/placed_objects.h"
-#include "scenes/scene.h"
-#include "scenes/scene_document.h"
-#include "scenes/transform_checks.h"
+#include "scenes/model/placed_objects.h"
+#include "scenes/model/scene.h"
+#include "scenes/model/transform_checks.h"
 #include "scenes/voxels/load_vox.h"
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sessions/input_error.h"
-#include "sessions/session_check.h"
-#include "sessions/session_header.h"
+#include "sessions/check/session_check.h"
+#include "sessions/files/input_error.h"
+#include "sessions/format/session_header.h"
 #include "sessions/streams/camera_sampler.h"
 #include "sessions/streams/event_stream.h"
 #include "sessions/streams/gaze_sampler.h"

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "sessions/camera_image.h"
-#include "sessions/camera_model.h"
-#include "sessions/display_profile.h"
-#include "sessions/pose.h"
+#include "sessions/camera/camera_image.h"
+#include "sessions/camera/camera_model.h"
+#include "sessions/format/display_profile.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

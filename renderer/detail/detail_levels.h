@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/detail/detail_choice.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "sessions/display_profile.h"
+#include "sessions/format/display_profile.h"
 
 namespace herr {
 

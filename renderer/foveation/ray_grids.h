@@ -10,8 +10,8 @@
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_samples.h"
 #include "renderer/foveation/radiance_buffer.h"
-#include "sessions/display_profile.h"
-#include "sessions/pose.h"
+#include "sessions/format/display_profile.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

@@ -3,7 +3,7 @@
 // whatever kind, passes the holes of masked surfaces.
 #pragma once
 
-#include "renderer/geometry/embree_api.h"
+#include "renderer/embree/embree_api.h"
 #include "renderer/geometry/shading_scene.h"
 
 namespace herr {

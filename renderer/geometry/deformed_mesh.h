@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "renderer/geometry/mesh_geometry.h"
-#include "renderer/render_threads.h"
-#include "scenes/scene.h"
+#include "renderer/threads/render_threads.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

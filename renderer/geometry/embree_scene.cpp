@@ -9,7 +9,7 @@
 #include <string>
 
 #include "renderer/memory_use.h"
-#include "scenes/transform_checks.h"
+#include "scenes/model/transform_checks.h"
 
 namespace herr {
 namespace {

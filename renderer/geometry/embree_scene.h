@@ -11,17 +11,17 @@
 #include <string>
 #include <vector>
 
+#include "renderer/embree/embree_device.h"
 #include "renderer/geometry/deformed_mesh.h"
-#include "renderer/geometry/embree_device.h"
 #include "renderer/geometry/instance_records.h"
 #include "renderer/geometry/mesh_geometry.h"
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/geometry/shape_geometry.h"
 #include "renderer/geometry/surface_details.h"
 #include "renderer/geometry/texture_levels.h"
-#include "renderer/geometry/voxel_geometry.h"
 #include "renderer/render_settings.h"
-#include "scenes/scene.h"
+#include "renderer/voxels/voxel_geometry.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

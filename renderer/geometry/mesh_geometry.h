@@ -2,10 +2,10 @@
 // Before: Scene::meshes. After: embree_scene instances it.
 #pragma once
 
+#include "renderer/embree/embree_device.h"
 #include "renderer/geometry/alpha_filter.h"
-#include "renderer/geometry/embree_device.h"
 #include "renderer/geometry/triangle_records.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -11,7 +11,7 @@
 #define HERR_SHAPE_CROSSINGS_INL
 #endif
 
-#include "renderer/geometry/callback_rays-inl.h"
+#include "renderer/embree/callback_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

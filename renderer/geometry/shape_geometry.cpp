@@ -7,7 +7,7 @@
 
 #include "renderer/geometry/shape_crossings-inl.h"
 #include "renderer/geometry/shape_geometry.h"
-#include "renderer/simd_dispatch.h"
+#include "renderer/simd/simd_dispatch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -3,8 +3,8 @@
 // reads the hit's normal (outward, in object space).
 #pragma once
 
-#include "renderer/geometry/embree_device.h"
-#include "scenes/scene.h"
+#include "renderer/embree/embree_device.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

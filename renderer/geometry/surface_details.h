@@ -7,7 +7,7 @@
 
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/geometry/triangle_records.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

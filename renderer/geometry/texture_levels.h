@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/geometry/shading_scene.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -7,8 +7,8 @@
 #define HERR_ENVIRONMENT_INL
 #endif
 
-#include "renderer/lighting/tile_job.h"
-#include "renderer/vector_angles-inl.h"
+#include "renderer/simd/vector_angles-inl.h"
+#include "renderer/tiles/tile_job.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

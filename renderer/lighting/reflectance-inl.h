@@ -7,8 +7,8 @@
 #define HERR_REFLECTANCE_INL
 #endif
 
-#include "renderer/lighting/tile_job.h"
-#include "renderer/simd_types-inl.h"
+#include "renderer/simd/simd_types-inl.h"
+#include "renderer/tiles/tile_job.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -10,8 +10,8 @@
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
-#include "renderer/lighting/surfaces-inl.h"
-#include "renderer/probes/probe_lookup-inl.h"
+#include "renderer/lighting/probe_lookup-inl.h"
+#include "renderer/surfaces/surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -7,7 +7,7 @@
 #define HERR_SHADOW_RAYS_INL
 #endif
 
-#include "renderer/lighting/ray_packets-inl.h"
+#include "renderer/tiles/ray_packets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -9,8 +9,8 @@
 
 #include "renderer/lighting/alpha_layers-inl.h"
 #include "renderer/lighting/ambient_occlusion-inl.h"
-#include "renderer/lighting/ray_cones-inl.h"
-#include "renderer/simd_dispatch.h"
+#include "renderer/simd/simd_dispatch.h"
+#include "renderer/tiles/ray_cones-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

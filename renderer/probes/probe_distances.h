@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/geometry/embree_api.h"
+#include "renderer/embree/embree_api.h"
 
 namespace herr {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -5,7 +5,7 @@
 
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/probes/probe_volume.h"
-#include "renderer/render_threads.h"
+#include "renderer/threads/render_threads.h"
 
 namespace herr {
 

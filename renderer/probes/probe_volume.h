@@ -13,12 +13,12 @@
 #include <span>
 #include <vector>
 
-#include "renderer/probes/probe_counts.h"
+#include "renderer/probe_counts.h"
 #include "renderer/probes/probe_grid.h"
 #include "renderer/probes/probe_rays.h"
 #include "renderer/probes/probe_view.h"
 #include "renderer/render_settings.h"
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

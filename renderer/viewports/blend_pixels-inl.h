@@ -8,7 +8,7 @@
 #define HERR_BLEND_PIXELS_INL
 #endif
 
-#include "renderer/simd_types-inl.h"
+#include "renderer/simd/simd_types-inl.h"
 #include "renderer/viewports/viewport_job.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,7 +1,7 @@
 // A camera image in the form that the composite fetches from.
 #pragma once
 
-#include "sessions/camera_image.h"
+#include "sessions/camera/camera_image.h"
 
 namespace herr {
 

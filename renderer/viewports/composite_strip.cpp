@@ -6,7 +6,7 @@
 
 #include <hwy/highway.h>
 
-#include "renderer/simd_dispatch.h"
+#include "renderer/simd/simd_dispatch.h"
 #include "renderer/viewports/block_coordinates-inl.h"
 
 HWY_BEFORE_NAMESPACE();

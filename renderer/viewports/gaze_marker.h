@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderer/viewport_image.h"
-#include "sessions/display_profile.h"
+#include "sessions/format/display_profile.h"
 
 namespace herr {
 

@@ -9,7 +9,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
-#include "renderer/vector_angles-inl.h"
+#include "renderer/simd/vector_angles-inl.h"
 #include "renderer/viewports/viewport_job.h"
 
 HWY_BEFORE_NAMESPACE();

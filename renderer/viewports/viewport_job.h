@@ -13,10 +13,10 @@
 #include "renderer/foveation/radiance_buffer.h"
 #include "renderer/render_settings.h"
 #include "renderer/viewport_image.h"
-#include "sessions/camera_image.h"
-#include "sessions/camera_model.h"
-#include "sessions/display_profile.h"
-#include "sessions/pose.h"
+#include "sessions/camera/camera_image.h"
+#include "sessions/camera/camera_model.h"
+#include "sessions/format/display_profile.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

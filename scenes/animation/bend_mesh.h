@@ -2,7 +2,7 @@
 // load; the reference of the renderer's kernels. Source: glTF 2.0 section 3.7.3.
 #pragma once
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scenes/changes/placement.h"
-#include "scenes/transform_checks.h"
+#include "scenes/model/placement.h"
+#include "scenes/model/transform_checks.h"
 
 namespace herr {
 namespace {

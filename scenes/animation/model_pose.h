@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scenes/animation/animated_model.h"
+#include "scenes/model/animated_model.h"
 
 namespace herr {
 

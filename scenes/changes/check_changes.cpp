@@ -3,9 +3,9 @@
 #include <limits>
 #include <string>
 
-#include "scenes/changes/parse_change.h"
 #include "scenes/changes/world.h"
-#include "sessions/input_error.h"
+#include "scenes/document/parse_change.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

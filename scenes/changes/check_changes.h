@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "scenes/scene.h"
-#include "sessions/pose.h"
+#include "scenes/model/scene.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

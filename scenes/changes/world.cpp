@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "scenes/gltf/gltf_limits.h"
-#include "scenes/transform_checks.h"
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "scenes/gltf/file/gltf_limits.h"
+#include "scenes/model/transform_checks.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "scenes/animation/model_pose.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "scenes/animation/bend_mesh.h"
-#include "scenes/gltf/accessor_reader.h"
+#include "scenes/gltf/file/accessor_reader.h"
 #include "scenes/gltf/vertex_tangents.h"
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

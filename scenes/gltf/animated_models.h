@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/animation/animated_model.h"
 #include "scenes/gltf/mesh_builder.h"
+#include "scenes/model/animated_model.h"
 
 namespace herr {
 

@@ -2,7 +2,7 @@
 // of each hit which side it is on. Before: mesh_builder. After: TriangleMesh::closed.
 #pragma once
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -10,16 +10,16 @@
 
 #include "scenes/animation/bend_mesh.h"
 #include "scenes/animation/model_pose.h"
-#include "scenes/gltf/accessor_reader.h"
 #include "scenes/gltf/closed_mesh.h"
-#include "scenes/gltf/gltf_limits.h"
+#include "scenes/gltf/file/accessor_reader.h"
+#include "scenes/gltf/file/gltf_limits.h"
+#include "scenes/gltf/file/read_gltf.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/gltf/mesh_builder.h"
 #include "scenes/gltf/node_flattener.h"
-#include "scenes/gltf/read_gltf.h"
 #include "scenes/gltf/vertex_tangents.h"
-#include "scenes/transform_checks.h"
-#include "sessions/input_error.h"
+#include "scenes/model/transform_checks.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

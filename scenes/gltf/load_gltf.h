@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenes/gltf/animated_models.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "scenes/gltf/gltf_limits.h"
-#include "sessions/input_error.h"
+#include "scenes/gltf/file/gltf_limits.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf/gltf_model.h"
+#include "scenes/gltf/file/gltf_model.h"
 #include "scenes/gltf/texture_decoder.h"
 
 namespace herr {

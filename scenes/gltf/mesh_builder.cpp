@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "scenes/gltf/accessor_reader.h"
-#include "scenes/gltf/gltf_limits.h"
-#include "sessions/input_error.h"
+#include "scenes/gltf/file/accessor_reader.h"
+#include "scenes/gltf/file/gltf_limits.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -3,10 +3,10 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "scenes/gltf/gltf_limits.h"
-#include "scenes/gltf/gpu_instances.h"
-#include "scenes/transform_checks.h"
-#include "sessions/input_error.h"
+#include "scenes/gltf/file/gltf_limits.h"
+#include "scenes/gltf/file/gpu_instances.h"
+#include "scenes/model/transform_checks.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 

@@ -5,8 +5,8 @@
 
 #include <cstring>
 
-#include "scenes/gltf/gltf_limits.h"
-#include "sessions/input_error.h"
+#include "scenes/gltf/file/gltf_limits.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

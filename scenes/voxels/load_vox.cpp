@@ -4,12 +4,12 @@
 #include <map>
 #include <string>
 
-#include "scenes/transform_checks.h"
+#include "scenes/model/transform_checks.h"
 #include "scenes/voxels/vox_file.h"
 #include "scenes/voxels/vox_graph.h"
 #include "scenes/voxels/voxel_limits.h"
-#include "sessions/input_error.h"
-#include "sessions/input_file.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
 
 namespace herr {
 namespace {

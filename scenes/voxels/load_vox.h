@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

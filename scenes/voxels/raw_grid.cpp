@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/gltf/contained_folder.h"
+#include "scenes/gltf/file/contained_folder.h"
 #include "scenes/voxels/voxel_limits.h"
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

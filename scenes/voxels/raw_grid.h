@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

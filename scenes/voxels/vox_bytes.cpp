@@ -1,6 +1,6 @@
 #include "scenes/voxels/vox_bytes.h"
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 

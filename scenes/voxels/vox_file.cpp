@@ -2,7 +2,7 @@
 
 #include "scenes/voxels/vox_bytes.h"
 #include "scenes/voxels/voxel_limits.h"
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

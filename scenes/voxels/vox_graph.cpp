@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "scenes/transform_checks.h"
+#include "scenes/model/transform_checks.h"
 #include "scenes/voxels/voxel_limits.h"
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

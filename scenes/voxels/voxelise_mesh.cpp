@@ -12,7 +12,7 @@
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/voxels/triangle_voxels.h"
 #include "scenes/voxels/voxel_limits.h"
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -11,12 +11,12 @@
 #include "server/bench/frame_time_table.h"
 #include "server/bench/left_out.h"
 #include "server/bench/ray_limits.h"
-#include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
-#include "server/replay/summary_json.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
+#include "server/results/summary_json.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

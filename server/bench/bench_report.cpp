@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <fstream>
 
-#include "server/cli/version.h"
-#include "server/replay/summary_json.h"
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/process/version.h"
+#include "server/results/summary_json.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <fstream>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/render_settings.h"
-#include "sessions/display_profile.h"
+#include "sessions/format/display_profile.h"
 
 namespace herr {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "server/statistics/number_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "renderer/geometry/calibration_rays.h"
+#include "renderer/bench/calibration_rays.h"
 #include "server/check/measure/not_comparable.h"
-#include "server/replay/summary_json.h"
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "server/results/summary_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

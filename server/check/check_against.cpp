@@ -9,8 +9,8 @@
 #include "server/check/run_length.h"
 #include "server/check/statistics/pair_design.h"
 #include "server/check/statistics/signed_rank.h"
-#include "server/cli/progress_bar.h"
-#include "sessions/input_error.h"
+#include "server/process/progress_bar.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

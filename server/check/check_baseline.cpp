@@ -10,10 +10,10 @@
 #include "server/check/run_length.h"
 #include "server/check/statistics/baseline_design.h"
 #include "server/check/statistics/rank_sum.h"
-#include "server/cli/exit_code.h"
-#include "server/cli/progress_bar.h"
-#include "server/output/atomic_file.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "server/process/progress_bar.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -12,15 +12,15 @@
 #include "server/check/measure/not_comparable.h"
 #include "server/check/report/ci_reports.h"
 #include "server/check/report/text_report.h"
-#include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
-#include "server/output/atomic_file.h"
-#include "server/replay/output_folder.h"
-#include "server/replay/summary_json.h"
-#include "sessions/input_error.h"
-#include "sessions/record/append_file.h"
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
+#include "server/results/output_folder.h"
+#include "server/results/summary_json.h"
+#include "sessions/files/append_file.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

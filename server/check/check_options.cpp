@@ -2,9 +2,9 @@
 
 #include <unistd.h>
 
-#include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "server/check/measure/measure_run.h"
-#include "server/statistics/number_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

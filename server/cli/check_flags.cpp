@@ -5,8 +5,8 @@
 #include <array>
 #include <string_view>
 
-#include "server/cli/flag_values.h"
 #include "server/cli/flags.h"
+#include "server/text/flag_values.h"
 
 namespace herr {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "server/cli/check_flags.h"
-#include "server/cli/flag_values.h"
 #include "server/cli/flags.h"
 #include "server/cli/synth_flags.h"
-#include "server/cli/version.h"
+#include "server/process/version.h"
 #include "server/synth/synth_command.h"
+#include "server/text/flag_values.h"
 #include "sessions/import/built_in_maps.h"
 
 namespace herr {

@@ -10,8 +10,8 @@
 #include "server/check/check_options.h"
 #include "server/convert/convert_options.h"
 #include "server/inspect/inspect_options.h"
-#include "server/replay/replay_options.h"
 #include "server/serve/serve_options.h"
+#include "server/settings/replay_options.h"
 #include "server/synth/synth_options.h"
 
 namespace herr {

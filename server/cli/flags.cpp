@@ -7,9 +7,9 @@
 #include <array>
 #include <stdexcept>
 
-#include "scenes/scene.h"
-#include "server/cli/flag_values.h"
-#include "sessions/input_error.h"
+#include "scenes/model/scene.h"
+#include "server/text/flag_values.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

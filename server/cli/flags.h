@@ -7,8 +7,8 @@
 #include <string>
 
 #include "renderer/render_settings.h"
-#include "server/replay/replay_options.h"
 #include "server/serve/serve_options.h"
+#include "server/settings/replay_options.h"
 
 namespace CLI {
 class App;

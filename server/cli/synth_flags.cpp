@@ -3,11 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "server/cli/flag_values.h"
 #include "server/cli/flags.h"
-#include "server/statistics/number_text.h"
 #include "server/synth/irregular_events.h"
-#include "sessions/session_header.h"
+#include "server/text/flag_values.h"
+#include "server/text/number_text.h"
+#include "sessions/format/session_header.h"
 
 namespace herr {
 namespace {

@@ -7,19 +7,19 @@
 #include <utility>
 #include <vector>
 
-#include "server/cli/exit_code.h"
-#include "server/cli/flag_values.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
-#include "server/cli/version.h"
 #include "server/convert/convert_report.h"
-#include "server/new_session/new_session_folder.h"
+#include "server/output/new_session_folder.h"
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
+#include "server/process/version.h"
+#include "server/text/flag_values.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
 #include "sessions/import/aria_calibration.h"
 #include "sessions/import/built_in_maps.h"
 #include "sessions/import/camera_pictures.h"
 #include "sessions/import/import_rows.h"
-#include "sessions/input_error.h"
-#include "sessions/input_file.h"
 #include "sessions/record/session_recorder.h"
 
 namespace herr {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

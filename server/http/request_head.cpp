@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "server/replay/base64.h"
+#include "server/text/base64.h"
 
 namespace herr {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "scenes/changes/check_changes.h"
-#include "scenes/changes/parse_change.h"
-#include "sessions/input_error.h"
+#include "scenes/document/parse_change.h"
+#include "sessions/files/input_error.h"
 #include "sessions/streams/event_stream.h"
 
 namespace herr {

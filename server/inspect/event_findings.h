@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
+#include "sessions/format/pose.h"
 #include "sessions/inspect/findings.h"
-#include "sessions/pose.h"
 
 namespace herr {
 

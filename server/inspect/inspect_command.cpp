@@ -1,14 +1,14 @@
 #include "server/inspect/inspect_command.h"
 
-#include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
 #include "server/inspect/inspect_json.h"
 #include "server/inspect/inspect_report.h"
 #include "server/inspect/inspect_text.h"
-#include "server/replay/summary_json.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
+#include "server/results/summary_json.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

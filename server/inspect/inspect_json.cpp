@@ -1,10 +1,10 @@
 #include "server/inspect/inspect_json.h"
 
-#include "server/cli/exit_code.h"
-#include "server/cli/version.h"
 #include "server/inspect/time_plot.h"
-#include "server/replay/summary_json.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "server/process/version.h"
+#include "server/results/summary_json.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -9,8 +9,8 @@
 #include "renderer/frame_plan.h"
 #include "server/inspect/inspect_options.h"
 #include "server/inspect/scene_facts.h"
-#include "server/replay/frame_range.h"
-#include "sessions/display_profile.h"
+#include "server/settings/frame_range.h"
+#include "sessions/format/display_profile.h"
 #include "sessions/inspect/session_inspection.h"
 
 namespace herr {

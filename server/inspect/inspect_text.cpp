@@ -4,8 +4,8 @@
 
 #include "server/inspect/scene_text.h"
 #include "server/inspect/session_text.h"
-#include "server/replay/summary_json.h"
-#include "server/statistics/number_text.h"
+#include "server/results/summary_json.h"
+#include "server/text/number_text.h"
 #include "sessions/inspect/number_words.h"
 
 namespace herr {

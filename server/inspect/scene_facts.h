@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 
 namespace herr {
 

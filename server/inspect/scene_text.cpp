@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
 
 namespace herr {

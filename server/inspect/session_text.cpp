@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "server/inspect/time_plot.h"
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
 
 namespace herr {

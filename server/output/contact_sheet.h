@@ -5,7 +5,7 @@
 #include "renderer/viewport_image.h"
 #include "server/output/exr_encoder.h"
 #include "server/output/srgb_table.h"
-#include "sessions/display_profile.h"
+#include "sessions/format/display_profile.h"
 
 namespace herr {
 

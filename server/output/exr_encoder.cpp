@@ -17,7 +17,7 @@
 
 #include "server/output/memory_stream.h"
 #include "server/output/srgb_table.h"
-#include "server/statistics/number_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

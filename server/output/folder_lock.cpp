@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <utility>
 
-#include "server/cli/exit_code.h"
-#include "sessions/input_error.h"
-#include "sessions/write_error.h"
+#include "server/process/exit_code.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/write_error.h"
 
 namespace herr {
 

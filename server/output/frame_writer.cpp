@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "server/output/atomic_file.h"
+#include "sessions/files/atomic_file.h"
 
 namespace herr {
 namespace {

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "sessions/record/append_file.h"
+#include "sessions/files/append_file.h"
 
 namespace herr {
 

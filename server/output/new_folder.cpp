@@ -5,9 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "server/cli/exit_code.h"
-#include "server/output/atomic_file.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

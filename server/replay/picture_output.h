@@ -9,8 +9,8 @@
 #include "server/output/exr_encoder.h"
 #include "server/output/frame_writer.h"
 #include "server/output/srgb_table.h"
-#include "server/replay/frame_files.h"
-#include "server/replay/replay_options.h"
+#include "server/results/frame_files.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

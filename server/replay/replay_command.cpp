@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "server/cli/flags.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
-#include "server/output/atomic_file.h"
-#include "server/replay/frame_quality.h"
-#include "server/replay/output_folder.h"
+#include "server/frames/frame_quality.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
 #include "server/replay/replay_session.h"
-#include "server/replay/summary_json.h"
+#include "server/results/output_folder.h"
+#include "server/results/summary_json.h"
 #include "server/statistics/latency_table.h"
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/text/number_text.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -1,7 +1,7 @@
 // `herr replay`: one or more sessions, one output folder each, then the results on stdout.
 #pragma once
 
-#include "server/replay/replay_options.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

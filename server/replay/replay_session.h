@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "server/replay/replay_options.h"
-#include "server/replay/session_report.h"
+#include "server/results/session_report.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "server/cli/exit_code.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "server/replay/summary_json.h"
+#include "server/results/summary_json.h"
 #include "server/serve/metrics_page.h"
 #include "server/serve/page_files.h"
 #include "server/serve/prometheus_text.h"

@@ -6,9 +6,9 @@
 
 #include "server/http/http_message.h"
 #include "server/http/http_server.h"
-#include "server/replay/replay_options.h"
 #include "server/serve/latest_picture.h"
 #include "server/serve/serve_board.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "renderer/polar_picture.h"
-#include "server/replay/frame_description.h"
-#include "server/replay/frame_quality.h"
-#include "server/replay/output_folder.h"
-#include "server/replay/steady_time.h"
+#include "server/frames/frame_description.h"
+#include "server/frames/frame_quality.h"
+#include "server/process/steady_time.h"
+#include "server/results/output_folder.h"
 #include "server/serve/latest_picture.h"
 
 namespace herr {

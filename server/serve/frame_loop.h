@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
+#include "server/frames/frame_pacer.h"
+#include "server/frames/opened_session.h"
 #include "server/quality/quality_controller.h"
-#include "server/replay/frame_pacer.h"
-#include "server/replay/opened_session.h"
-#include "server/replay/replay_options.h"
 #include "server/serve/recycler.h"
 #include "server/serve/serve_board.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "renderer/foveation/polar_map.h"
-#include "server/cli/version.h"
+#include "server/process/version.h"
 #include "server/serve/process_numbers.h"
 #include "server/serve/prometheus_text.h"
 #include "server/serve/serve_json.h"

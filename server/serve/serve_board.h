@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "renderer/renderer.h"
-#include "server/replay/session_report.h"
+#include "server/results/session_report.h"
 #include "server/statistics/recent_frames.h"
 #include "server/statistics/run_statistics.h"
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
-#include "server/cli/exit_code.h"
 #include "server/cli/flags.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
 #include "server/http/http_server.h"
-#include "server/replay/steady_time.h"
+#include "server/process/exit_code.h"
+#include "server/process/steady_time.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
 #include "server/serve/auth_token.h"
 #include "server/serve/endpoints.h"
 #include "server/serve/frame_loop.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "server/cli/version.h"
-#include "server/replay/summary_json.h"
+#include "server/process/version.h"
+#include "server/results/summary_json.h"
 #include "server/statistics/latency_json.h"
 #include "server/statistics/quality_json.h"
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "server/replay/replay_options.h"
 #include "server/serve/serve_board.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "server/replay/replay_options.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

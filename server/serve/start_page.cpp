@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "server/cli/version.h"
-#include "server/replay/summary_json.h"
+#include "server/process/version.h"
+#include "server/results/summary_json.h"
 #include "server/serve/latest_picture.h"
 #include "server/serve/page_files.h"
 #include "server/serve/serve_json.h"
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

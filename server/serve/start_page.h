@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "server/replay/replay_options.h"
 #include "server/serve/serve_board.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "renderer/probes/probe_counts.h"
+#include "renderer/probe_counts.h"
 #include "renderer/stage_times.h"
 #include "server/quality/quality_policy.h"
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

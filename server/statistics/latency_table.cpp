@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "server/statistics/number_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "server/cli/stop_signal.h"
+#include "server/process/stop_signal.h"
 
 namespace herr {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "server/synth/smooth_noise.h"
 #include "server/synth/walk_path.h"
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

@@ -8,16 +8,16 @@
 #include <system_error>
 #include <utility>
 
-#include "scenes/scene.h"
-#include "server/cli/exit_code.h"
-#include "server/cli/stop_signal.h"
-#include "server/cli/terminal.h"
-#include "server/cli/version.h"
-#include "server/new_session/new_session_folder.h"
+#include "scenes/model/scene.h"
+#include "server/output/new_session_folder.h"
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
+#include "server/process/version.h"
 #include "server/synth/synth_report.h"
 #include "server/synth/synth_streams.h"
-#include "sessions/input_error.h"
-#include "sessions/session_header.h"
+#include "sessions/files/input_error.h"
+#include "sessions/format/session_header.h"
 
 namespace herr {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "server/synth/gaze_targets.h"
 #include "server/synth/head_motion.h"
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

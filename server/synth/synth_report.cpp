@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "server/cli/progress_bar.h"
-#include "server/cli/stop_signal.h"
-#include "server/new_session/new_session_folder.h"
+#include "server/output/new_session_folder.h"
 #include "server/output/png_encoder.h"
+#include "server/process/progress_bar.h"
+#include "server/process/stop_signal.h"
 #include "server/synth/camera_renderer.h"
 #include "server/synth/gaze_motion.h"
 #include "server/synth/irregular_events.h"

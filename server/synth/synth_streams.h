@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 #include "server/synth/head_motion.h"
 #include "server/synth/synth_options.h"
 #include "sessions/record/session_recorder.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

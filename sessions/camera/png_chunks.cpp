@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "sessions/camera_image.h"
+#include "sessions/camera/camera_image.h"
 
 namespace herr {
 

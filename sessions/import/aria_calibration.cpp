@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "sessions/input_error.h"
-#include "sessions/streams/line_reader.h"
-#include "sessions/strict_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/line_reader.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sessions/camera_image.h"
+#include "sessions/camera/camera_image.h"
 #include "sessions/import/column_map.h"
 #include "sessions/session.h"
 

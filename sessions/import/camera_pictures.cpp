@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

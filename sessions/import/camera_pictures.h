@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sessions/camera_image.h"
+#include "sessions/camera/camera_image.h"
 
 namespace herr {
 

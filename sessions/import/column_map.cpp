@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

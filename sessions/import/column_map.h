@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sessions/format/pose.h"
 #include "sessions/import/axis_directions.h"
 #include "sessions/import/stamp_text.h"
-#include "sessions/pose.h"
 
 namespace herr {
 

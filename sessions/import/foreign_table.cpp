@@ -4,9 +4,9 @@
 #include <charconv>
 #include <system_error>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 #include "sessions/streams/field_text.h"
-#include "sessions/strict_json.h"
 
 namespace herr {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sessions/files/line_reader.h"
 #include "sessions/import/column_map.h"
-#include "sessions/streams/line_reader.h"
 
 namespace herr {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 #include "sessions/streams/interval_census.h"
 
 namespace herr {

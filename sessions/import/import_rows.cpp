@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "sessions/files/input_error.h"
 #include "sessions/import/foreign_table.h"
 #include "sessions/import/row_readers.h"
-#include "sessions/input_error.h"
 
 namespace herr {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sessions/session_header.h"
+#include "sessions/format/session_header.h"
 
 namespace herr {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

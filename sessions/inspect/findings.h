@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 

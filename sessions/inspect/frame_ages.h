@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 #include "sessions/streams/interval_census.h"
 
 namespace herr {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sessions/camera_image.h"
-#include "sessions/session_header.h"
+#include "sessions/camera/camera_image.h"
+#include "sessions/format/session_header.h"
 #include "sessions/streams/camera_sampler.h"
 #include "sessions/streams/gaze_sampler.h"
 

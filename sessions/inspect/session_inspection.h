@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "sessions/check/session_check.h"
 #include "sessions/inspect/findings.h"
 #include "sessions/inspect/gaze_meter.h"
 #include "sessions/inspect/head_meter.h"
 #include "sessions/inspect/stream_summary.h"
 #include "sessions/session.h"
-#include "sessions/session_check.h"
 
 namespace herr {
 

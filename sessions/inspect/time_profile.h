@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

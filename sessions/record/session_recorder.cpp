@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "sessions/durability.h"
-#include "sessions/record/header_text.h"
+#include "sessions/files/durability.h"
+#include "sessions/format/header_text.h"
 
 namespace herr {
 namespace {

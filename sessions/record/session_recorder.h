@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-#include "sessions/record/append_file.h"
+#include "sessions/files/append_file.h"
 #include "sessions/session.h"
 #include "sessions/streams/stream_rows.h"
 

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sessions/input_error.h"
-#include "sessions/streams/contained_path.h"
+#include "sessions/files/contained_path.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

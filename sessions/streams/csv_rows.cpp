@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 
-#include "sessions/input_error.h"
-#include "sessions/session_header.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
+#include "sessions/format/session_header.h"
 #include "sessions/streams/field_text.h"
-#include "sessions/strict_json.h"
 
 namespace herr {
 namespace {

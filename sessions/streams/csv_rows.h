@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sessions/pose.h"
-#include "sessions/streams/line_reader.h"
+#include "sessions/files/line_reader.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

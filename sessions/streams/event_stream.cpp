@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "sessions/input_error.h"
-#include "sessions/session_header.h"
-#include "sessions/strict_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
+#include "sessions/format/session_header.h"
 
 namespace herr {
 namespace {

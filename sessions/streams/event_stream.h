@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "sessions/files/line_reader.h"
 #include "sessions/session.h"
-#include "sessions/streams/line_reader.h"
 #include "sessions/streams/row_stream.h"
 
 namespace herr {

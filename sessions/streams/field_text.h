@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <map>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

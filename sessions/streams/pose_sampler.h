@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 #include "sessions/session.h"
 #include "sessions/streams/head_speed.h"
 #include "sessions/streams/row_stream.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 #include "sessions/streams/csv_rows.h"
 
 namespace herr {

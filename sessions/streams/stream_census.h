@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "sessions/input_error.h"
-#include "sessions/pose.h"
+#include "sessions/files/input_error.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "sessions/pose.h"
+#include "sessions/format/pose.h"
 #include "sessions/streams/csv_rows.h"
 
 namespace herr {

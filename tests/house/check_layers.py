@@ -30,7 +30,7 @@ FOREIGN = (
              "scenes/samples/generator/*picture*.cpp", "server/output/png_*.cpp", "tests/*.cpp")),
     Foreign("OpenEXR", ("OpenEXR/*", "Imf*.h"), ("server/output/*", "tests/*.cpp")),
     Foreign("Embree", ("embree3/*", "embree4/*"),
-            ("renderer/geometry/*", "renderer/bench*.cpp", "tests/renderer/*.cpp")),
+            ("renderer/embree/*", "tests/renderer/*.cpp")),
     Foreign("Boost.Math", ("boost/*",), ("server/check/statistics/*.cpp", "tests/server/*.cpp")),
     Foreign("CLI11", ("CLI/*",), ("server/cli/*.cpp",)),
     Foreign("Highway", ("hwy/*",), ("renderer/*", "tests/renderer/*", "tests/benchmarks/*")),

@@ -38,7 +38,7 @@ class LayerRules(Tree):
         self.write("sessions/pose.h", HEADER + "#include <vector>\n")
         self.write("scenes/scene.h", HEADER + '#include "sessions/pose.h"\n')
         self.write("renderer/renderer.h", HEADER + '#include "scenes/scene.h"\n#include "sessions/pose.h"\n')
-        self.write("renderer/geometry/embree.h", HEADER + "#include <embree3/rtcore.h>\n")
+        self.write("renderer/embree/embree_api.h", HEADER + "#include <embree3/rtcore.h>\n")
         self.write("renderer/kernel.cpp", '#include "hwy/foreach_target.h"\n#include HWY_TARGET_INCLUDE\n')
         self.write("server/main.cpp", '#include "renderer/renderer.h"\n')
         self.write("scenes/gltf/load.cpp", "#include <tiny_gltf.h>\n")

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "server/output/atomic_file.h"
+#include "sessions/files/atomic_file.h"
 #include "tests/paths.h"
-#include "tests/server/program_runner.h"
+#include "tests/server/program/program_runner.h"
 
 namespace herr {
 namespace {

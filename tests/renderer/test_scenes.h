@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "renderer/renderer.h"
-#include "tests/renderer/viewport_jobs.h"
+#include "tests/renderer/viewports/viewport_jobs.h"
 
 namespace herr::test {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene.h"
-#include "sessions/input_error.h"
+#include "scenes/model/scene.h"
+#include "sessions/files/input_error.h"
 
 namespace herr::test {
 

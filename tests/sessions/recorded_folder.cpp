@@ -10,7 +10,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "sessions/input_error.h"
+#include "sessions/files/input_error.h"
 #include "tests/paths.h"
 
 namespace herr::test {

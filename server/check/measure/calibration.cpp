@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "server/replay/steady_time.h"
+#include "server/process/steady_time.h"
 
 namespace herr {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/geometry/calibration_rays.h"
+#include "renderer/bench/calibration_rays.h"
 #include "renderer/renderer.h"
 
 namespace herr {

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 #include "server/check/measure/measurement.h"
-#include "server/replay/replay_options.h"
-#include "server/replay/session_report.h"
+#include "server/results/session_report.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

@@ -13,10 +13,10 @@
 #include <system_error>
 #include <utility>
 
-#include "server/cli/exit_code.h"
-#include "server/cli/stop_signal.h"
-#include "server/replay/steady_time.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "server/process/steady_time.h"
+#include "server/process/stop_signal.h"
+#include "sessions/files/input_error.h"
 
 extern char** environ;  // POSIX
 

@@ -2,7 +2,7 @@
 // After: measure_run.
 #pragma once
 
-#include "server/replay/replay_options.h"
+#include "server/settings/replay_options.h"
 
 namespace herr {
 

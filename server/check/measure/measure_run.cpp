@@ -11,11 +11,11 @@
 #include "server/check/measure/allocation_counter.h"
 #include "server/check/measure/calibration.h"
 #include "server/check/measure/check_fingerprint.h"
-#include "server/cli/exit_code.h"
-#include "server/cli/version.h"
+#include "server/frames/opened_session.h"
 #include "server/output/png_encoder.h"
-#include "server/replay/opened_session.h"
-#include "server/replay/steady_time.h"
+#include "server/process/exit_code.h"
+#include "server/process/steady_time.h"
+#include "server/process/version.h"
 
 namespace herr {
 namespace {

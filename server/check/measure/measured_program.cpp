@@ -7,10 +7,10 @@
 
 #include "server/check/measure/child_process.h"
 #include "server/check/measure/not_comparable.h"
-#include "server/cli/exit_code.h"
-#include "server/cli/stop_signal.h"
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "renderer/geometry/calibration_rays.h"
+#include "renderer/bench/calibration_rays.h"
 #include "server/check/measure/not_comparable.h"
-#include "sessions/input_error.h"
-#include "sessions/strict_json.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "server/check/measure/cpu_time.h"
-#include "server/replay/fingerprint.h"
+#include "server/results/fingerprint.h"
 
 namespace herr {
 

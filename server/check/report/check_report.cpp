@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "server/cli/exit_code.h"
-#include "server/statistics/number_text.h"
+#include "server/process/exit_code.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "server/check/statistics/pair_design.h"
-#include "server/cli/version.h"
-#include "server/statistics/number_text.h"
+#include "server/process/version.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "server/statistics/number_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {

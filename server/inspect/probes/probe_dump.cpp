@@ -4,16 +4,16 @@
 #include <system_error>
 
 #include "renderer/renderer.h"
-#include "server/cli/exit_code.h"
-#include "server/cli/progress_bar.h"
-#include "server/cli/stop_signal.h"
 #include "server/inspect/probes/probe_atlas.h"
 #include "server/inspect/probes/probe_index.h"
-#include "server/output/atomic_file.h"
 #include "server/output/float_exr.h"
 #include "server/output/png_encoder.h"
-#include "server/statistics/number_text.h"
-#include "sessions/input_error.h"
+#include "server/process/exit_code.h"
+#include "server/process/progress_bar.h"
+#include "server/process/stop_signal.h"
+#include "server/text/number_text.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "renderer/render_settings.h"
-#include "scenes/scene.h"
+#include "scenes/model/scene.h"
 #include "server/output/new_folder.h"
 
 namespace herr {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "server/cli/version.h"
-#include "server/replay/summary_json.h"
+#include "server/process/version.h"
+#include "server/results/summary_json.h"
 
 namespace herr {
 namespace {

@@ -1,0 +1,258 @@
+#include "renderer/bench_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <numeric>
+
+#include "renderer/bench/bare_pixels.h"
+#include "renderer/bench/bare_rays.h"
+#include "renderer/frame/renderer_impl.h"
+#include "renderer/lighting/light_records.h"
+
+namespace herr {
+namespace {
+
+// Of the jobs of 16 probes one in four is recorded: there are 128 of them in the default grid.
+constexpr int kProbeJobStride = 4;
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <typename Work>
+double wall_ms(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// One frame's own rays and pixels, recorded from its last render.
+class RawSide {
+ public:
+  RawSide(Renderer::Impl& frame, const FrameCounters& counters) : frame_(frame), totals_(counters.rays) {
+    const int stride = frame.settings.light_samples >= 64 ? 256 : 16;
+    // One tile of each run of `stride`, each time at another place in it: a fixed one would be the same
+    // column of tiles where the buffer is a power of two wide, and all at the pole or none.
+    for (int run = 0; run * stride < frame.tile_count(); ++run) {
+      const int tile = run * stride + (stride / 2 + run * spreading_stride(stride)) % stride;
+      if (tile < frame.tile_count()) frame.run_tile(tile, 0, &recorder_);
+    }
+    // Traced only: what the probes have gathered stays as it was.
+    for (int job = 0; frame.plan.probes && job < frame.probe_job_count(); job += kProbeJobStride) {
+      frame.probe_kernels.trace(frame.probe_job(job, 0, &recorder_));
+    }
+    for (std::size_t k = 0; k < kRayKinds; ++k) dense_[k] = recorder_.rays[k].dense();
+    constexpr int kStripStride = 16;
+    const PrecomputePixels precompute = precompute_pixels_for(frame.settings.isa);
+    pixels_.resize(frame.viewport_jobs.size());
+    for (std::size_t v = 0; v < frame.viewport_jobs.size(); ++v) {
+      const ViewportJob& job = frame.viewport_jobs[v];
+      for (int strip = kStripStride / 2; strip * kStripRows < job.viewport->height_px;
+           strip += kStripStride) {
+        const int bottom = std::min((strip + 1) * kStripRows, job.viewport->height_px);
+        for (int y = strip * kStripRows; y < bottom; ++y) {
+          for (int x = 0; x < job.viewport->width_px; x += kBlockColumns) precompute(job, x, y, pixels_[v]);
+        }
+      }
+      recorded_pixels_ += pixels_[v].count();
+      pixels_[v].out.resize(4 * pixels_[v].count());
+    }
+    all_pixels_ = counters.viewport_pixels;
+  }
+
+  // Milliseconds that all rays of kind k take bare, scaled from those recorded: packed densely or as the
+  // frame packed them, whichever is faster (dense packets waste no lane, the frame's own keep blocks of
+  // neighbours together).
+  double rays_ms(std::size_t k) {
+    if (dense_[k].size() == 0) return 0;
+    double ms = packets_ms(k, dense_[k]);
+    if (recorder_.rays[k].size() != dense_[k].size()) ms = std::min(ms, packets_ms(k, recorder_.rays[k]));
+    return ms * static_cast<double>(totals_.of_kind[k]) / static_cast<double>(dense_[k].size());
+  }
+
+  double pixels_ms() {
+    if (recorded_pixels_ == 0) return 0;
+    const CompositePrecomputed composite = composite_precomputed_for(frame_.settings.isa);
+    constexpr std::size_t kChunk = 4096;
+    double ms = 0;
+    for (std::size_t v = 0; v < pixels_.size(); ++v) {
+      const int jobs = static_cast<int>((pixels_[v].count() + kChunk - 1) / kChunk);
+      ms += wall_ms([&] {
+        frame_.threads.run(jobs, [&](int job, int) {
+          const std::size_t first = static_cast<std::size_t>(job) * kChunk;
+          composite(frame_.viewport_jobs[v], pixels_[v], first, std::min(kChunk, pixels_[v].count() - first));
+        });
+      });
+    }
+    return ms * static_cast<double>(all_pixels_) / static_cast<double>(recorded_pixels_);
+  }
+
+ private:
+  double packets_ms(std::size_t k, const RecordedRays& rays) {
+    constexpr std::size_t kChunk = 512;
+    const int jobs = static_cast<int>((rays.size() + kChunk - 1) / kChunk);
+    std::atomic<std::size_t> hits{0};
+    return wall_ms([&] {
+      frame_.threads.run(jobs, [&](int job, int) {
+        const std::size_t first = static_cast<std::size_t>(job) * kChunk;
+        hits += trace_bare(frame_.settings.isa, frame_.geometry->top(), static_cast<RayKind>(k), rays, first,
+                           std::min(kChunk, rays.size() - first));
+      });
+    });
+  }
+
+  Renderer::Impl& frame_;
+  RayCounts totals_;
+  RayRecorder recorder_;
+  std::array<RecordedRays, kRayKinds> dense_;
+  std::vector<PrecomputedPixels> pixels_;
+  std::size_t recorded_pixels_ = 0;
+  std::int64_t all_pixels_ = 0;
+};
+
+// Samples of one quantity: per frame the median over repeats, overall the median over frames.
+struct Series {
+  std::vector<double> of_frame, of_frames;
+  void add(double x) { of_frame.push_back(x); }
+  void end_frame() {
+    of_frames.push_back(median(of_frame));
+    of_frame.clear();
+  }
+  double value() const { return median(of_frames); }
+};
+
+struct Measurements {
+  Series frame, raw, ratio, rays_frame, rays_raw, rays_ratio, pixels_frame, pixels_raw;
+  std::array<Series, kRayKinds> kind_raw;
+  std::array<Series, kStageCount> stages;
+
+  void add(const StageTimes& times, const std::array<double, kRayKinds>& kinds_ms, double raw_pixels_ms) {
+    const double raw_rays = std::accumulate(kinds_ms.begin(), kinds_ms.end(), 0.0);
+    const double pixels = times[Stage::viewports];
+    const double rays = times.frame_ms - pixels - times[Stage::overlays];
+    frame.add(times.frame_ms), raw.add(raw_rays + raw_pixels_ms);
+    ratio.add(times.frame_ms / (raw_rays + raw_pixels_ms));
+    rays_frame.add(rays), rays_raw.add(raw_rays), rays_ratio.add(raw_rays > 0 ? rays / raw_rays : 0);
+    pixels_frame.add(pixels), pixels_raw.add(raw_pixels_ms);
+    for (std::size_t k = 0; k < kRayKinds; ++k) kind_raw[k].add(kinds_ms[k]);
+    for (std::size_t s = 0; s < kStageCount; ++s) stages[s].add(times.ms[s]);
+  }
+  void end_frame() {
+    for (Series* s :
+         {&frame, &raw, &ratio, &rays_frame, &rays_raw, &rays_ratio, &pixels_frame, &pixels_raw}) {
+      s->end_frame();
+    }
+    for (Series& s : kind_raw) s.end_frame();
+    for (Series& s : stages) s.end_frame();
+  }
+};
+
+std::array<double, kRayKinds> raw_kinds_ms(RawSide& raw) {
+  std::array<double, kRayKinds> ms{};
+  for (std::size_t k = 0; k < kRayKinds; ++k) ms[k] = raw.rays_ms(k);
+  return ms;
+}
+
+double millions_per_second(double items, double ms) {
+  return ms > 0 ? items / ms * 1e-3 : 0;
+}
+
+Stage stage_of(std::size_t kind) {
+  switch (static_cast<RayKind>(kind)) {
+    case RayKind::primary:
+      return Stage::first_hits;
+    case RayKind::mirror:
+    case RayKind::refraction:
+      return Stage::second_hits;
+    case RayKind::mirror_shadow:
+    case RayKind::refraction_shadow:
+      return Stage::second_light;
+    case RayKind::probe:
+    case RayKind::probe_shadow:
+    case RayKind::catcher_probe:
+    case RayKind::catcher_probe_shadow:
+      return Stage::probe_rays;
+    case RayKind::occlusion:
+    case RayKind::catcher_occlusion:
+      return Stage::occlusion;
+    default:
+      return Stage::light_rays;
+  }
+}
+
+}  // namespace
+
+BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& input, double seconds) {
+  Renderer::Impl& frame = renderer.internals();
+  BenchRun run;
+  double frames_ms = 0, raw_ms = 0, probes_ms = 0;
+  RenderedFrame out;
+  BenchInput next = input(0);
+  renderer.render_frame(next.sample, next.state, out);
+  while (frames_ms < 1e3 * seconds) {
+    next = input(++run.frames);
+    renderer.render_frame(next.sample, next.state, out);
+    frames_ms += out.times.frame_ms;
+    probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
+    RawSide raw(frame, out.counters);
+    const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
+    raw_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), raw.pixels_ms());
+  }
+  const double count = std::max(run.frames, 1);
+  run.frame_ms = frames_ms / count, run.raw_ms = raw_ms / count, run.probe_ms = probes_ms / count;
+  return run;
+}
+
+BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats) {
+  Renderer::Impl& frame = renderer.internals();
+  Measurements measured;
+  std::array<double, kRayKinds> rays{};
+  double samples = 0, pixels = 0;
+  RenderedFrame out;
+  for (const BenchInput& input : inputs) {
+    renderer.render_frame(input.sample, input.state, out);
+    RawSide raw(frame, out.counters);
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      // Another moment, or probes would take it for the same frame once more.
+      FrameSample sample = input.sample;
+      sample.t_ns += repeat + 1;
+      renderer.render_frame(sample, input.state, out);
+      measured.add(out.times, raw_kinds_ms(raw), raw.pixels_ms());
+    }
+    measured.end_frame();
+    for (std::size_t k = 0; k < kRayKinds; ++k) rays[k] += static_cast<double>(out.counters.rays.of_kind[k]);
+    samples += static_cast<double>(out.counters.polar_samples);
+    pixels += static_cast<double>(out.counters.viewport_pixels);
+  }
+
+  const double frames = static_cast<double>(std::max<std::size_t>(inputs.size(), 1));
+  BenchResult result;
+  result.frames = static_cast<int>(inputs.size());
+  result.frame_ms = measured.frame.value(), result.raw_ms = measured.raw.value();
+  result.ratio = measured.ratio.value();
+  result.rays_frame_ms = measured.rays_frame.value(), result.rays_raw_ms = measured.rays_raw.value();
+  result.rays_ratio = measured.rays_ratio.value();
+  result.pixels_frame_ms = measured.pixels_frame.value(), result.pixels_raw_ms = measured.pixels_raw.value();
+  result.ns_per_pixel = pixels > 0 ? result.pixels_frame_ms * 1e6 / (pixels / frames) : 0;
+  result.raw_ns_per_pixel = pixels > 0 ? result.pixels_raw_ms * 1e6 / (pixels / frames) : 0;
+  for (std::size_t s = 0; s < kStageCount; ++s) result.median_times.ms[s] = measured.stages[s].value();
+  result.median_times.frame_ms = result.frame_ms;
+  for (std::size_t k = 0; k < kRayKinds; ++k) {
+    if (rays[k] == 0) continue;
+    const double per_frame = rays[k] / frames;
+    result.kinds.push_back({name_of(static_cast<RayKind>(k)), static_cast<std::int64_t>(per_frame),
+                            samples > 0 ? rays[k] / samples : 0,
+                            millions_per_second(per_frame, measured.kind_raw[k].value()),
+                            millions_per_second(per_frame, result.median_times[stage_of(k)])});
+  }
+  result.counters = out.counters;
+  if (frame.probes) result.most_probe_rays = frame.probes->most_rays();
+  return result;
+}
+
+}  // namespace herr

@@ -1,0 +1,73 @@
+// Memory by the frame plan: buffers and scratch that its stages need, and none for those that it leaves out.
+// Before: the plan, at construction and when a scene's change makes it another one. After: the frame loop,
+// which allocates nothing. What a plan once needed stays.
+#include <algorithm>
+
+#include "renderer/frame/renderer_impl.h"
+
+namespace herr {
+namespace {
+
+template <typename T>
+void allocate_if(bool wanted, std::unique_ptr<T>& part) {
+  if (wanted && !part) part = std::make_unique<T>();
+}
+
+template <typename T>
+std::int64_t bytes_if(const std::unique_ptr<T>& part) {
+  return part ? static_cast<std::int64_t>(sizeof(T)) : 0;
+}
+
+}  // namespace
+
+void Renderer::Impl::allocate_buffers() {
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (plan.polar) {
+      buffers[i].allocate(padded_columns(settings.polar_width), padded_rows(settings.polar_height),
+                          plan.coloured_ratio);
+    } else {
+      buffers[i].allocate(profile.viewports[i].width_px, profile.viewports[i].height_px + 1,
+                          plan.coloured_ratio);
+    }
+  }
+}
+
+void Renderer::Impl::allocate_scratch() {
+  for (const std::unique_ptr<TileScratch>& scratch : tile_scratch) {
+    allocate_if(plan.mirror_rays || plan.refraction, scratch->second);
+    allocate_if(plan.catchers_occlude, scratch->blocked);
+    allocate_if(plan.alpha_blend, scratch->layers);
+    // Whether light samples are adaptive may change with each frame's number of them.
+    allocate_if(settings.first_light_samples > 0, scratch->adaptive);
+  }
+}
+
+MemoryUse Renderer::memory() const {
+  const Impl& frame = *impl_;
+  const GeometryMemory geometry = frame.geometry->memory();
+  std::int64_t buffers = 0, tiles = 0, second = 0, blocked = 0, layers = 0, adaptive = 0, strips = 0;
+  for (const RadianceBuffer& buffer : frame.buffers) buffers += buffer.bytes();
+  for (const auto& samples : frame.samples) buffers += samples ? samples->bytes() : 0;
+  for (const std::unique_ptr<TileScratch>& scratch : frame.tile_scratch) {
+    tiles += static_cast<std::int64_t>(sizeof(TileScratch));
+    second += bytes_if(scratch->second);
+    blocked += bytes_if(scratch->blocked);
+    layers += bytes_if(scratch->layers);
+    adaptive += bytes_if(scratch->adaptive);
+  }
+  for (const std::unique_ptr<StripScratch>& scratch : frame.strip_scratch) strips += scratch->bytes();
+  return {{"acceleration structures", geometry.acceleration},
+          {"surfaces", geometry.surfaces},
+          {"textures", geometry.textures},
+          {"voxels", geometry.voxels},
+          {"probes", frame.probe_bytes()},
+          {"radiance buffers", buffers},
+          {"tiles in work", tiles},
+          {"second rays", second},
+          {"catcher shadow rays", blocked},
+          {"alpha layers", layers},
+          {"adaptive light samples", adaptive},
+          {"strips in work", strips}};
+}
+
+}  // namespace herr

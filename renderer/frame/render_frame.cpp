@@ -1,0 +1,302 @@
+// A frame, stage by stage (paper, Figure 4). Read this page first.
+// sample of the session -> acceleration structures follow the head -> lights -> probes -> polar rays -> first
+// hits, light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
+// allocation, no lock.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "renderer/frame/renderer_impl.h"
+#include "renderer/lighting/light_records.h"
+#include "renderer/viewports/camera_feed.h"
+#include "renderer/viewports/gaze_marker.h"
+
+namespace herr {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+double milliseconds_since(SteadyClock::time_point start) {
+  return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+}
+
+// Runs one serial stage and books its time.
+template <typename Work>
+auto timed(StageTimes& times, Stage stage, Work&& work) {
+  const auto start = SteadyClock::now();
+  struct Book {
+    StageTimes& times;
+    Stage stage;
+    SteadyClock::time_point start;
+    ~Book() { times[stage] += milliseconds_since(start); }
+  } book{times, stage, start};
+  return work();
+}
+
+void require_usable(const Pose& pose) {
+  constexpr double kFarthest_m = 1e9;
+  const glm::dvec3& p = pose.position;
+  const glm::dquat& q = pose.orientation;
+  const bool usable = std::abs(p.x) < kFarthest_m && std::abs(p.y) < kFarthest_m &&
+                      std::abs(p.z) < kFarthest_m &&
+                      std::abs(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w - 1.0) < 1e-3;
+  if (!usable) throw std::invalid_argument("head pose is not finite, not a rotation, or farther than 1e9 m");
+}
+
+// With numbers in place of "as the settings say".
+FrameQuality resolved(FrameQuality quality, const RenderSettings& settings, int most_probes) {
+  if (quality.light_samples < 1 || quality.light_samples > kMostLightSamples) {
+    throw std::invalid_argument("light samples of a frame must lie in [1, 4096]");
+  }
+  if (quality.polar_width < 0 || quality.polar_width > settings.polar_width) {
+    throw std::invalid_argument("polar width of a frame must lie in [1, " +
+                                std::to_string(settings.polar_width) + "]");
+  }
+  if (quality.probes < 0) throw std::invalid_argument("probes of a frame must be 0 or more");
+  if (quality.polar_width == 0) quality.polar_width = settings.polar_width;
+  if (quality.probes == 0 || quality.probes > most_probes) quality.probes = most_probes;
+  return quality;
+}
+
+void count(const SceneUpdate& update, FrameCounters& counters) {
+  counters.commits = update.commits;
+  counters.instances_moved = update.moved;
+  counters.instances_spawned = update.spawned;
+  counters.instances_removed = update.removed;
+  counters.instances_restyled = update.restyled;
+  counters.meshes_refitted = update.refitted;
+  counters.meshes_rebuilt = update.rebuilt;
+}
+
+}  // namespace
+
+bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
+                            const std::atomic<bool>* abandon) {
+  return render_frame(sample, state, full_quality(), out, abandon);
+}
+
+bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
+                            RenderedFrame& out, const std::atomic<bool>* abandon) {
+  Impl& frame = *impl_;
+  require_usable(sample.head.world_from_head);
+  out.quality = resolved(quality, frame.settings, frame.most_probes());
+  out.times = {};
+  out.counters = {};
+  std::fill(frame.counters.begin(), frame.counters.end(), TileCounters{});
+  const auto start = SteadyClock::now();
+
+  const SceneUpdate update =
+      timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample, state); });
+  count(update, out.counters);
+  out.times.commit_ms = update.commit_ms;
+  if (update.anything() &&
+      timed(out.times, Stage::scene_update, [&] { return frame.follow(update, state); })) {
+    out.counters.plan_changes = 1;
+  }
+  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, out.quality); });
+  if (frame.plan.probes) frame.update_probes(sample, state, out);
+  timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample, out.quality.polar_width); });
+  if (!frame.trace_tiles(out.times, abandon)) return false;
+  timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
+  if (!frame.composite_viewports(out.times, abandon)) return false;
+  if (frame.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { frame.draw_overlays(out); });
+
+  out.times.frame_ms = milliseconds_since(start);
+  double booked = 0;
+  for (const double ms : out.times.ms) booked += ms;
+  out.times[Stage::other] = std::max(0.0, out.times.frame_ms - booked);
+  frame.collect_counters(out);
+  return true;
+}
+
+void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
+  require_usable(sample.head.world_from_head);
+  const SceneUpdate update = impl_->update_acceleration(sample, state);
+  if (update.anything()) impl_->follow(update, state);
+  if (!impl_->plan.probes) return;
+  RenderedFrame nobodys;
+  nobodys.quality = full_quality();
+  impl_->update_scene(state, nobodys.quality);
+  impl_->update_probes(sample, state, nobodys);
+}
+
+SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const SceneState& state) {
+  const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
+  SceneUpdate update;
+  geometry->follow(world_from_head.position);
+  geometry->take_up(state, update);
+  if (update.other_traits()) show_full_details();
+  geometry->bend(state, threads);
+  update.relit = state.lit != lit;
+  lit = state.lit;
+  for (const Eye eye : kEyes) {
+    const auto e = static_cast<std::size_t>(eye);
+    Pose pose = world_from_head * sample.head_from_eye[e];
+    pose.position -= geometry->anchor();
+    eyes[e].anchored_from_eye = pose;
+    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
+    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
+    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
+  }
+  if (plan.detail_levels) choose_details();
+  const auto commit = [&] {
+    const auto start = SteadyClock::now();
+    geometry->commit_changes(update);
+    if (update.commits > 0) update.commit_ms = milliseconds_since(start);
+  };
+  threads.inside(std::cref(commit));  // by reference: the capture would not fit in std::function
+  return update;
+}
+
+// Which instances have a choice is measured anew; the full mesh stands there until the next choice.
+void Renderer::Impl::show_full_details() {
+  details.measure_anew([this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
+}
+
+void Renderer::Impl::choose_details() {
+  for (const Eye eye : kEyes) {
+    const auto e = static_cast<std::size_t>(eye);
+    const Pose& pose = eyes[e].anchored_from_eye;
+    detail_eyes[e].position = pose.position + geometry->anchor();
+    detail_eyes[e].gaze = pose.orientation * eyes[e].gaze.gaze;
+    detail_eyes[e].foveated = plan.polar;
+    const PolarMap map = PolarMap::up_to(std::max(eyes[e].theta_max_deg, 1e-3));
+    if (plan.polar) detail_eyes[e].samples_per_deg = map.radial_density(0.0, settings.polar_width);
+  }
+  details.choose(
+      detail_eyes,
+      [this](std::size_t i) -> const glm::dmat4x3& { return scene.instances[i].world_from_object; },
+      [this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
+}
+
+void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
+  light_records(state.lights, geometry->anchor(), quality.light_samples, reach_m, lights);
+  shading.plan = &plan;
+  shading.scene = geometry->top();
+  shading.instances = geometry->instances();
+  shading.lights = lights;
+  shading.first_light_samples = settings.first_light_samples;
+  shading.occlusion_rays = settings.occlusion_rays;
+  shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
+  const EnvironmentImage& outside = scene.environment_map;
+  const float turn = outside.turn_deg / 360.0f;
+  shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
+                             outside.height_px, turn - std::floor(turn)};
+  constexpr float kDarkest = 1e-4f;  // of the light on the farthest catcher: below it a ratio is noise
+  const glm::vec3 scale =
+      plan.catchers ? farthest_irradiance(state.lights, boxes.catchers()) : glm::vec3{0.0f};
+  for (int channel = 0; channel < 3; ++channel) {
+    shading.ambient[channel] = scene.ambient[channel];
+    shading.environment[channel] = scene.environment[channel];
+    shading.smallest_irradiance[channel] = kDarkest * scale[channel];
+  }
+  shading.background_is_environment = !plan.camera && settings.camera;
+  shading.debug_tiles = settings.debug_tiles;
+}
+
+void Renderer::Impl::aim_rays(const FrameSample& sample, int polar_width) {
+  first_tile[0] = 0;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const auto eye = plan.polar ? static_cast<Eye>(i) : profile.viewports[i].eye;
+    const EyeView& view = eyes[static_cast<std::size_t>(eye)];
+    const std::uint32_t key = frame_key(sample.t_ns, static_cast<int>(eye));
+    if (plan.polar) {
+      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
+      set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
+    } else {
+      set_planar_grid(view, profile.viewports[i], buffers[i], key, grids[i]);
+    }
+    const auto tiles_along = [](int length) { return (length + kTileSide - 1) / kTileSide; };
+    const bool seen = !plan.polar || grids[i].frustum_count > 0;
+    const int tiles = seen ? tiles_along(grids[i].sink.width) * tiles_along(grids[i].sink.height) : 0;
+    first_tile[i + 1] = first_tile[i] + tiles;
+  }
+}
+
+void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
+  const auto grid_index = static_cast<std::size_t>(
+      std::upper_bound(first_tile.begin(), first_tile.end(), job) - first_tile.begin() - 1);
+  const RayGrid& grid = grids[grid_index];
+  const int tile = job - first_tile[grid_index];
+  const int tiles_x = (grid.sink.width + kTileSide - 1) / kTileSide;
+  const auto w = static_cast<std::size_t>(worker);
+  trace_tile({&grid, &shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide, tile_scratch[w].get(),
+              &counters[w], &cycles[w], recorder});
+}
+
+bool Renderer::Impl::trace_tiles(StageTimes& times, const std::atomic<bool>* abandon) {
+  const PhaseClock clock(cycles);
+  const auto trace = [this](int job, int worker) { run_tile(job, worker, nullptr); };
+  const bool whole = threads.run(tile_count(), trace, abandon);
+  clock.finish(times);
+  return whole;
+}
+
+void Renderer::Impl::aim_viewports(const FrameSample& sample, RenderedFrame& out) {
+  out.viewports.resize(profile.viewports.size());
+  for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
+    const Viewport& viewport = profile.viewports[i];
+    const auto eye = static_cast<std::size_t>(viewport.eye);
+    if (out.viewports[i].width_px != viewport.width_px || out.viewports[i].height_px != viewport.height_px) {
+      out.viewports[i].resize(viewport.width_px, viewport.height_px);
+    }
+    ViewportJob& job = viewport_jobs[i];
+    job.viewport = &viewport;
+    job.out = &out.viewports[i];
+    job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
+    job.polar = plan.polar;
+    job.opaque = shading.background_is_environment || settings.debug_tiles;
+    if (plan.polar) {
+      const PolarSamples& polar = *samples[eye];
+      job.polar_width = polar.width();
+      job.polar_height = polar.height();
+      job.theta_to_column = static_cast<float>(polar.width() / polar.map().log_range);
+      job.to_gaze = pixel_to_gaze(viewport, eyes[eye].gaze);
+      job.exact_below_deg = exact_below_deg(viewport, polar.map(), polar.width(), polar.height());
+    }
+    job.feed = {};
+    if (!plan.camera || !sample.cameras[eye]) continue;
+    const SampledCamera& camera = *sample.cameras[eye];
+    job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
+    job.feed.model = camera.model;
+    job.feed.camera_from_eye =
+        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
+    job.feed.distance_m = settings.feed_distance_m;
+  }
+}
+
+bool Renderer::Impl::composite_viewports(StageTimes& times, const std::atomic<bool>* abandon) {
+  const PhaseClock clock(cycles);
+  const auto composite = [this](int job, int worker) {
+    const auto w = static_cast<std::size_t>(worker);
+    const auto viewport = static_cast<std::size_t>(
+        std::upper_bound(first_strip.begin(), first_strip.end(), job) - first_strip.begin() - 1);
+    cycles[w].start();
+    composite_strip(viewport_jobs[viewport], job - first_strip[viewport], *strip_scratch[w]);
+    cycles[w].lap(Stage::viewports);
+  };
+  const bool whole = threads.run(first_strip.back(), composite, abandon);
+  clock.finish(times);
+  return whole;
+}
+
+void Renderer::Impl::draw_overlays(RenderedFrame& out) {
+  for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
+    const auto eye = static_cast<std::size_t>(profile.viewports[i].eye);
+    draw_gaze_marker(profile.viewports[i], eyes[eye].gaze.gaze, out.viewports[i]);
+  }
+}
+
+void Renderer::Impl::collect_counters(RenderedFrame& out) const {
+  FrameCounters& total = out.counters;
+  for (const TileCounters& worker : counters) total += worker;
+  for (const Viewport& v : profile.viewports) {
+    total.viewport_pixels += static_cast<std::int64_t>(v.width_px) * v.height_px;
+  }
+  for (std::size_t eye = 0; eye < eyes.size(); ++eye) out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+}
+
+}  // namespace herr

@@ -1,0 +1,146 @@
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "renderer/frame/renderer_impl.h"
+
+namespace herr {
+namespace {
+
+RenderSettings resolved(RenderSettings settings) {
+  const auto within = [](const char* name, int value, int lowest, int highest) {
+    if (value < lowest || value > highest) {
+      throw std::invalid_argument(std::string(name) + " must lie in [" + std::to_string(lowest) + ", " +
+                                  std::to_string(highest) + "], not " + std::to_string(value));
+    }
+  };
+  within("polar width", settings.polar_width, 1, 8192);
+  within("polar height", settings.polar_height, 2, 8192);
+  if (settings.polar_height % 2 != 0) throw std::invalid_argument("polar height must be even");
+  within("light samples", settings.light_samples, 1, kMostLightSamples);
+  within("first light samples", settings.first_light_samples, 0, kMostLightSamples);
+  within("occlusion rays", settings.occlusion_rays, 0, 64);
+  if (!(settings.occlusion_radius_m >= 1e-3 && settings.occlusion_radius_m <= 1e3)) {
+    throw std::invalid_argument("occlusion radius must lie in [0.001, 1000] m");
+  }
+  within("threads", settings.threads, 0, 512);
+  within("probe rays", settings.probes.rays, kFewestProbeRays, kMostProbeRays);
+  within("probe budget", settings.probes.budget, 0, kMostProbes);
+  const ProbeSettings& probes = settings.probes;
+  if (!(probes.hysteresis_tau_s >= 0 && probes.hysteresis_tau_s <= 1e6)) {
+    throw std::invalid_argument("time constant of probes must lie in [0, 1e6] s");
+  }
+  for (const double bias : {probes.normal_bias, probes.view_bias}) {
+    if (!(bias >= 0 && bias <= 1)) throw std::invalid_argument("bias of probes must lie in [0, 1]");
+  }
+  if (!(settings.feed_distance_m > 0.01)) throw std::invalid_argument("feed distance must exceed 0.01 m");
+  if (settings.threads == 0) settings.threads = available_threads();
+  settings.isa = resolve_isa(settings.isa);
+  return settings;
+}
+
+}  // namespace
+
+Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
+                     const RenderSettings& settings_in, bool session_has_camera_in)
+    : scene(scene_in),
+      profile(profile_in),
+      settings(resolved(settings_in)),
+      plan(plan_frame(scene_in, settings, session_has_camera_in)),
+      threads(settings.threads),
+      details(scene_in),
+      boxes(scene_in),
+      session_has_camera(session_has_camera_in),
+      trace_tile(trace_tile_for(settings.isa)),
+      composite_strip(composite_strip_for(settings.isa)) {
+  threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
+  measure_reach();
+
+  for (DetailEye& eye : detail_eyes) eye.samples_per_deg = eye.most_samples_per_deg = 0;
+  for (const Viewport& v : profile.viewports) {
+    DetailEye& eye = detail_eyes[static_cast<std::size_t>(v.eye)];
+    eye.most_samples_per_deg = std::max(eye.most_samples_per_deg, finest_pixels_per_degree(v));
+    eye.samples_per_deg = eye.most_samples_per_deg;  // with a polar buffer that of each frame
+  }
+  const std::size_t viewports = profile.viewports.size();
+  int widest = 1;
+  for (const Viewport& v : profile.viewports) widest = std::max(widest, v.width_px);
+  buffers.resize(plan.polar ? 2 : viewports);
+  allocate_buffers();
+  for (std::size_t i = 0; i < buffers.size() && plan.polar; ++i) {
+    samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height);
+  }
+  grids.resize(buffers.size());
+  first_tile.resize(buffers.size() + 1);
+  viewport_jobs.resize(viewports);
+  first_strip.assign(1, 0);
+  for (const Viewport& v : profile.viewports) {
+    first_strip.push_back(first_strip.back() + (v.height_px + kStripRows - 1) / kStripRows);
+  }
+  lights.reserve(scene.lights.size());
+
+  const auto workers = static_cast<std::size_t>(threads.count());
+  for (std::size_t w = 0; w < workers; ++w) {
+    tile_scratch.push_back(std::make_unique<TileScratch>());
+    strip_scratch.push_back(std::make_unique<StripScratch>(widest));
+  }
+  allocate_scratch();
+  if (plan.probes) build_probes();
+  counters.resize(workers);
+  cycles.resize(workers);
+}
+
+Renderer::Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
+                   bool session_has_camera)
+    : impl_(std::make_unique<Impl>(scene, profile, settings, session_has_camera)) {}
+
+Renderer::~Renderer() = default;
+
+const FramePlan& Renderer::plan() const {
+  return impl_->plan;
+}
+const RenderSettings& Renderer::settings() const {
+  return impl_->settings;
+}
+FrameQuality Renderer::full_quality() const {
+  return {impl_->settings.light_samples, impl_->settings.polar_width, impl_->most_probes()};
+}
+RendererState Renderer::state(bool with_probes) const {
+  RendererState state;
+  if (with_probes && impl_->probes) state.probes = impl_->probes->save();
+  state.details = impl_->details.save();
+  if (impl_->geometry->placed()) state.anchor = impl_->geometry->anchor();
+  return state;
+}
+
+void Renderer::restore(const RendererState& state) {
+  if (!state.anchor) return;
+  // Where instances come and go, the levels of the run before belong to other ones: they are chosen anew.
+  if (!impl_->scene.changes) {
+    impl_->details.restore(state.details,
+                           [&](std::size_t i, std::uint32_t mesh) { impl_->geometry->show_mesh(i, mesh); });
+  }
+  const auto place = [&] { impl_->geometry->place_at(*state.anchor); };
+  impl_->threads.inside(place);
+  if (impl_->plan.probes != !state.probes.empty()) {
+    throw std::invalid_argument(
+        "the state has probes where the renderer has none, or has none where it does");
+  }
+  if (impl_->plan.probes) impl_->restore_probes(state.probes);
+}
+
+std::optional<ProbeReader> Renderer::probes() const {
+  if (!impl_->probes) return std::nullopt;
+  return ProbeReader(*impl_->probes);
+}
+
+int Renderer::threads() const {
+  return impl_->threads.count();
+}
+
+void Renderer::parallel_for(int count, const std::function<void(int)>& work) {
+  impl_->threads.run(count, [&](int i, int) { work(i); });
+}
+
+}  // namespace herr

@@ -1,0 +1,102 @@
+// What a renderer keeps between frames. Everything is allocated at construction: the frame loop allocates
+// nothing.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "renderer/detail/detail_levels.h"
+#include "renderer/foveation/ray_grids.h"
+#include "renderer/geometry/embree_scene.h"
+#include "renderer/geometry/instance_boxes.h"
+#include "renderer/probe_updates/probe_job.h"
+#include "renderer/renderer.h"
+#include "renderer/threads/render_threads.h"
+#include "renderer/tiles/tile_job.h"
+#include "renderer/viewports/viewport_job.h"
+
+namespace herr {
+
+struct Renderer::Impl {
+  Impl(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
+       bool session_has_camera);
+
+  const Scene& scene;
+  DisplayProfile profile;
+  RenderSettings settings;  // threads and isa resolved
+  FramePlan plan;
+  RenderThreads threads;
+  std::unique_ptr<EmbreeScene> geometry;
+  DetailLevels details;
+  std::array<DetailEye, 2> detail_eyes;
+  InstanceBoxes boxes;
+  bool session_has_camera = false;
+  std::uint32_t lit = 0;  // as SceneState counts
+  double reach_m = 1;     // leaves the scene from any place in it
+
+  TraceTile trace_tile;
+  CompositeStrip composite_strip;
+
+  // Per frame, rewritten in place.
+  std::array<EyeView, 2> eyes;
+  std::array<std::unique_ptr<PolarSamples>, 2> samples;  // per eye, log-polar only
+  std::vector<RadianceBuffer> buffers;                   // per eye, or per viewport without foveation
+  std::vector<RayGrid> grids;                            // one per buffer
+  std::vector<int> first_tile;                           // of each grid, then the total
+  std::vector<LightRecord> lights;
+  ShadingInputs shading;
+  std::vector<ViewportJob> viewport_jobs;     // one per viewport
+  std::vector<int> first_strip;               // of each viewport, then the total
+  std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
+
+  // With probes only.
+  std::unique_ptr<ProbeVolume> probes;
+  ProbeKernels probe_kernels{};
+  FramePlan probe_plan;                        // of what probe rays hit: one light sample, nothing invisible
+  std::array<ProbeView, 2> probe_views;        // all geometry; catchers alone
+  std::array<ShadingInputs, 2> probe_shading;  // likewise
+  std::vector<LightRecord> probe_lights;       // one sample each
+  std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
+
+  // Per worker.
+  std::vector<std::unique_ptr<TileScratch>> tile_scratch;
+  std::vector<std::unique_ptr<StripScratch>> strip_scratch;
+  std::vector<TileCounters> counters;
+  std::vector<StageCycles> cycles;
+
+  // The stages of a frame, in order (render_frame.cpp).
+  void update_scene(const SceneState& state, const FrameQuality& quality);
+  SceneUpdate update_acceleration(const FrameSample& sample, const SceneState& state);
+  void choose_details();
+  void show_full_details();
+  void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
+  void aim_rays(const FrameSample& sample, int polar_width);
+  bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
+  void aim_viewports(const FrameSample& sample, RenderedFrame& out);
+  bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
+  void draw_overlays(RenderedFrame& out);
+  void collect_counters(RenderedFrame& out) const;
+
+  // What follows from the instances that are there (changed_scene.cpp).
+  void measure_reach();
+  bool plan_anew();
+  bool follow(const SceneUpdate& update, const SceneState& state);
+  void allocate_buffers();  // frame_memory.cpp
+  void allocate_scratch();
+  void run_tile(int job, int worker, RayRecorder* recorder);
+  void build_probes();
+  void plan_probes();
+  void publish_probes();
+  void restore_probes(std::span<const std::byte> bytes);
+  void aim_probes(const FrameSample& sample, const SceneState& state, int most);
+  std::int64_t probe_bytes() const;
+  int most_probes() const { return probes ? probes->most_updated() : 0; }
+  int probe_job_count() const { return probes->job_count() * static_cast<int>(probes->sets.size()); }
+  ProbeJob probe_job(int job, int worker, RayRecorder* recorder);
+  int tile_count() const { return first_tile.back(); }
+  int buffer_of(std::size_t viewport) const {
+    return plan.polar ? static_cast<int>(profile.viewports[viewport].eye) : static_cast<int>(viewport);
+  }
+};
+
+}  // namespace herr

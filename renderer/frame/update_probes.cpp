@@ -1,0 +1,126 @@
+// Stage: probes. Rays of this frame's probes against last frame's light, blended into what they have
+// gathered, then published for all that follows in this frame. Also how a renderer sets its probes up.
+#include <algorithm>
+
+#include "renderer/frame/renderer_impl.h"
+#include "renderer/lighting/light_records.h"
+#include "renderer/memory_use.h"
+#include "renderer/probes/probe_placement.h"
+
+namespace herr {
+namespace {
+
+constexpr int kProbeKey = 2;  // beside the eyes 0 and 1: random numbers of the frame
+
+double summed_power(const SceneState& state) {
+  double sum = 0;
+  for (const AreaLight& light : state.lights) {
+    sum += double{light.intensity_w_sr.x} + double{light.intensity_w_sr.y} + double{light.intensity_w_sr.z};
+  }
+  return sum;
+}
+
+}  // namespace
+
+void Renderer::Impl::build_probes() {
+  const ProbeGrid grid = probe_grid_of(scene);
+  probes = std::make_unique<ProbeVolume>(grid, settings.probes, plan.catcher_probes ? 2 : 1);
+  if (plan.catcher_probes) probes->sets[1].mask = kCatcherMask;
+  probe_kernels = probe_kernels_for(settings.isa);
+  plan_probes();
+  probe_lights.reserve(scene.lights.size());
+  probe_radiance.resize(static_cast<std::size_t>(threads.count()));
+  for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
+  geometry->follow(grid.lower + 0.5 * glm::dvec3(grid.counts) * grid.spacing);
+  SceneUpdate nobodys;
+  const auto place = [&] { geometry->commit_changes(nobodys); };
+  threads.inside(std::cref(place));
+  ProbePlacement::settle(*probes, scene, *geometry, threads);
+}
+
+void Renderer::Impl::plan_probes() {
+  probe_plan = plan;
+  probe_plan.catchers = probe_plan.catchers_occlude = probe_plan.catcher_mirrors = false;
+  probe_plan.many_light_samples = probe_plan.adaptive_light_samples = probe_plan.occlusion = false;
+}
+
+void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state, int most) {
+  probes->begin_frame(sample.t_ns, summed_power(state), most);
+  probes->directions.aim(frame_key(sample.t_ns, kProbeKey), probes->node_directions);
+  light_records(state.lights, geometry->anchor(), 1, reach_m, probe_lights);
+  for (std::size_t set = 0; set < probes->sets.size(); ++set) {
+    probe_views[set] = probes->view(static_cast<int>(set), geometry->anchor());
+    ShadingInputs& by_probes = probe_shading[set] = shading;
+    by_probes.plan = &probe_plan;
+    by_probes.lights = probe_lights;
+    by_probes.first_light_samples = 0;
+    by_probes.probes = &probe_views[set];
+    by_probes.catcher_probes = nullptr;
+  }
+  shading.probes = &probe_views[0];
+  shading.catcher_probes = plan.catcher_probes ? &probe_views[1] : nullptr;
+}
+
+ProbeJob Renderer::Impl::probe_job(int job, int worker, RayRecorder* recorder) {
+  const auto w = static_cast<std::size_t>(worker);
+  const int set = job / probes->job_count();
+  ProbeJob out;
+  out.tile.shading = &probe_shading[static_cast<std::size_t>(set)];
+  out.tile.scratch = tile_scratch[w].get();
+  out.tile.counters = &counters[w];
+  out.tile.cycles = &cycles[w];
+  out.tile.recorder = recorder;
+  out.volume = probes.get();
+  out.set = set;
+  out.job = job % probes->job_count();
+  out.radiance = probe_radiance[w].data();
+  return out;
+}
+
+void Renderer::Impl::publish_probes() {
+  threads.run(probe_job_count(), [this](int index, int worker) {
+    const ProbeJob job = probe_job(index, worker, nullptr);
+    job.tile.cycles->start();
+    probe_kernels.publish(job);
+    job.tile.cycles->lap(Stage::probe_update);
+  });
+}
+
+void Renderer::Impl::restore_probes(std::span<const std::byte> bytes) {
+  probes->restore(bytes);
+  publish_probes();
+}
+
+void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out) {
+  const PhaseClock serial(cycles);
+  cycles[0].start();
+  aim_probes(sample, state, out.quality.probes);
+  cycles[0].lap(Stage::probe_update);
+  serial.finish(out.times);
+
+  const PhaseClock gathering(cycles);
+  threads.run(probe_job_count(), [this](int index, int worker) {
+    const ProbeJob job = probe_job(index, worker, nullptr);
+    job.tile.cycles->start();
+    probe_kernels.trace(job);
+    job.tile.cycles->lap(Stage::probe_rays);
+    probe_kernels.blend(job);
+    job.tile.cycles->lap(Stage::probe_update);
+  });
+  gathering.finish(out.times);
+
+  const PhaseClock publishing(cycles);
+  publish_probes();
+  publishing.finish(out.times);
+  probes->end_frame();
+  out.probes = probes->counts();
+}
+
+std::int64_t Renderer::Impl::probe_bytes() const {
+  if (!probes) return 0;
+  std::int64_t sum = probes->bytes() + bytes_of(probe_lights);
+  for (const auto& radiance : probe_radiance) sum += bytes_of(radiance);
+  return sum;
+}
+
+}  // namespace herr

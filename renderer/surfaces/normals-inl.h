@@ -1,0 +1,97 @@
+// Normals of hits, turned to the viewer's side: those of triangles and those that shapes and voxels bring.
+// Before: Embree. After: surfaces; normal_texture bends them where a material says so.
+#if defined(HERR_NORMALS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_NORMALS_INL
+#undef HERR_NORMALS_INL
+#else
+#define HERR_NORMALS_INL
+#endif
+
+#include "renderer/surfaces/material_at-inl.h"
+#include "renderer/tiles/tile_job.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE V3 decode_normal(VU code) {
+  const VF to_unit = set(1.0f / 32767.0f);
+  const VF x =
+      hn::Mul(hn::ConvertTo(kF, hn::ShiftRight<16>(hn::BitCast(kI, hn::ShiftLeft<16>(code)))), to_unit);
+  const VF y = hn::Mul(hn::ConvertTo(kF, hn::ShiftRight<16>(hn::BitCast(kI, code))), to_unit);
+  const VF z = hn::Sub(set(1.0f), hn::Add(hn::Abs(x), hn::Abs(y)));
+  const VF fold = hn::Max(hn::Neg(z), hn::Zero(kF));
+  return {hn::Sub(x, hn::CopySign(fold, x)), hn::Sub(y, hn::CopySign(fold, y)), z};
+}
+
+HWY_INLINE void store_shading_normal(const V3& n, MF lanes, HitBatch& out, int slot) {
+  store_lanes(n.x, lanes, &out.nx[slot]);
+  store_lanes(n.y, lanes, &out.ny[slot]);
+  store_lanes(n.z, lanes, &out.nz[slot]);
+}
+HWY_INLINE void store_geometric_normal(const V3& g, MF lanes, HitBatch& out, int slot) {
+  store_lanes(g.x, lanes, &out.gx[slot]);
+  store_lanes(g.y, lanes, &out.gy[slot]);
+  store_lanes(g.z, lanes, &out.gz[slot]);
+}
+
+HWY_INLINE V3 normal_to_world(const InstanceRecord& instance, const V3& n) {
+  const float* m = instance.normal_from_object;
+  return normalise(V3{dot(set3(m), n), dot(set3(m + 3), n), dot(set3(m + 6), n)});
+}
+
+// Three octahedral codes of each triangle, one for each corner, interpolated: of no special length.
+HWY_INLINE V3 interpolate_directions(const std::uint32_t* words, VI record, const Barycentric& at) {
+  const V3 a = decode_normal(hn::GatherIndex(kU, words, record)),
+           b = decode_normal(hn::GatherIndex(kU, words + 1, record)),
+           c = decode_normal(hn::GatherIndex(kU, words + 2, record));
+  return mul_add(at.w, a, mul_add(at.u, b, scale(c, at.v)));
+}
+
+// Normals of `lanes`, turned to the viewer's side.
+HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
+                              const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
+  // Embree's normal has the triangle's area for its length: brought near 1 first, or a sliver's would
+  // underflow.
+  const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
+  const VF largest =
+      hn::Max(hn::Max(hn::Abs(area.x), hn::Abs(area.y)), hn::Max(hn::Abs(area.z), set(1e-37f)));
+  V3 g = normal_to_world(instance, scale(area, hn::Div(set(1.0f), largest)));
+  V3 n = normal_to_world(
+      instance,
+      interpolate_directions(reinterpret_cast<const std::uint32_t*>(instance.triangles), record, at));
+  const MF g_behind = hn::Lt(dot(g, viewer), hn::Zero(kF));
+  g = select(g_behind, scale(g, set(-1.0f)), g);
+  // Normals of a closed surface point outwards: from behind, the viewer is inside.
+  const float index = instance.refractive_index;
+  store_lanes(hn::IfThenElse(g_behind, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
+  // The shading normal follows the geometric one's side, so that both see the same lights.
+  n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
+  // A flat triangle's stored normal is its own but for rounding to 16 bits (6.6e-5 rad at most): glass shows
+  // that.
+  const V3 bend = sub(n, g);
+  n = select(hn::Lt(dot(bend, bend), set(2e-8f)), g, n);
+  store_geometric_normal(g, lanes, out, slot);
+  store_shading_normal(n, lanes, out, slot);
+}
+
+// The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat: outward, in
+// object space.
+HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet, const V3& viewer, MF lanes,
+                            HitBatch& out, int slot) {
+  V3 n = normal_to_world(instance, load3(packet.hit.Ng_x, packet.hit.Ng_y, packet.hit.Ng_z));
+  const MF inside = hn::Lt(dot(n, viewer), hn::Zero(kF));
+  n = select(inside, scale(n, set(-1.0f)), n);
+  const float index = instance.refractive_index;
+  store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
+  store_shading_normal(n, lanes, out, slot);
+  store_geometric_normal(n, lanes, out, slot);
+  const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
+  store_lanes(offset, lanes, out.offset.data() + slot);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,144 @@
+// Stage: Embree hits -> position, normals and material of each ray of a batch.
+// Rays of a packet mostly hit one instance, so the packet is taken instance by instance: matrices, material
+// and textures are then broadcast, and only the triangle's record is gathered.
+#if defined(HERR_SURFACES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HERR_SURFACES_INL
+#undef HERR_SURFACES_INL
+#else
+#define HERR_SURFACES_INL
+#endif
+
+#include "renderer/surfaces/normal_texture-inl.h"
+#include "renderer/tiles/generate_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi alpha^2), finite in float
+// Secondary rays start off the surface by 256 units in the last place of the largest coordinate or distance
+// that went into the hit point, along the geometric normal (after Waechter & Binder, "A Fast and Robust
+// Method for Avoiding Self-Intersection", 2019; they take each coordinate's own, which is too little for p =
+// o + t d near a plane of 0).
+constexpr float kOffsetScale = 0x1p-16f;
+constexpr float kSmallestOffsetScale_m = 1.0f / 32.0f;
+
+// Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance,
+// and what passes where the frame follows light through `transparent` surfaces.
+template <SurfaceDetail kDetail>
+HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const Barycentric& at,
+                               VF object_width2, bool transparent, MF lanes, HitBatch& out, int slot) {
+  MaterialAt m = material_factors(instance);
+  if constexpr (kDetail != SurfaceDetail::plain) {
+    apply_base_textures(instance, record, at, object_width2, lanes, m);
+    if (instance.kind == ShapeKind::voxels) multiply_voxel_colour(at.u, m);
+  }
+  const auto put = [&](VF value, Lane<float>& lane)
+                       HWY_ATTR { store_lanes(value, lanes, lane.data() + slot); };
+  if constexpr (kDetail == SurfaceDetail::all) {
+    put(set(1.0f), out.coverage);
+    if (instance.detail) {
+      apply_details(*instance.detail, record, at, object_width2, lanes, m);
+      if (instance.detail->alpha_mode == AlphaMode::blend) put(m.base.a, out.coverage);
+    }
+    put(hn::MulAdd(m.metallic, hn::Sub(set(1.0f), m.f90), m.f90), out.f90);
+  }
+  VF dielectric = hn::Sub(set(1.0f), m.metallic);
+  if (transparent) {
+    // What passes the surface is not scattered by it.
+    const VF transmission = hn::Mul(dielectric, m.transmission);
+    dielectric = hn::Sub(dielectric, transmission);
+    put(transmission, out.transmission);
+    put(set(instance.dielectric_f0), out.dielectric_f0);
+    put(m.base.r, out.tr);
+    put(m.base.g, out.tg);
+    put(m.base.b, out.tb);
+  }
+  put(hn::Mul(m.base.r, dielectric), out.dr);
+  put(hn::Mul(m.base.g, dielectric), out.dg);
+  put(hn::Mul(m.base.b, dielectric), out.db);
+  put(hn::MulAdd(m.metallic, hn::Sub(m.base.r, m.f0.x), m.f0.x), out.fr);
+  put(hn::MulAdd(m.metallic, hn::Sub(m.base.g, m.f0.y), m.f0.y), out.fg);
+  put(hn::MulAdd(m.metallic, hn::Sub(m.base.b, m.f0.z), m.f0.z), out.fb);
+  const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
+  put(hn::Mul(alpha, alpha), out.alpha2);
+  put(m.emission.x, out.er);
+  put(m.emission.y, out.eg);
+  put(m.emission.z, out.eb);
+  put(set(instance.mirror), out.mirror);
+  put(set(instance.catcher ? 1.0f : 0.0f), out.real);
+}
+
+// One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
+// a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
+// Where textures are read, rays have a width: HitBatch::cone_width and cone_spread are theirs at the origin
+// before, and the width is the hit's afterwards.
+template <SurfaceDetail kDetail>
+HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
+                                  bool see_catchers, HitBatch& out, int slot) {
+  const VU geometry = hn::Load(kU, packet.hit.geomID);
+  const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
+  const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
+  VI kind = hn::IfThenElseZero(hn::RebindMask(kI, rays), hn::Set(kI, static_cast<int>(HitKind::miss)));
+  const V3 direction = load3(packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z);
+  const V3 viewer = scale(direction, set(-1.0f));
+  hn::Store(viewer.x, kF, out.vx.data() + slot);
+  hn::Store(viewer.y, kF, out.vy.data() + slot);
+  hn::Store(viewer.z, kF, out.vz.data() + slot);
+  if (hn::AllFalse(kF, hit)) {
+    hn::Store(kind, kI, out.kind.data() + slot);
+    return;
+  }
+  const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
+  const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
+  const V3 p = mul_add(t, direction, origin);
+  hn::Store(p.x, kF, out.px.data() + slot);
+  hn::Store(p.y, kF, out.py.data() + slot);
+  hn::Store(p.z, kF, out.pz.data() + slot);
+  const VF largest = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Max(hn::Abs(p.z), t));
+  hn::Store(hn::Mul(hn::Max(largest, set(kSmallestOffsetScale_m)), set(kOffsetScale)), kF,
+            out.offset.data() + slot);
+
+  const VF u = load(packet.hit.u), v = load(packet.hit.v);
+  const Barycentric at{hn::Sub(hn::Sub(set(1.0f), u), v), u, v};
+  const VI records = hn::ShiftLeft<3>(hn::BitCast(kI, hn::Load(kU, packet.hit.primID)));
+  VF area = hn::Zero(kF);  // of the ray's cross section on the surface, but for its slope
+  if constexpr (kDetail != SurfaceDetail::plain) {
+    const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
+    store_lanes(width, hit, &out.cone_width[slot]);
+    area = hn::Mul(width, width);
+  }
+  MF left = hit;
+  while (!hn::AllFalse(kF, left)) {
+    const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
+    const std::uint32_t id = packet.hit.instID[0][first];
+    const MF lanes = hn::And(left, hn::RebindMask(kF, hn::Eq(instance_ids, hn::Set(kU, id))));
+    left = hn::AndNot(lanes, left);
+    const InstanceRecord& instance = shading.instances[id];
+    const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
+    if (instance.kind == ShapeKind::mesh) {
+      store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+    } else {
+      store_shape(instance, packet, viewer, lanes, out, slot);
+    }
+    VF object_width2 = area;
+    if constexpr (kDetail != SurfaceDetail::plain) {
+      const VF slope = hn::Abs(dot(load3(&out.gx[slot], &out.gy[slot], &out.gz[slot]), viewer));
+      object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
+    }
+    if constexpr (kDetail == SurfaceDetail::all) {
+      if (instance.detail && instance.detail->tangents)
+        bend_normals(instance, record, at, object_width2, lanes, out, slot);
+    }
+    store_material<kDetail>(instance, record, at, object_width2, shading.plan->refraction, lanes, out, slot);
+    const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
+    kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
+  }
+  hn::Store(kind, kI, out.kind.data() + slot);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
+
+#endif

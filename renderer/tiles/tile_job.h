@@ -1,0 +1,165 @@
+// What travels between the stages of a tile, as plain structures of arrays.
+// A tile is 32x32 samples of a polar buffer (or of a viewport, without foveation). Its batches live in one
+// worker's scratch memory and stay in that core's L2 cache while the tile goes through the stages.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "renderer/embree/embree_api.h"
+#include "renderer/foveation/ray_grids.h"
+#include "renderer/frame_plan.h"
+#include "renderer/geometry/shading_scene.h"
+#include "renderer/probes/probe_view.h"
+#include "renderer/stage_times.h"
+#include "renderer/threads/stage_clock.h"
+#include "renderer/tiles/environment_record.h"
+#include "renderer/tiles/ray_recorder.h"
+
+namespace herr {
+
+inline constexpr int kTileSide = 32;
+inline constexpr int kTileRays = kTileSide * kTileSide;
+inline constexpr int kMaxLanes = 16;
+// Blocks of 4x4 samples: neighbours that share decisions and directions on every instruction set.
+inline constexpr int kBlocksAlong = kTileSide / 4;
+inline constexpr std::size_t kBlocksInTile = kBlocksAlong * kBlocksAlong;
+
+// One value per ray of a batch, with room for a last partial vector.
+template <typename T>
+using Lane = std::array<T, kTileRays + kMaxLanes>;
+
+// How much a kernel knows of surfaces. plain: factors. textures: base colour and metallic-roughness, one set
+// of coordinates. all: whatever a DetailRecord holds.
+enum class SurfaceDetail : std::uint8_t { plain, textures, all };
+// none: no sample here; miss: the ray left the scene.
+enum class HitKind : std::int32_t { none = 0, object = 1, catcher = 2, miss = 3 };
+
+// Surfaces that a batch of rays hit, and the light that they send back along the ray.
+struct alignas(64) HitBatch {
+  Lane<float> px, py, pz;     // position, metres from the anchor
+  Lane<float> nx, ny, nz;     // shading normal, unit, on the viewer's side
+  Lane<float> gx, gy, gz;     // geometric normal, unit, on the viewer's side
+  Lane<float> vx, vy, vz;     // towards the viewer, unit
+  Lane<float> offset;         // metres along g at which secondary rays start
+  Lane<float> dr, dg, db;     // diffuse albedo
+  Lane<float> fr, fg, fb;     // specular reflectance at normal incidence
+  Lane<float> alpha2;         // GGX alpha squared
+  Lane<float> er, eg, eb;     // emitted radiance
+  Lane<float> mirror;         // share of the mirror ray that is seen
+  Lane<float> transmission;   // share of the light that passes the surface
+  Lane<float> index_ratio;    // refractive index of the viewer's side over that of the other
+  Lane<float> dielectric_f0;  // reflectance of the bare interface at normal incidence
+  Lane<float> tr, tg, tb;     // colour of light that passes
+  Lane<float> real;           // 1 on a catcher that is seen as an object
+  // With textures or voxels: width of the ray, metres, and what it grows by per metre.
+  Lane<float> cone_width, cone_spread;
+  // With surface details: what a blended surface covers, 1 elsewhere; specular reflectance at grazing angles.
+  Lane<float> coverage, f90;
+  Lane<std::int32_t> kind;  // HitKind
+  Lane<std::uint32_t> key;  // random numbers: frame, eye and sample
+  // Objects: radiance by direct light. Catchers: irradiance with all objects in place.
+  Lane<float> lr, lg, lb;
+  // Catchers: irradiance without the virtual objects.
+  Lane<float> wr, wg, wb;
+  // With probes: mean radiance from all sides (irradiance / pi) of light that came by other surfaces.
+  Lane<float> ir, ig, ib;
+  // Catchers: the same without the virtual objects.
+  Lane<float> jr, jg, jb;
+  // Share of short rays that meet nothing; of catchers also without the virtual objects.
+  Lane<float> open, open_without;
+  // Catchers: reflection of virtual objects, added to the feed.
+  Lane<float> sr, sg, sb;
+  // Which 4x4 block of the tile the sample lies in. Last: bytes would leave the lanes behind them unaligned.
+  Lane<std::uint8_t> block;
+};
+
+// Rays that wait to be traced, dense, and which hit of the batch each belongs to.
+struct alignas(64) RayQueue {
+  Lane<float> ox, oy, oz, dx, dy, dz;
+  Lane<std::int32_t> hit;
+  int count = 0;
+};
+
+// What is known of a light at each hit while its samples are adaptive. Half a megabyte: only where asked for.
+struct alignas(64) AdaptiveLight {
+  Lane<float> faced, seen, seen_without;  // numbers of the first samples
+  Lane<float> undecided, asks;  // 1: needs more than the first samples; needs a ray for the one in work
+  Lane<float> paired;           // 1: may share its first samples with its neighbour
+  Lane<float> glossy;           // 1: highlights come from few strata, none of which is guessed
+  Lane<float> agreed, agreed_without;  // what is taken where no ray is needed: 0 or 1
+  // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
+  std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
+  Lane<std::uint8_t> sum, sum_without;  // of neighbouring samples seen
+};
+
+// What the layers of blended surfaces add up to, front to back, per first hit.
+struct alignas(64) AlphaLayers {
+  Lane<float> light_r, light_g, light_b, ratio_r, ratio_g, ratio_b;  // as in texels
+  Lane<float> through;                                               // share of what is behind that is seen
+  Lane<std::int32_t> kind;                                           // HitKind of the first layer
+};
+
+// Rays that first hits send on, and what those meet.
+struct alignas(64) SecondRays {
+  HitBatch hits;
+  RayQueue onward;                           // rays that leave a transparent surface
+  Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
+  Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
+};
+
+// One worker's memory for the tile in work. What only some scenes need is there where the plan asks for it
+// (Renderer::Impl::allocate_scratch), after the lanes, which it would shift.
+struct alignas(64) TileScratch {
+  alignas(64) unsigned char packets[sizeof(RTCRayHit16) * kTileRays / 16];  // of whichever width
+  std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
+  alignas(64) std::array<std::array<std::int32_t, kMaxLanes>, kTileRays / 4> packet_valid;
+  HitBatch first;
+  RayQueue queue;
+  Lane<float> visible, visible_without;     // of the light sample in work, per hit
+  std::unique_ptr<SecondRays> second;       // where surfaces mirror or let light through
+  std::unique_ptr<RayQueue> blocked;        // where catchers shadow one another: blocked rays of catchers
+  std::unique_ptr<AlphaLayers> layers;      // where surfaces blend
+  std::unique_ptr<AdaptiveLight> adaptive;  // where light samples are adaptive
+};
+
+// Counts of one worker; added up after the frame.
+struct alignas(64) TileCounters : FrameCounters {};
+
+// What is the same for all tiles of a frame.
+struct ShadingInputs {
+  const FramePlan* plan = nullptr;
+  RTCScene scene = nullptr;
+  std::span<const InstanceRecord> instances;
+  std::span<const LightRecord> lights;
+  int first_light_samples = 0;                // adaptive: strata traced for every hit; 0: all of them
+  const ProbeView* probes = nullptr;          // null without probes
+  const ProbeView* catcher_probes = nullptr;  // what catchers alone send to one another; null without
+  float ambient[3] = {};
+  int occlusion_rays = 0;
+  float occlusion_radius_m = 0;
+  EnvironmentRecord environment_map;  // instead of `environment` where it has texels
+  float environment[3] = {};
+  float smallest_irradiance[3] =
+      {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
+  bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
+  bool debug_tiles = false;
+};
+
+struct TileJob {
+  const RayGrid* grid = nullptr;
+  const ShadingInputs* shading = nullptr;
+  int x0 = 0, y0 = 0;  // first column and row of the tile
+  TileScratch* scratch = nullptr;
+  TileCounters* counters = nullptr;
+  StageCycles* cycles = nullptr;
+  RayRecorder* recorder = nullptr;  // bench only: takes a copy of every ray
+};
+
+// Takes one tile through all its stages.
+using TraceTile = void (*)(const TileJob&);
+TraceTile trace_tile_for(Isa isa);
+
+}  // namespace herr

@@ -1,0 +1,80 @@
+#include "scenes/document/environment_image.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+#include <memory>
+#include <string>
+
+#include "sessions/camera/camera_image.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
+
+namespace herr {
+namespace {
+
+constexpr int kMaxWidth_px = 8192, kMaxHeight_px = 4096;
+constexpr float kBrightest = 65504.0f;  // what EXR's half holds, and far above any display
+
+bool is_radiance_picture(const std::filesystem::path& path) {
+  InputFile file(path);
+  char first[2] = {};
+  return file.read(first, sizeof first) == sizeof first && std::memcmp(first, "#?", 2) == 0;
+}
+
+void check_size(const std::filesystem::path& file, int width_px, int height_px) {
+  if (width_px >= 2 && height_px >= 1 && width_px <= kMaxWidth_px && height_px <= kMaxHeight_px) return;
+  throw InputError(file, 0,
+                   "has " + std::to_string(width_px) + " x " + std::to_string(height_px) +
+                       " pixels, which is no picture of an environment",
+                   "use an equirectangular picture of 2 x 1 to 8192 x 4096 pixels");
+}
+
+float usable(float value, std::int64_t& sanitised) {
+  if (value >= 0 && value <= kBrightest) return value;
+  ++sanitised;
+  return value > kBrightest ? kBrightest : 0.0f;
+}
+
+EnvironmentImage read_radiance_picture(const std::filesystem::path& file, std::int64_t& sanitised) {
+  const auto damaged = [&](std::string message) {
+    message = message.substr(0, message.find('\n'));
+    return InputError(file, 0, "does not decode as Radiance HDR (" + printable(message) + ")",
+                      "copy or export the picture again");
+  };
+  const auto reader = OIIO::ImageInput::create("hdr");
+  if (!reader) throw std::runtime_error("OpenImageIO has no reader for hdr: " + OIIO::geterror());
+  OIIO::ImageSpec spec;
+  if (!reader->open(file.string(), spec)) throw damaged(reader->geterror());
+  check_size(file, spec.width, spec.height);
+  if (spec.nchannels != 3) throw damaged("it has " + std::to_string(spec.nchannels) + " channels");
+  const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  std::vector<float> rgb(3 * pixels);
+  const bool read = reader->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, rgb.data());
+  const std::string message = reader->geterror();
+  if (!read || !message.empty()) throw damaged(message.empty() ? "it was cut off" : message);
+  EnvironmentImage image{spec.width, spec.height, 0, std::vector<float>(4 * pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t c = 0; c < 3; ++c) image.rgba[4 * i + c] = usable(rgb[3 * i + c], sanitised);
+  }
+  return image;
+}
+
+}  // namespace
+
+EnvironmentImage read_environment_image(const std::filesystem::path& file, std::int64_t& sanitised_values) {
+  if (is_radiance_picture(file)) return read_radiance_picture(file, sanitised_values);
+  const ImageSize size = read_image_size(file);
+  check_size(file, size.width_px, size.height_px);
+  const CameraImage half = read_camera_image(file);
+  sanitised_values += half.sanitised_values;
+  EnvironmentImage image{half.width_px, half.height_px, 0, std::vector<float>(half.rgba_half.size())};
+  std::transform(half.rgba_half.begin(), half.rgba_half.end(), image.rgba.begin(),
+                 [](std::uint16_t value) { return glm::unpackHalf1x16(value); });
+  return image;
+}
+
+}  // namespace herr

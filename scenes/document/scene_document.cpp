@@ -1,0 +1,164 @@
+#include "scenes/document/scene_document.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "scenes/detail/simplify_mesh.h"
+#include "scenes/document/environment_image.h"
+#include "scenes/document/parse_change.h"
+#include "scenes/document/room_scan.h"
+#include "scenes/document/scene_document_parts.h"
+#include "scenes/document/scene_document_paths.h"
+#include "scenes/document/scene_document_shapes.h"
+#include "scenes/document/scene_document_voxels.h"
+#include "scenes/gltf/load_gltf.h"
+#include "scenes/gltf/node_flattener.h"
+#include "scenes/model/transform_checks.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
+
+namespace herr {
+namespace {
+
+constexpr double kBrightestRadiance = 1e9;
+
+// A glTF file as it was appended to the scene, for entries that name it again.
+// Entries that play different animations do not share.
+struct LoadedFile {
+  std::filesystem::path file;
+  PlaybackRequest playback;
+  GltfContent content;
+};
+using LoadedFiles = std::vector<LoadedFile>;
+
+// The material of an instance with the entry's changes; made once per entry and material.
+std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& change, Scene& scene,
+                               std::map<std::uint32_t, std::uint32_t>& changed) {
+  const auto [entry, added] = changed.try_emplace(original, 0);
+  if (added) {
+    entry->second = static_cast<std::uint32_t>(scene.materials.size());
+    Material material = change.apply(scene.materials[original]);
+    scene.materials.push_back(std::move(material));
+  }
+  return entry->second;
+}
+
+void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
+  entry.allow_only({"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material",
+                    "detail_levels", "present", "animation", "path"});
+  const Placement placement = parse_placement_change(entry).apply({});
+  const std::string name = entry.text_or("name", "");
+  const bool catcher = entry.boolean_or("catcher", false);
+  const bool changes = entry.has("material");
+  const MaterialOverride change =
+      changes ? parse_material_override(entry.object("material")) : MaterialOverride{};
+
+  const std::filesystem::path file = named_file(entry, "file");
+  const PlaybackRequest playback =
+      entry.has("animation") ? parse_playback(entry.object("animation")) : PlaybackRequest{};
+  const auto same = [&](const LoadedFile& other) { return other.file == file && other.playback == playback; };
+  auto known = std::find_if(loaded.begin(), loaded.end(), same);
+  if (known == loaded.end())
+    known = loaded.insert(loaded.end(), {file, playback, append_gltf(file, scene, playback)});
+
+  const bool detail_levels = entry.boolean_or("detail_levels", false);
+  PlacedObject object{name,
+                      placement,
+                      static_cast<std::uint32_t>(scene.instances.size()),
+                      0,
+                      entry.boolean_or("present", true),
+                      parse_path(entry, placement)};
+  const glm::dmat4x3 world_from_gltf = object.start().matrix();
+  std::map<std::uint32_t, std::uint32_t> changed;
+  for (const AreaLight& light : known->content.lights) {
+    scene.lights.push_back(placed_light(world_from_gltf, light));
+  }
+  if (!known->content.lights.empty() && !object.path.empty()) {
+    scene.warnings.push_back(printable(entry.file().string()) + ": " + entry.where() +
+                             ": the lights of a glTF file do not follow its path: they stay where it starts");
+  }
+  for (Instance instance : known->content.instances) {
+    check_path(entry, object.path, scene, instance);
+    instance.present = object.present;
+    instance.world_from_object = compose(world_from_gltf, instance.world_from_object);
+    if (const auto problem = transform_problem(instance.world_from_object)) {
+      entry.fail("scale", "together with the nodes of the model " + *problem, "write a larger scale");
+    }
+    // "teapot/lid": which entry, and which of its nodes.
+    if (!name.empty()) instance.name = instance.name.empty() ? name : name + "/" + instance.name;
+    instance.catcher = catcher;
+    // What bends has no coarser forms: they would keep the shape of time 0.
+    const bool bends = std::any_of(scene.deformations.begin(), scene.deformations.end(),
+                                   [&](const MeshDeformation& one) { return one.mesh == instance.mesh; });
+    if (detail_levels && !bends) add_coarser_meshes(scene, instance.mesh);
+    if (changes) instance.material = changed_material(instance.material, change, scene, changed);
+    scene.instances.push_back(std::move(instance));
+    ++object.count;
+  }
+  if (object.count > 0) scene.objects.push_back(std::move(object));
+}
+
+// A room cannot be scaled: it is real.
+void read_room_scan(const JsonObject& entry, Scene& scene) {
+  entry.allow_only(
+      {"file", "name", "translation", "rotation_xyzw", "base_colour", "metallic", "roughness", "mirror"});
+  const glm::dmat4x3 world_from_scan = parse_placement(entry);
+  const Material material = parse_catcher_material(entry, entry.text_or("name", "room"));
+  append_room_scan(named_file(entry, "file"), world_from_scan, material, scene);
+}
+
+void read_environment(const JsonObject& entry, Scene& scene) {
+  entry.allow_only({"file", "turn_deg", "scale"});
+  const std::filesystem::path file = named_file(entry, "file");
+  const auto turn_deg = static_cast<float>(entry.number_or("turn_deg", -360, 360, 0));
+  const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightestRadiance, 1));
+  std::int64_t sanitised = 0;
+  scene.environment_map = read_environment_image(file, sanitised);
+  scene.environment_map.turn_deg = turn_deg;
+  for (float& value : scene.environment_map.rgba) value *= scale;
+  scene.files.push_back(file);
+  if (sanitised == 0) return;
+  scene.warnings.push_back(printable(file.string()) + ": " + std::to_string(sanitised) +
+                           " values are negative, not finite or above 65504; brought into range");
+}
+
+}  // namespace
+
+Scene read_scene_document(const std::filesystem::path& file) {
+  const nlohmann::json document = parse_json_file(file);
+  const JsonObject root(document, file, "");
+  root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "room_scan", "lights",
+                   "ambient", "environment", "environment_map", "world_from_session", "probes", "timeline"});
+  root.integer("format_version", 1, 1);
+  Scene scene;
+  scene.files.push_back(file);
+  scene.name = root.text("name");
+  scene.ambient = glm::vec3(root.vec3_or("ambient", 0, kBrightestRadiance, glm::dvec3(0.0)));
+  scene.environment = glm::vec3(root.vec3_or("environment", 0, kBrightestRadiance, glm::dvec3(0.0)));
+  if (root.has("environment_map")) {
+    if (root.has("environment")) {
+      root.fail("environment_map", "stands beside an environment of one colour", "write only one of them");
+    }
+    read_environment(root.object("environment_map"), scene);
+  }
+  if (root.has("probes")) scene.probes = parse_probes(root.object("probes"));
+  if (root.has("world_from_session"))
+    scene.world_from_session = parse_pose(root.object("world_from_session"));
+  for (const JsonObject& light : root.objects("lights")) scene.lights.push_back(parse_light(light));
+  for (const JsonObject& catcher : root.objects("catchers")) append_catcher(catcher, scene);
+  for (const JsonObject& shape : root.objects("shapes")) append_shape(shape, scene);
+  if (root.has("room_scan")) read_room_scan(root.object("room_scan"), scene);
+
+  LoadedFiles loaded;
+  for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);
+  append_voxel_entries(root.objects("voxels"), scene);
+  scene.timeline = parse_timeline(root);
+  if (scene.lights.empty()) {
+    scene.warnings.push_back(printable(file.string()) +
+                             ": no lights: only the ambient term and emission light it");
+  }
+  return scene;
+}
+
+}  // namespace herr

@@ -1,0 +1,217 @@
+// What there is to see: meshes, materials, textures, instances, lights - flattened to one level, ready for
+// tracing. Before: scene_document reads *.scene.json and gltf files into this. After: renderer/geometry
+// builds Embree scenes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <glm/mat4x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/model/animated_model.h"
+#include "scenes/model/object_path.h"
+#include "scenes/model/scene_change.h"
+#include "scenes/model/voxel_grid.h"
+#include "sessions/format/pose.h"
+
+namespace herr {
+
+enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
+
+// 8-bit RGBA, rows from v = 0 downwards as glTF defines (v = 0 is the top row).
+struct TextureImage {
+  std::string name;
+  int width_px = 0, height_px = 0;  // 1 ... 16384
+  bool srgb = true;  // colour: decode to linear light after the fetch; false: values are linear
+  TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+  std::vector<std::uint8_t> rgba;  // 4 * width * height
+  bool nearest = false;            // magnified texels stay squares (sampler filter NEAREST)
+  bool covers = false;             // alpha is coverage: colours of smaller levels are weighted by it
+};
+
+// mask: a surface has holes where its alpha lies below the cutoff. blend: it covers what is behind by alpha.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+// A texture and which of the mesh's coordinates it reads: set 0 is TriangleMesh::uvs, set n is more_uvs[n -
+// 1].
+struct TextureSlot {
+  int texture = -1;  // index into Scene::textures, -1 = none
+  int uv_set = 0;
+};
+
+// glTF metallic-roughness in linear light. Mapping to the paper's factors (see README.md of this folder):
+// diffuse = base_colour * (1 - metallic), specular F0 = mix(0.04, base_colour, metallic) with GGX alpha =
+// roughness^2, reflection = mirror * F (Schlick from F0).
+struct Material {
+  std::string name;
+  glm::vec3 base_colour{0.8f};          // [0, 1]
+  float metallic = 0.0f;                // [0, 1]
+  float roughness = 0.8f;               // [0, 1]
+  glm::vec3 emission{0.0f};             // radiance, >= 0
+  float mirror = 0.0f;                  // [0, 1] share of the mirror ray that is seen; 0 traces none
+  int base_colour_texture = -1;         // index into Scene::textures, -1 = none
+  int metallic_roughness_texture = -1;  // G = roughness, B = metallic (linear)
+  float transmission = 0.0f;            // [0, 1] share of light that passes, refracted
+  float refractive_index = 1.5f;        // [1, 100]
+  int base_colour_uv_set = 0, metallic_roughness_uv_set = 0;  // as TextureSlot::uv_set
+
+  float alpha = 1.0f;  // [0, 1], times the base colour texture's and the vertices'; unused where opaque
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;            // of mask
+  bool double_sided = true;             // false: seen from its front only, if its mesh is not closed
+  bool unlit = false;                   // shows its base colour whatever the light
+  float specular = 1.0f;                // [0, 1] strength of a dielectric's highlights
+  glm::vec3 specular_colour{1.0f};      // >= 0, tints them
+  float normal_scale = 1.0f;            // of the normal texture's x and y
+  TextureSlot emission_texture;         // sRGB
+  TextureSlot specular_texture;         // A = strength
+  TextureSlot specular_colour_texture;  // sRGB
+  TextureSlot transmission_texture;     // R
+  TextureSlot normal_texture;           // RGB = tangent space, linear
+};
+
+// A coarser form of a mesh, for where the eye cannot tell.
+struct CoarserMesh {
+  std::uint32_t mesh = 0;  // index into Scene::meshes
+  float error_m = 0;       // how far its surface lies from the full one's, in object space
+};
+
+// One triangle mesh with one material (a glTF primitive). Arrays are all the same length or empty.
+struct TriangleMesh {
+  std::string name;
+  std::vector<glm::vec3> positions;              // metres in object space, finite
+  std::vector<glm::vec3> normals;                // unit; always present (generated when the file has none)
+  std::vector<glm::vec2> uvs;                    // empty when the material has no texture
+  std::vector<std::vector<glm::vec2>> more_uvs;  // sets 1, 2, ...; used where textures differ in coordinates
+  // xyz unit, w = 1 or -1: the bitangent is w cross(normal, xyz). Empty unless a normal texture reads them.
+  std::vector<glm::vec4> tangents;
+  std::vector<glm::vec4> colours;  // of vertices, linear RGBA in [0, 1]; empty = white
+  bool closed = false;             // known to be a closed surface: from within, its inside is seen
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
+  std::vector<CoarserMesh> coarser;  // by ascending error; empty unless a document asks for detail levels
+};
+
+// What an instance shows. A sphere has radius 1 about the origin of object space, a box is [-1, 1]^3; both
+// are met analytically, and a matrix makes them balls, ellipsoids, AABBs and OBBs.
+// Voxels are a grid whose object space is counted in voxels.
+enum class ShapeKind : std::uint8_t { mesh, sphere, box, voxels };
+
+struct Instance {
+  std::string name;
+  std::uint32_t mesh = 0;               // of kind mesh: index into Scene::meshes
+  std::uint32_t material = 0;           // index into Scene::materials
+  glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
+  bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
+  ShapeKind kind = ShapeKind::mesh;
+  std::uint32_t grid = 0;                // of kind voxels: index into Scene::voxel_grids
+  bool present = true;                   // false: not there yet, or no longer
+  glm::dmat4x3 placed_from_object{1.0};  // where it stands in its PlacedObject
+  int model = -1, node = -1;             // which node of which Scene::models moves it within that; -1: none
+};
+
+// What a document places under one name: the instances from `first` on, which stand and move together.
+struct PlacedObject {
+  std::string name;
+  Placement placement;
+  std::uint32_t first = 0, count = 0;  // of Scene::instances
+  bool present = true;                 // false: only there to be spawned
+  ObjectPath path{};                   // empty: it stands at `placement`
+
+  Placement start() const { return path.empty() ? placement : path.at(0); }  // at time 0
+};
+
+// box: radiates uniformly over its volume, into all directions. spot: from a point into a cone. sun: parallel
+// light from infinitely far away.
+enum class LightKind : std::uint8_t { box, spot, sun };
+
+// A light that cannot be seen itself: an axis-aligned box (a point when it has no size), a spot, or a sun.
+struct AreaLight {
+  std::string name;
+  LightKind kind = LightKind::box;
+  glm::dvec3 centre{0.0};
+  glm::vec3 size{0.0f};            // metres, >= 0 per axis
+  glm::vec3 intensity_w_sr{0.0f};  // >= 0; of a sun: irradiance in W/m^2 on a surface that faces it
+  glm::dvec3 direction{0, -1, 0};  // in which a spot or sun shines, unit
+  double inner_cone_rad = 0,
+         outer_cone_rad = 0.7853981633974483;  // of a spot: full brightness, none; half angles
+  double range_m = 0;                          // where a box or spot ends; 0: nowhere
+  // Circular path in the horizontal plane about `centre`: radius 0 = static.
+  double path_radius_m = 0, path_period_s = 0, path_phase_deg = 0;
+};
+
+// An equirectangular picture of what lies outside the scene. Row 0 is the zenith; the middle column lies
+// towards -Z, turned by turn_deg counter-clockwise as seen from above; columns run clockwise.
+struct EnvironmentImage {
+  int width_px = 0, height_px = 0;
+  float turn_deg = 0;
+  std::vector<float> rgba;  // 4 * width * height, radiance, finite and >= 0; the
+                            // fourth is unused
+};
+
+struct Bounds {
+  glm::dvec3 lower{0.0}, upper{0.0};
+};
+
+// A regular grid of light probes over a box: the scene's bounds where the document names none.
+inline constexpr int kMostProbes = 65536;
+struct ProbeGridSpec {
+  std::array<int, 3> counts{16, 8, 16};  // >= 1 each, kMostProbes together
+  std::optional<Bounds> box;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<TriangleMesh> meshes;
+  std::vector<Material> materials;
+  std::vector<TextureImage> textures;
+  std::vector<VoxelGrid> voxel_grids;
+  std::vector<Instance> instances;
+  std::vector<AreaLight> lights;
+  std::vector<PlacedObject> objects;
+  std::vector<AnimatedModel> models;          // glTF files of which something moves by itself
+  std::vector<MeshDeformation> deformations;  // meshes that bend with a model
+  std::vector<SceneChange> timeline;          // of the document itself, sorted by time
+  bool changes = false;                       // instances may move, come or go while it is rendered
+  glm::vec3 ambient{0.0f};                    // radiance of the constant ambient term
+  glm::vec3 environment{0.0f};                // radiance that a ray sees which leaves the scene
+  EnvironmentImage environment_map;           // instead of `environment` where it has pixels
+  ProbeGridSpec probes;
+  Pose world_from_session;                   // where the recording stands in the scene
+  std::vector<std::string> warnings;         // one line each
+  std::vector<std::filesystem::path> files;  // every file that was read
+};
+
+// What changes over time. Filled anew for each frame.
+// Instances and materials change in the Scene itself (changes/world.h): here stands which of them did.
+struct SceneState {
+  std::vector<AreaLight> lights;  // centres moved along their paths
+  // Per instance a number that is another one whenever it stands elsewhere, and whenever anything else about
+  // it is new. Both empty: nothing has changed since the scene was loaded.
+  std::vector<std::uint32_t> placed, shown;
+  std::uint32_t lit = 0;               // likewise, of lights that shine otherwise than by their paths
+  std::vector<DeformationPose> poses;  // per Scene::deformations; empty: as the meshes were loaded
+};
+
+// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
+// InputError.
+Scene load_scene(const std::filesystem::path& file);
+
+// Lights at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage, and
+// what else it says. (changes/world.h takes the rest of a scene to a time.)
+void scene_state_at(const Scene& scene, double time_s, SceneState& out);
+
+// Box around one instance, in the world. Of a mesh without vertices: inverted (lower > upper).
+Bounds instance_bounds(const Scene& scene, const Instance& instance);
+// Box around every instance that is there and no catcher (of all if there are only catchers).
+Bounds scene_bounds(const Scene& scene);
+// Triangles of all instances that are there; those of catchers only if `catchers`. A mesh counts once for
+// each instance, an analytic shape not at all.
+std::int64_t triangle_count(const Scene& scene, bool catchers);
+
+}  // namespace herr

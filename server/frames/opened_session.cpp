@@ -1,0 +1,51 @@
+#include "server/frames/opened_session.h"
+
+#include <string>
+
+#include "server/process/exit_code.h"
+#include "sessions/files/input_error.h"
+
+namespace herr {
+namespace {
+
+void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
+  const std::string& named = report.header.scene;
+  if (options.scene.empty() && named.empty()) {
+    throw UsageError("--scene: " + printable(report.name) + " names no scene; give --scene FILE");
+  }
+  report.scene_file =
+      options.scene.empty() ? opened.session->folder() / named : std::filesystem::path(options.scene);
+  opened.scene = load_scene(report.scene_file);
+  opened.scene.changes = opened.scene.changes || report.findings.event_rows > 0;
+  opened.player.emplace(opened.scene, options.session.keep_going);
+  opened.player->rehearse(*opened.session, opened.scene);
+  report.scene_name = opened.scene.name;
+  report.scene_triangles = triangle_count(opened.scene, false);
+}
+
+}  // namespace
+
+void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
+  opened.session.emplace(Session::open(report.session_folder, options.session));
+  const Session& session = *opened.session;
+  report.header = session.header();
+  report.findings = session.findings();
+  report.profile = options.profile.empty() ? report.header.profile : load_display_profile(options.profile);
+  // In real time a frame of the session is a tick of the display.
+  const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
+  const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;
+  report.range = frames_to_replay(session.start_ns(), session.end_ns(), display_hz,
+                                  {options.start_s, options.duration_s, options.frames});
+  if (report.range.count == 0) {
+    throw UsageError("--start, --duration: no frame of " + printable(report.name) +
+                     " lies in that span; choose one within the session");
+  }
+  open_scene(options, report, opened);
+  const bool has_camera = report.findings.camera_rows[0] > 0;
+  opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, options.render, has_camera);
+  report.plan = opened.renderer->plan();
+  report.memory = opened.renderer->memory();
+  report.settings = opened.renderer->settings();
+}
+
+}  // namespace herr

@@ -1,0 +1,185 @@
+#include "server/results/fingerprint.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "server/frames/frame_quality.h"
+#include "server/process/version.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Guards against change by accident; nobody forges a session to get a wrong picture.
+class Checksum {
+ public:
+  void add(const void* bytes, std::size_t count) {
+    crc_ = ::crc32_z(crc_, static_cast<const Bytef*>(bytes), count);
+    bytes_ += static_cast<std::int64_t>(count);
+  }
+  std::string text() const { return std::to_string(bytes_) + " bytes, crc32 " + std::to_string(crc_); }
+  std::uint64_t crc() const { return crc_; }
+
+ private:
+  uLong crc_ = ::crc32_z(0, nullptr, 0);
+  std::int64_t bytes_ = 0;
+};
+
+std::string content_text(const fs::path& path) {
+  InputFile file(path);
+  Checksum sum;
+  std::vector<char> block(1 << 16);
+  while (const std::size_t got = file.read(block.data(), block.size())) sum.add(block.data(), got);
+  return sum.text();
+}
+
+// Images are too many to read: a session of an hour has 100,000. The sum does not depend on their order.
+std::string images_text(const fs::path& folder, PictureIdentity identity) {
+  std::uint64_t count = 0, sum = 0;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored_because_a_broken_link_has_no_size;
+    const auto size = entry->file_size(ignored_because_a_broken_link_has_no_size);
+    const auto changed = entry->last_write_time(ignored_because_a_broken_link_has_no_size);
+    if (ignored_because_a_broken_link_has_no_size) continue;
+    std::string text = entry->path().lexically_relative(folder).string() + ' ' + std::to_string(size);
+    if (identity == PictureIdentity::size_and_time) {
+      text += ' ' + std::to_string(changed.time_since_epoch().count());
+    }
+    Checksum checksum;
+    checksum.add(text.data(), text.size());
+    sum += checksum.crc();
+    ++count;
+  }
+  if (error) throw InputError(folder, 0, "cannot be listed: " + error.message(), "check its permissions");
+  return std::to_string(count) + " files, checksum " + std::to_string(sum);
+}
+
+std::string profile_text(const DisplayProfile& profile) {
+  std::string text = shortest_text(profile.display_hz) + " Hz";
+  for (const Viewport& v : profile.viewports) {
+    text += "; " + v.name + (v.eye == Eye::left ? " left " : " right ") + (v.focus ? "focus " : "context ") +
+            std::to_string(v.width_px) + 'x' + std::to_string(v.height_px);
+    for (const double value : {v.tan_left, v.tan_right, v.tan_down, v.tan_up, v.edge_blend_deg}) {
+      text += ' ' + shortest_text(value);
+    }
+  }
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  return sum.text();
+}
+
+std::string sheet_text(const ReplayOptions& options) {
+  switch (options.sheet) {
+    case SheetChoice::none:
+      return "none";
+    case SheetChoice::all:
+      return "all";
+    case SheetChoice::middle:
+      return "middle";
+    case SheetChoice::one:
+      return std::to_string(options.sheet_frame);
+  }
+  return "unknown";
+}
+
+std::string probes_text(const ProbeSettings& probes) {
+  if (!probes.on) return "not given";
+  return std::to_string(probes.rays) + " rays, budget " + std::to_string(probes.budget);
+}
+
+// Threads are left out: they change no picture. So are --keep-going and --strict: what they let pass or
+// refuse is found by the check of the session, before the first frame, or ends the run.
+Fingerprint::Entries settings_of(const SessionReport& report, const ReplayOptions& options) {
+  const RenderSettings& render = report.settings;
+  const auto given = [](bool flag) { return std::string(flag ? "given" : "not given"); };
+  return {
+      {"the program", program_with_version()},
+      {"--scene", printable(report.scene_file.filename().string())},
+      {"--profile", printable(report.profile.name)},
+      {"--format", name_of(options.format)},
+      {"--contact-sheet", sheet_text(options)},
+      {"--polar", std::to_string(2 * render.polar_width) + 'x' + std::to_string(render.polar_height)},
+      {"--light-samples", std::to_string(render.light_samples)},
+      {"--first-light-samples", std::to_string(render.first_light_samples)},
+      {"--occlusion-rays", std::to_string(render.occlusion_rays)},
+      {"--occlusion-radius", shortest_text(render.occlusion_radius_m)},
+      {"--probes", probes_text(render.probes)},
+      {"--no-reflections", given(!render.reflections)},
+      {"--no-refraction", given(!render.refraction)},
+      {"--no-camera", given(!render.camera)},
+      {"--foveation", render.foveation == Foveation::off ? "off" : "log-polar"},
+      {"--gaze-marker", given(render.gaze_marker)},
+      {"--debug-tiles", given(render.debug_tiles)},
+      {"--sampling", name_of(options.session.sampling)},
+      {"--policy", name_of(options.policy)},
+      {"--polar-floor", std::to_string(2 * narrowest_width(options, render))},
+      {"--clock", name_of(options.clock)},
+      {"--isa", name_of(render.isa)},
+      {"--start, --duration, --frames", "frames " + std::to_string(report.range.first) + " ... " +
+                                            std::to_string(report.range.first + report.range.count - 1)},
+  };
+}
+
+Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, PictureIdentity identity) {
+  Fingerprint::Entries inputs;
+  const auto add = [&inputs](const fs::path& file, const fs::path& folder) {
+    const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
+    inputs.emplace_back(printable(name.generic_string()), content_text(file));
+  };
+  const fs::path& session = report.session_folder;
+  for (const char* name :
+       {"session.json", "pose/data.csv", "gaze/data.csv", "cam0/data.csv", "cam1/data.csv", "events.jsonl"}) {
+    if (fs::exists(session / name)) add(session / name, session);
+  }
+  for (const char* name : {"cam0/data", "cam1/data"}) {
+    if (fs::is_directory(session / name)) inputs.emplace_back(name, images_text(session / name, identity));
+  }
+  const std::set<fs::path> files(scene.files.begin(), scene.files.end());
+  for (const fs::path& file : files) add(file, fs::absolute(report.scene_file).parent_path());
+  inputs.emplace_back("the display profile", profile_text(report.profile));
+  return inputs;
+}
+
+const std::string* find(const Fingerprint::Entries& entries, const std::string& name) {
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == name; });
+  return found == entries.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
+                           PictureIdentity identity) {
+  return {settings_of(report, options), inputs_of(report, scene, identity)};
+}
+
+std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
+  for (const auto& [name, value] : now.settings) {
+    const std::string* before = find(earlier.settings, name);
+    if (before == nullptr) return name + " is new";
+    if (*before != value) return name + " was " + *before + ", is " + value;
+  }
+  for (const auto& [name, value] : now.inputs) {
+    const std::string* before = find(earlier.inputs, name);
+    if (before == nullptr) return name + " was not among the inputs";
+    if (*before != value) return name + " has changed";
+  }
+  for (const auto& [name, value] : earlier.inputs) {
+    if (find(now.inputs, name) == nullptr) return name + " is no longer among the inputs";
+  }
+  return {};
+}
+
+}  // namespace herr

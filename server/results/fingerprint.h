@@ -1,0 +1,32 @@
+// What the pictures of a replay depend on: its settings, and the content of every file that it reads. Two
+// runs of one fingerprint make the same bytes. Before: open_session. After: checkpoint.json.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/model/scene.h"
+#include "server/results/session_report.h"
+#include "server/settings/replay_options.h"
+
+namespace herr {
+
+struct Fingerprint {
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+  Entries settings;  // flag, value
+  Entries inputs;    // file, its size and CRC-32; camera images by PictureIdentity
+};
+
+// What makes a camera image the same one: too many to read. The time of change tells one folder from itself
+// later; a copy elsewhere has others.
+enum class PictureIdentity { size_and_time, size };
+
+// Reads every input once, save the camera images. Throws InputError.
+Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
+                           PictureIdentity identity = PictureIdentity::size_and_time);
+
+// The first difference, "--light-samples was 64, is 1"; empty when there is none.
+std::string difference(const Fingerprint& earlier, const Fingerprint& now);
+
+}  // namespace herr

@@ -1,0 +1,25 @@
+#include "server/results/frame_files.h"
+
+namespace herr {
+
+FrameFiles::FrameFiles(const OutputFolder& folder, const ReplayOptions& options,
+                       const DisplayProfile& profile, const FrameRange& range)
+    : folder_(folder),
+      sheet_(options.sheet),
+      sheet_frame_(options.sheet == SheetChoice::middle ? range.middle() : options.sheet_frame) {
+  if (options.format == PictureFormat::exr) suffixes_ = {".exr"};
+  if (options.format != PictureFormat::png) return;
+  for (const Viewport& viewport : profile.viewports) suffixes_.push_back("." + viewport.name + ".png");
+}
+
+std::filesystem::path FrameFiles::picture(std::int64_t frame, std::size_t index) const {
+  return folder_.picture(frame, suffixes_.at(index));
+}
+
+std::optional<std::filesystem::path> FrameFiles::contact_sheet(std::int64_t frame) const {
+  const bool wanted = sheet_ == SheetChoice::all || (sheet_ != SheetChoice::none && frame == sheet_frame_);
+  if (!wanted) return std::nullopt;
+  return folder_.contact_sheet(frame);
+}
+
+}  // namespace herr

@@ -1,0 +1,148 @@
+#include "server/results/output_folder.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "server/process/exit_code.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kFrameDigits = 6;
+
+// As far as it exists, with links resolved; the rest as it is written. No slash at the end.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  fs::path result = fs::weakly_canonical(fs::absolute(path), error);
+  if (error) result = fs::absolute(path).lexically_normal();
+  return result.has_filename() ? result : result.parent_path();
+}
+
+bool is_inside(const fs::path& inner, const fs::path& outer) {
+  const auto [mismatch, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+  return mismatch == outer.end();
+}
+
+std::string frame_text(std::int64_t frame) {
+  const std::string digits = std::to_string(frame);
+  return std::string(digits.size() < kFrameDigits ? kFrameDigits - digits.size() : 0, '0') + digits;
+}
+
+std::string shown(const fs::path& path) {
+  return printable(path.string());
+}
+
+bool starts_with_digits_after(const std::string& name, const std::string& prefix) {
+  const auto digits = static_cast<std::ptrdiff_t>(prefix.size() + kFrameDigits);
+  return name.starts_with(prefix) && name.size() > prefix.size() + kFrameDigits &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(prefix.size()), name.begin() + digits,
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+[[noreturn]] void refuse_folder(const fs::path& folder, const std::error_code& error) {
+  // What is short now may be there later; everything else is a wrong --out.
+  if (error == std::errc::no_space_on_device || error.value() == EDQUOT) {
+    throw WriteError(folder, "create", error.value());
+  }
+  throw UsageError("--out: cannot use " + shown(folder) + ": " + error.message() + "; choose another folder");
+}
+
+}  // namespace
+
+std::string session_folder_name(const fs::path& session) {
+  return resolved(session).filename().string();
+}
+
+OutputFolder::OutputFolder(const fs::path& out, const fs::path& session)
+    : session_(resolved(session)), path_(out / session_folder_name(session)) {}
+
+fs::path OutputFolder::picture(std::int64_t frame, const std::string& suffix) const {
+  return frames_folder() / ("frame_" + frame_text(frame) + suffix);
+}
+
+fs::path OutputFolder::contact_sheet(std::int64_t frame) const {
+  return path_ / ("contact_sheet_" + frame_text(frame) + ".png");
+}
+
+void OutputFolder::check(EarlierResults earlier) const {
+  if (is_inside(resolved(path_), session_)) {
+    throw UsageError("--out: " + shown(path_) +
+                     " lies inside the session itself; choose a folder outside it");
+  }
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (status.type() == fs::file_type::not_found) return;
+  if (!fs::is_directory(status)) {
+    throw UsageError("--out: " + shown(path_) + " exists and is not a folder; choose another folder");
+  }
+  const bool empty = fs::is_empty(path_, error);
+  if (error) refuse_folder(path_, error);
+  if (!empty && earlier == EarlierResults::refuse) {
+    throw UsageError("--out: " + shown(path_) +
+                     " is not empty; give --resume to go on with an interrupted replay, or --overwrite to "
+                     "replace the results in it");
+  }
+  if (earlier != EarlierResults::resume || fs::exists(checkpoint_json(), error)) return;
+  for (const fs::path& file : earlier_results()) {
+    if (is_replay_leftover(file.filename().string())) continue;
+    throw UsageError("--resume: " + shown(path_) +
+                     " has results but no checkpoint.json to go on from; give --overwrite to replace them");
+  }
+}
+
+FolderLock OutputFolder::prepare(PictureFormat format, EarlierResults earlier) const {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) refuse_folder(path_, error);
+  FolderLock lock(path_);
+  for (const fs::path& file : earlier_results()) {
+    if (earlier == EarlierResults::resume && !is_replay_leftover(file.filename().string())) continue;
+    if (!fs::remove(file, error) && error) refuse_folder(file, error);
+  }
+  // Only when it is empty: whatever else lies there belongs to somebody.
+  std::error_code ignored_because_not_empty;
+  fs::remove(frames_folder(), ignored_because_not_empty);
+  if (format == PictureFormat::none) return lock;
+  fs::create_directories(frames_folder(), error);
+  if (error) refuse_folder(frames_folder(), error);
+  return lock;
+}
+
+std::vector<fs::path> OutputFolder::earlier_results() const {
+  std::vector<fs::path> results;
+  for (const fs::path& folder : {path_, frames_folder()}) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+      const bool is_file = !entry->is_directory(error);
+      if (is_file && is_replay_result(entry->path().filename().string())) results.push_back(entry->path());
+    }
+    if (error && error != std::errc::no_such_file_or_directory) refuse_folder(folder, error);
+  }
+  return results;
+}
+
+bool is_replay_leftover(const std::string& name) {
+  return temporary_file_pid(name) != 0 && is_replay_result(name);
+}
+
+bool is_replay_result(const std::string& name) {
+  if (const long pid = temporary_file_pid(name); pid != 0) {
+    // Our own number on a file that we did not make: in containers every run has the same one.
+    const bool runs = pid != ::getpid() && (::kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
+    return !runs && is_replay_result(name.substr(0, name.rfind(".tmp.")));
+  }
+  if (name == "frames.csv" || name == "summary.json" || name == "checkpoint.json") return true;
+  const bool png = name.ends_with(".png");
+  return (starts_with_digits_after(name, "frame_") && (png || name.ends_with(".exr"))) ||
+         (starts_with_digits_after(name, "contact_sheet_") && png);
+}
+
+}  // namespace herr

@@ -1,0 +1,232 @@
+#include "server/results/summary_json.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "server/frames/frame_quality.h"
+#include "server/process/version.h"
+#include "server/statistics/latency_json.h"
+#include "server/statistics/quality_json.h"
+#include "sessions/files/input_error.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_pictures) {
+  Json json;
+  for (std::size_t i = 0; i < kRayKinds; ++i) {
+    json[std::string(name_of(static_cast<RayKind>(i))) + "_rays"] = counters.rays.of_kind[i];
+  }
+  json["polar_samples"] = counters.polar_samples;
+  json["viewport_pixels"] = counters.viewport_pixels;
+  json["invalid_rays"] = counters.invalid_rays;
+  json["nonfinite_values"] = counters.nonfinite_values;
+  json["nonfinite_picture_values"] = nonfinite_pictures;
+  json["commits"] = counters.commits;
+  json["instances_moved"] = counters.instances_moved;
+  json["instances_spawned"] = counters.instances_spawned;
+  json["instances_removed"] = counters.instances_removed;
+  json["instances_restyled"] = counters.instances_restyled;
+  json["meshes_refitted"] = counters.meshes_refitted;
+  json["meshes_rebuilt"] = counters.meshes_rebuilt;
+  json["plan_changes"] = counters.plan_changes;
+  return json;
+}
+
+Json settings_json(const RenderSettings& settings, const ReplayOptions& options) {
+  return {{"foveation", settings.foveation == Foveation::off ? "off" : "log-polar"},
+          {"polar_width_per_eye", settings.polar_width},
+          {"polar_height", settings.polar_height},
+          {"light_samples", settings.light_samples},
+          {"first_light_samples", settings.first_light_samples},
+          {"occlusion_rays", settings.occlusion_rays},
+          {"occlusion_radius_m", settings.occlusion_radius_m},
+          {"reflections", settings.reflections},
+          {"probes", settings.probes.on},
+          {"probe_rays", settings.probes.rays},
+          {"probe_budget", settings.probes.budget},
+          {"probe_hysteresis_tau_s", settings.probes.hysteresis_tau_s},
+          {"probe_reaction", settings.probes.react},
+          {"refraction", settings.refraction},
+          {"camera", settings.camera},
+          {"gaze_marker", settings.gaze_marker},
+          {"debug_tiles", settings.debug_tiles},
+          {"feed_distance_m", settings.feed_distance_m},
+          {"sampling", name_of(options.session.sampling)},
+          {"policy", name_of(options.policy)},
+          {"polar_floor_per_eye",
+           options.policy == QualityPolicy{} ? Json(nullptr) : Json(narrowest_width(options, settings))},
+          {"clock", name_of(options.clock)},
+          {"format", name_of(options.format)},
+          {"threads", settings.threads},
+          {"isa", name_of(settings.isa)}};
+}
+
+Json session_json(const SessionReport& report) {
+  const SessionFindings& findings = report.findings;
+  return {{"name", report.name},
+          {"title", report.header.name},
+          {"folder", report.session_folder.string()},
+          {"pose_rows", findings.pose_rows},
+          {"gaze_rows", findings.gaze_rows},
+          {"event_rows", findings.event_rows},
+          {"camera_rows", findings.camera_rows},
+          {"skipped_rows", findings.skipped_rows},
+          {"skipped_images", findings.skipped_images},
+          {"sanitised_camera_values", report.sanitised_camera_values},
+          {"truncated", findings.truncated}};
+}
+
+Json profile_json(const DisplayProfile& profile) {
+  Json viewports = Json::array();
+  for (const Viewport& viewport : profile.viewports) {
+    viewports.push_back({{"name", viewport.name},
+                         {"width_px", viewport.width_px},
+                         {"height_px", viewport.height_px},
+                         {"kind", viewport.focus ? "focus" : "context"}});
+  }
+  return {{"name", profile.name}, {"display_hz", profile.display_hz}, {"viewports", viewports}};
+}
+
+}  // namespace
+
+const char* name_of(ReplayState state) {
+  switch (state) {
+    case ReplayState::done:
+      return "done";
+    case ReplayState::interrupted:
+      return "interrupted";
+    case ReplayState::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+Json probes_json(const RunStatistics& run) {
+  const ProbeCounts& probes = run.probes;
+  const RayCounts& all = run.counters.rays;
+  const std::int64_t rays = all[RayKind::probe] + all[RayKind::probe_shadow] + all[RayKind::catcher_probe] +
+                            all[RayKind::catcher_probe_shadow];
+  return {
+      {"active", probes.active},          {"relocated", probes.relocated},
+      {"inactive", probes.inactive},      {"updated_per_frame", probes.updated},
+      {"reacting", probes.reacting},      {"rays_per_frame", rays / std::max<std::int64_t>(run.frames, 1)},
+      {"variability", probes.variability}};
+}
+
+Json plan_json(const FramePlan& plan) {
+  Json entries = Json::array();
+  for (const PlanEntry& entry : plan.entries) {
+    entries.push_back({{"name", entry.name}, {"runs", entry.runs}, {"reason", entry.reason}});
+  }
+  return entries;
+}
+
+Json memory_json(const MemoryUse& use) {
+  Json json = Json::object();
+  for (const MemoryEntry& entry : use) json[entry.name] = entry.bytes;
+  json["together"] = total_bytes(use);
+  return json;
+}
+
+static Json plan_changes_json(const std::vector<PlanChange>& changes) {
+  Json list = Json::array();
+  for (const PlanChange& change : changes) {
+    FramePlan changed;
+    changed.entries = change.changed;
+    list.push_back({{"frame", change.frame}, {"changed", plan_json(changed)}});
+  }
+  return list;
+}
+
+Json subject_json(const SessionReport& report, const ReplayOptions& options) {
+  return {{"session", session_json(report)},
+          {"scene",
+           {{"name", report.scene_name},
+            {"file", report.scene_file.string()},
+            {"triangles", report.scene_triangles}}},
+          {"profile", profile_json(report.profile)},
+          {"settings", settings_json(report.settings, options)}};
+}
+
+Json summary_json(const SessionReport& report, const ReplayOptions& options) {
+  Json json{{"format_version", 1},
+            {"program", program_with_version()},
+            {"state", name_of(report.state)},
+            {"exit_code", report.exit_code}};
+  if (!report.error.empty()) json["error"] = report.error;
+  json.update(subject_json(report, options));
+  json["frames"] = {{"first", report.range.first},
+                    {"planned", report.range.count},
+                    {"rendered", report.statistics.frames},
+                    {"kept", report.kept_frames},
+                    {"missed", report.statistics.missed_frames},
+                    {"dropped", report.statistics.dropped_frames},
+                    {"repeated", report.statistics.repeated_ticks},
+                    {"period_ms", report.range.period_ms()}};
+  if (options.policy.deadline) json["frames"]["target_ms"] = quality_target_ms(options, report.range);
+  json["latency"] = latencies_json(report.statistics);
+  json["pace"] = pace_json(report.statistics);
+  json["quality"] = quality_json(report.statistics);
+  if (report.plan.camera) json["feed"] = feed_json(report.statistics);
+  json["definitions"] = definitions_json(options.clock);
+  json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
+  json["plan"] = plan_json(report.plan);
+  if (!report.plan_changes.empty()) json["plan_changes"] = plan_changes_json(report.plan_changes);
+  json["memory_bytes"] = memory_json(report.memory);
+  if (report.plan.probes) json["probes"] = probes_json(report.statistics);
+  json["output"] = {{"folder", report.out_folder.string()},
+                    {"picture_files", report.files_written},
+                    {"picture_bytes", report.bytes_written},
+                    {"writer_waits", report.writer_waits},
+                    {"contact_sheets", report.contact_sheets}};
+  json["truncated"] = report.findings.truncated;
+  json["warnings"] = report.warnings;
+  return json;
+}
+
+Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options, int exit_code) {
+  Json sessions = Json::array();
+  RunStatistics total;
+  for (const SessionReport& report : reports) {
+    sessions.push_back(summary_json(report, options));
+    total.merge(report.statistics);
+  }
+  return {{"sessions", sessions},
+          {"total",
+           {{"sessions", reports.size()},
+            {"frames", {{"rendered", total.frames}, {"missed", total.missed_frames}}},
+            {"latency", latencies_json(total)},
+            {"pace", pace_json(total)},
+            {"quality", quality_json(total)},
+            {"counters", counters_json(total.counters, total.nonfinite_pictures)}}},
+          {"exit_code", exit_code}};
+}
+
+std::string json_text(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string settings_text(const RenderSettings& settings) {
+  const std::string rays =
+      settings.foveation == Foveation::off
+          ? std::string("foveation off")
+          : "polar " + std::to_string(2 * settings.polar_width) + "x" + std::to_string(settings.polar_height);
+  return rays + ", light samples " + std::to_string(settings.light_samples) + ", " + features_text(settings);
+}
+
+std::string features_text(const RenderSettings& settings) {
+  std::string text = settings.reflections ? "reflections" : "no reflections";
+  text += settings.camera ? ", camera" : ", no camera";
+  if (settings.probes.on) text += ", probes with " + std::to_string(settings.probes.rays) + " rays";
+  if (settings.probes.on && settings.probes.budget > 0) {
+    text += ", " + std::to_string(settings.probes.budget) + " a frame";
+  }
+  if (settings.gaze_marker) text += ", gaze marker";
+  if (settings.debug_tiles) text += ", debug tiles";
+  return text;
+}
+
+}  // namespace herr

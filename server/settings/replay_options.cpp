@@ -1,0 +1,29 @@
+#include "server/settings/replay_options.h"
+
+namespace herr {
+
+const char* name_of(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::png:
+      return "png";
+    case PictureFormat::exr:
+      return "exr";
+    case PictureFormat::none:
+      return "none";
+  }
+  return "unknown";
+}
+
+const char* name_of(SamplingMode mode) {
+  switch (mode) {
+    case SamplingMode::latest:
+      return "latest";
+    case SamplingMode::predict:
+      return "predict";
+    case SamplingMode::interpolate:
+      return "interpolate";
+  }
+  return "unknown";
+}
+
+}  // namespace herr

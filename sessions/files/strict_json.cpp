@@ -1,0 +1,184 @@
+#include "sessions/files/strict_json.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
+
+namespace herr {
+namespace {
+
+using nlohmann::json;
+
+// Reads characters and leaves word of how far the parser has come: the parser itself tells its handler
+// nothing about places, and an error without a line is hard to act on.
+class TracedText {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  TracedText(const char* at, const char** reached) : at_(at), reached_(reached) {}
+  reference operator*() const { return *at_; }
+  TracedText& operator++() {
+    *reached_ = ++at_;
+    return *this;
+  }
+  TracedText operator++(int) {
+    TracedText before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const TracedText& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  const char** reached_;
+};
+
+// Builds the document while it checks what nlohmann's own builder lets pass: depth, count, repeated keys.
+class CheckedBuilder : public nlohmann::json_sax<json> {
+ public:
+  CheckedBuilder(const JsonLimits& limits, json& root) : limits_(limits), root_(root) {}
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t&) override { return stop("holds binary data"); }
+  bool start_object(std::size_t) override { return open(json::object()); }
+  bool start_array(std::size_t) override { return open(json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(string_t& name) override {
+    if (parents_.back()->contains(name))
+      return stop("key '" + printable(name) + "' stands twice in one object");
+    key_ = std::move(name);
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
+    const std::string text = error.what();
+    // The library's text begins with its own counting of lines, which starts at 1 in every text: ours
+    // replaces it.
+    const std::size_t start = text.find("syntax error");
+    return stop("is not JSON: " +
+                (start == std::string::npos ? text.substr(text.find("] ") + 2) : text.substr(start)));
+  }
+
+  const std::string& problem() const { return problem_; }
+
+ private:
+  bool stop(std::string problem) {
+    problem_ = std::move(problem);
+    return false;
+  }
+  template <typename Value>
+  bool add(Value&& value) {
+    return place(json(std::forward<Value>(value))) != nullptr;
+  }
+  json* place(json value) {
+    if (++values_ > limits_.max_values) {
+      stop("holds more than " + std::to_string(limits_.max_values) + " values");
+      return nullptr;
+    }
+    if (parents_.empty()) return &(root_ = std::move(value));
+    json& parent = *parents_.back();
+    if (parent.is_object()) return &(parent[key_] = std::move(value));
+    parent.push_back(std::move(value));
+    return &parent.back();
+  }
+  bool open(json container) {
+    if (static_cast<int>(parents_.size()) >= limits_.max_depth)
+      return stop("is nested deeper than " + std::to_string(limits_.max_depth) + " levels");
+    json* placed = place(std::move(container));
+    if (placed == nullptr) return false;
+    parents_.push_back(placed);
+    return true;
+  }
+  bool close() {
+    parents_.pop_back();
+    return true;
+  }
+
+  JsonLimits limits_;
+  json& root_;
+  std::vector<json*> parents_;
+  std::string key_, problem_;
+  std::int64_t values_ = 0;
+};
+
+std::int64_t lines_before(std::string_view text, std::size_t offset) {
+  return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())),
+                    '\n');
+}
+
+void refuse_foreign_encodings(std::string_view text, const std::filesystem::path& file,
+                              std::int64_t first_line) {
+  if (text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff")
+    throw InputError(file, first_line, "is UTF-16", "save it as UTF-8");
+  // The parser takes NUL for the end of the text and would ignore what follows.
+  const std::size_t nul = text.find('\0');
+  if (nul != std::string_view::npos)
+    throw InputError(file, first_line + lines_before(text, nul), "holds a NUL byte",
+                     "save it as UTF-8 text; a file full of NUL bytes was damaged by a crash");
+}
+
+}  // namespace
+
+json parse_json_text(std::string_view text, const std::filesystem::path& file, std::int64_t first_line,
+                     const JsonLimits& limits) {
+  if (static_cast<std::int64_t>(text.size()) > limits.max_bytes)
+    throw InputError(file, first_line, "has more than " + std::to_string(limits.max_bytes) + " bytes of JSON",
+                     "check that this is the right file");
+  refuse_foreign_encodings(text, file, first_line);
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw InputError(file, first_line, "is empty", "write a JSON value");
+  json root;
+  CheckedBuilder builder(limits, root);
+  const char* reached = text.data();
+  const TracedText first(text.data(), &reached), last(text.data() + text.size(), &reached);
+  if (json::sax_parse(first, last, &builder)) return root;
+  // The parser reads one character past a number, which may be the end of its line.
+  const auto offset = static_cast<std::size_t>(reached - text.data());
+  throw InputError(file, first_line + lines_before(text, offset > 0 ? offset - 1 : 0), builder.problem(),
+                   "correct the file");
+}
+
+json parse_json_file(const std::filesystem::path& file, const JsonLimits& limits) {
+  return parse_json_text(read_whole_file(file, limits.max_bytes), file, 1, limits);
+}
+
+std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known) {
+  // Levenshtein's distance, one row at a time. Keys may be megabytes long; the names that matter are short.
+  const std::string_view word = unknown.substr(0, 256);
+  std::string nearest;
+  std::size_t least = static_cast<std::size_t>(-1);
+  for (const std::string& name : known) {
+    std::vector<std::size_t> row(name.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      std::size_t diagonal = std::exchange(row[0], i + 1);
+      for (std::size_t j = 0; j < name.size(); ++j) {
+        const std::size_t replaced = diagonal + (word[i] == name[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+      }
+    }
+    if (row.back() < least) {
+      least = row.back();
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace herr

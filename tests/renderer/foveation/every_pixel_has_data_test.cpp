@@ -1,0 +1,152 @@
+// Buffers are poisoned with NaN before a frame: a pixel that used a sample which nobody traced would show it.
+#include <gtest/gtest.h>
+
+#include "renderer/frame/renderer_impl.h"
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+using test::gaze_deg;
+using test::viewport_deg;
+
+Scene lit_sphere() {
+  Scene scene;
+  test::add(scene, test::sphere({0, 0, -3}, 1), test::matte(glm::vec3{0.5f}));
+  test::add(scene, test::floor_quad(20, -1.5f), test::matte(glm::vec3{0.3f}));
+  scene.lights.push_back(test::light_at({1, 3, 0}, glm::vec3{20.0f}));
+  scene.ambient = scene.environment = glm::vec3{0.2f};
+  return scene;
+}
+
+void poison(Renderer& renderer) {
+  for (RadianceBuffer& buffer : renderer.internals().buffers) {
+    const int rows = padded_rows(renderer.settings().polar_height);
+    std::fill_n(buffer.texels(), 4 * buffer.row_stride() * static_cast<std::size_t>(rows),
+                std::uint16_t{0x7e00});
+  }
+}
+
+void expect_data_everywhere(const DisplayProfile& profile, const RenderSettings& settings,
+                            const std::vector<glm::dvec3>& gazes) {
+  const Scene scene = lit_sphere();
+  for (const Isa isa : test::offered_isas()) {
+    RenderSettings with_isa = settings;
+    with_isa.isa = isa;
+    Renderer renderer(scene, profile, with_isa, false);
+    RenderedFrame frame;
+    for (const glm::dvec3& gaze : gazes) {
+      SCOPED_TRACE(testing::Message()
+                   << name_of(isa) << ", gaze " << gaze.x << " " << gaze.y << " " << gaze.z);
+      poison(renderer);
+      test::render_with(renderer, scene, test::sample_from({0, 0, 0}, gaze), frame);
+      test::expect_finite(frame);
+      EXPECT_GT(frame.counters.rays[RayKind::primary], 0);
+      EXPECT_EQ(frame.counters.invalid_rays, 0);
+    }
+  }
+}
+
+std::vector<glm::dvec3> hard_gazes() {
+  return {{0, 0, -1},        {1, 1, -1},       {-1, 1, -1},       {1, -1, -1},
+          {-1, -1, -1},      {0, 0, 1},        gaze_deg(80, 0),   gaze_deg(0, 80),
+          gaze_deg(-80, 10), gaze_deg(135, 0), gaze_deg(180, 30), gaze_deg(3, 1)};
+}
+
+TEST(EveryPixelHasDataTest, ForGazesAtTheCentreTheCornersAt80DegreesAndBehind) {
+  expect_data_everywhere(test::small_profile(), test::small_settings(), hard_gazes());
+}
+
+TEST(EveryPixelHasDataTest, WithViewportsFinerThanTheBuffer) {
+  expect_data_everywhere(test::small_profile(333, 517, 211), test::small_settings(),
+                         {{0, 0, -1}, {1, 1, -1}, gaze_deg(80, 0)});
+}
+
+TEST(EveryPixelHasDataTest, WithABufferFinerThanTheViewports) {
+  RenderSettings settings = test::small_settings();
+  settings.polar_width = 259;
+  settings.polar_height = 258;
+  expect_data_everywhere(test::small_profile(16, 20, 12), settings,
+                         {{0, 0, -1}, {1, -1, -1}, gaze_deg(80, 0), {0, 0, 1}});
+}
+
+TEST(EveryPixelHasDataTest, AtTheSmallestBuffersThereAre) {
+  for (const auto& [width, height] : {std::pair{1, 2}, {1, 768}, {788, 2}, {2, 4}, {3, 6}, {33, 34}}) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height);
+    RenderSettings settings = test::small_settings();
+    settings.polar_width = width;
+    settings.polar_height = height;
+    expect_data_everywhere(test::small_profile(), settings,
+                           {{0, 0, -1}, {1, 1, -1}, gaze_deg(80, 0), {0, 0, 1}});
+  }
+}
+
+TEST(EveryPixelHasDataTest, InAViewOf179Degrees) {
+  expect_data_everywhere(test::single_view(128, 96, 89.5, 89.5), test::small_settings(), hard_gazes());
+}
+
+TEST(EveryPixelHasDataTest, InNarrowLopsidedAndSeparateViewports) {
+  DisplayProfile profile;
+  profile.viewports = {
+      viewport_deg(Eye::left, 40, 40, 10, 12, -3, -2), viewport_deg(Eye::left, 40, 40, -60, -40, 20, 50),
+      viewport_deg(Eye::right, 1, 1, -30, 5, -10, 40), viewport_deg(Eye::right, 17, 3, 30, 31, 0, 1)};
+  expect_data_everywhere(profile, test::small_settings(), hard_gazes());
+}
+
+TEST(EveryPixelHasDataTest, ThePaddingRepeatsTheSamplesAcrossThePoleTheSeamAndTheEdge) {
+  Scene scene = lit_sphere();
+  // Neighbours differ everywhere, the pole included: a wall of small glowing squares, a corner of
+  // which lies straight ahead.
+  for (int i = 0; i < 400; ++i) {
+    const glm::vec3 corner{0.07f * static_cast<float>(i % 20) - 0.7f,
+                           0.07f * static_cast<float>(i / 20) - 0.7f, -1};
+    test::add(scene, test::quad(corner, {0.07f, 0, 0}, {0, 0.07f, 0}),
+              test::glowing(glm::vec3{0.01f * static_cast<float>(i * 37 % 101)}));
+  }
+  RenderSettings settings = test::small_settings();
+  settings.polar_width = 37;
+  constexpr int kHeight = 48;
+  for (const Isa isa : test::offered_isas()) {
+    settings.isa = isa;
+    Renderer renderer(scene, test::single_view(64, 64, 45, 45), settings, false);
+    poison(renderer);
+    RenderedFrame frame;
+    test::render_with(renderer, scene, test::sample_from({0, 0, 0}), frame);
+    const RadianceBuffer& buffer = renderer.internals().buffers[0];
+    const auto texel = [&](int column, int row) {
+      const std::uint16_t* t = buffer.texels() + 4 * (static_cast<std::size_t>(row) * buffer.row_stride() +
+                                                      static_cast<std::size_t>(column + 1));
+      return std::vector<std::uint16_t>(t, t + 4);
+    };
+    int unlike = 0;
+    for (int row = 0; row < kHeight; ++row) {
+      EXPECT_EQ(texel(-1, row), texel(0, (row + kHeight / 2) % kHeight)) << "across the pole, row " << row;
+      EXPECT_EQ(texel(37, row), texel(36, row)) << "beyond the edge, row " << row;
+      unlike += texel(-1, row) != texel(0, row);
+    }
+    for (int column = -1; column <= 37; ++column)
+      EXPECT_EQ(texel(column, kHeight), texel(column, 0)) << "beyond the seam, column " << column;
+    EXPECT_GT(unlike, 0) << "the pole must lie on an edge, or nothing was tested";
+  }
+}
+
+TEST(EveryPixelHasDataTest, RaysThatNoViewportSeesAreNotTraced) {
+  const Scene scene = lit_sphere();
+  const DisplayProfile profile = test::single_view(64, 64, 20, 20);
+  const RenderedFrame ahead =
+      test::render(scene, profile, test::small_settings(), test::sample_from({0, 0, 0}));
+  const RenderedFrame corner =
+      test::render(scene, profile, test::small_settings(), test::sample_from({0, 0, 0}, {1, 1, -1}));
+  // Straight ahead most of the circle that holds the square is in the square: area 4 / (2 pi) = 0.64, and the
+  // inner rings, which hold most samples, are all inside.
+  EXPECT_GT(ahead.counters.rays[RayKind::primary], 64 * 48 * 6 / 10);
+  EXPECT_LT(ahead.counters.rays[RayKind::primary], 64 * 48);
+  // From the corner direction (54.7 degrees off) the square subtends well under a right angle of the full
+  // turn.
+  EXPECT_LT(corner.counters.rays[RayKind::primary], 64 * 48 / 4);
+  EXPECT_EQ(ahead.counters.rays[RayKind::primary], ahead.counters.polar_samples);
+}
+
+}  // namespace
+}  // namespace herr

@@ -1,0 +1,137 @@
+#include "server/output/exr_encoder.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfVecAttribute.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <exception>
+#include <thread>
+#include <vector>
+
+#include "server/output/memory_stream.h"
+#include "tests/server/output/pictures.h"
+
+namespace herr {
+namespace {
+
+struct Frame {
+  DisplayProfile profile = small_profile();
+  std::vector<ViewportImage> pictures;
+  FrameSample sample;
+  PictureMetadata metadata;
+};
+
+Frame test_frame() {
+  Frame frame;
+  unsigned seed = 1;
+  for (const Viewport& viewport : frame.profile.viewports) {
+    frame.pictures.push_back(random_picture(viewport.width_px, viewport.height_px, seed++));
+  }
+  frame.sample.t_ns = 1'234'567'890'123'456'789;
+  frame.sample.head.world_from_head.position = {1.0, 1.5, -2.25};
+  frame.sample.gaze.head_direction[1] = {0.6, 0.0, -0.8};
+  frame.metadata.frame = 60;
+  frame.metadata.program = "herr 1.2.3";
+  frame.metadata.isa = "avx2";
+  frame.metadata.settings = "polar 1576x768";
+  return frame;
+}
+
+std::vector<std::uint8_t> encoded(const Frame& frame, const ParallelFor& parallel_for = one_after_another) {
+  std::vector<std::uint8_t> file;
+  encode_exr(frame.pictures, frame.profile, frame.sample, frame.metadata, parallel_for, file);
+  return file;
+}
+
+// The half bits of one part, interleaved as RGBA.
+std::vector<std::uint16_t> texels_of(Imf::MultiPartInputFile& file, int part_number, int width, int height) {
+  std::vector<std::uint16_t> texels(4 * static_cast<std::size_t>(width * height));
+  Imf::InputPart part(file, part_number);
+  Imf::FrameBuffer buffer;
+  const std::array<const char*, 4> channels{"R", "G", "B", "A"};
+  for (std::size_t c = 0; c < 4; ++c) {
+    char* base = reinterpret_cast<char*>(texels.data()) + 2 * c;
+    buffer.insert(channels[c], Imf::Slice(Imf::HALF, base, 8, 8 * static_cast<std::size_t>(width)));
+  }
+  part.setFrameBuffer(buffer);
+  part.readPixels(0, height - 1);
+  return texels;
+}
+
+TEST(ExrEncoder, EveryPartComesBackBitForBit) {
+  const Frame frame = test_frame();
+  const std::vector<std::uint8_t> bytes = encoded(frame);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  ASSERT_EQ(file.parts(), 4);
+  for (int i = 0; i < 4; ++i) {
+    const ViewportImage& picture = frame.pictures[static_cast<std::size_t>(i)];
+    const auto texels = texels_of(file, i, picture.width_px, picture.height_px);
+    for (int y = 0; y < picture.height_px; ++y) {
+      const auto row = texels.begin() + 4L * y * picture.width_px;
+      EXPECT_TRUE(std::equal(row, row + 4L * picture.width_px, picture.row(y)))
+          << "part " << i << " row " << y;
+    }
+  }
+}
+
+TEST(ExrEncoder, PartsAreNamedAfterTheirViewportsAndSayWhatTheHeadsetKnew) {
+  const Frame frame = test_frame();
+  const std::vector<std::uint8_t> bytes = encoded(frame);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  const Imf::Header& header = file.header(2);
+  EXPECT_EQ(header.name(), "right_context");
+  EXPECT_EQ(header.view(), "right");
+  EXPECT_EQ(header.typedAttribute<Imf::IntAttribute>("herr.frame").value(), 60);
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.time_ns").value(), "1234567890123456789");
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.program").value(), "herr 1.2.3");
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.isa").value(), "avx2");
+  EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.head_position_m").value(),
+            Imath::V3d(1.0, 1.5, -2.25));
+  EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.gaze_in_head").value(),
+            Imath::V3d(0.6, 0.0, -0.8));
+  EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("herr.tan_left").value(), -1.0);
+}
+
+TEST(ExrEncoder, SameFrameGivesSameBytesAlsoWhenPartsAreEncodedAtOnce) {
+  const Frame frame = test_frame();
+  const ParallelFor all_at_once = [](int count, const std::function<void(int)>& work) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < count; ++i) threads.emplace_back(work, i);
+    for (std::thread& thread : threads) thread.join();
+  };
+  EXPECT_EQ(encoded(frame), encoded(frame, all_at_once));
+}
+
+TEST(ExrEncoder, CountsNanAndInf) {
+  Frame frame = test_frame();
+  frame.pictures[1].row(3)[5] = 0x7E01;
+  frame.pictures[3].row(0)[0] = 0xFC00;
+  std::vector<std::uint8_t> file;
+  EXPECT_EQ(encode_exr(frame.pictures, frame.profile, frame.sample, frame.metadata, one_after_another, file),
+            2);
+}
+
+TEST(ExrEncoder, AFileThatWasCutOffDoesNotDecode) {
+  const Frame frame = test_frame();
+  std::vector<std::uint8_t> bytes = encoded(frame);
+  bytes.resize(bytes.size() / 2);
+  MemoryInput stream(bytes);
+  const auto read_last_part = [&] {
+    Imf::MultiPartInputFile file(stream, 0, false);
+    texels_of(file, 3, frame.pictures[3].width_px, frame.pictures[3].height_px);
+  };
+  EXPECT_THROW(read_last_part(), std::exception);
+}
+
+}  // namespace
+}  // namespace herr

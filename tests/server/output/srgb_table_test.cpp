@@ -1,0 +1,87 @@
+#include "server/output/srgb_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "sessions/camera/half_from_samples.h"
+#include "tests/server/output/pictures.h"
+
+namespace herr {
+namespace {
+
+TEST(SrgbTable, MatchesPublishedValuesOfTheStandard) {
+  // IEC 61966-2-1: 0.0031308 is the end of the linear part (12.92 * 0.0031308 = 0.04045); 0.5 encodes to
+  // 0.73536, 0.18 to 0.46136 (both in the literature to five digits).
+  EXPECT_NEAR(srgb_from_linear(0.0031308), 0.040450, 1e-6);
+  EXPECT_NEAR(srgb_from_linear(0.5), 0.735357, 1e-6);
+  EXPECT_NEAR(srgb_from_linear(0.18), 0.461356, 1e-6);
+  EXPECT_EQ(srgb_from_linear(1.0), 1.055 - 0.055);
+  EXPECT_EQ(srgb_from_linear(-1.0), 0.0);
+}
+
+TEST(SrgbTable, EveryEightBitValueSurvivesDecodingAndEncoding) {
+  // A half has 11 bits of precision: half a unit in the last place is 2^-12 of the value, at most
+  // 255 * 2^-12 / 2.4 = 0.026 of an 8-bit step on the power part: never enough to change the rounding.
+  for (int value = 0; value < 256; ++value) {
+    const double linear = linear_from_srgb(value / 255.0);
+    EXPECT_EQ(srgb8_of_half()[half_from_float(static_cast<float>(linear))], value);
+  }
+}
+
+TEST(SrgbTable, IsMonotonicOverAllPositiveHalves) {
+  for (std::uint32_t bits = 1; bits < 0x7C01; ++bits) {
+    ASSERT_GE(srgb8_of_half()[bits], srgb8_of_half()[bits - 1]) << bits;
+  }
+}
+
+TEST(SrgbTable, ClampsWhatLiesOutsideAndShowsNanAsBlack) {
+  EXPECT_EQ(srgb8_of_half()[half_from_float(-2.0f)], 0);
+  EXPECT_EQ(srgb8_of_half()[half_from_float(40000.0f)], 255);
+  EXPECT_EQ(srgb8_of_half()[0x7C00], 255);  // +Inf
+  EXPECT_EQ(srgb8_of_half()[0xFC00], 0);    // -Inf
+  EXPECT_EQ(srgb8_of_half()[0x7E00], 0);    // NaN
+}
+
+TEST(SrgbPicture, AlphaIsUnassociatedAndColoursAreDividedByIt) {
+  ViewportImage image;
+  image.width_px = image.height_px = 1;
+  image.row_stride = 1;
+  // Premultiplied 0.25 at coverage 0.5: the object's colour is 0.5, which encodes to 255 * 0.735357 = 187.5
+  // -> the exact product is 187.516, rounded 188; coverage is 127.5, rounded away from zero to 128.
+  image.rgba_half = {half_from_float(0.25f), half_from_float(0.25f), half_from_float(0.25f),
+                     half_from_float(0.5f)};
+  Srgb8Image out;
+  srgb8_from_viewport(image, true, out);
+  EXPECT_EQ(out.values, (std::vector<std::uint8_t>{188, 188, 188, 128}));
+  // Without alpha: over black, so 0.25 encodes to 255 * 0.537099 = 136.96.
+  srgb8_from_viewport(image, false, out);
+  EXPECT_EQ(out.values, (std::vector<std::uint8_t>{137, 137, 137}));
+}
+
+TEST(SrgbPicture, CountsNanAndInfButNotTheGarbageBetweenRows) {
+  ViewportImage image = random_picture(7, 5, 1);
+  Srgb8Image out;
+  srgb8_from_viewport(image, false, out);
+  EXPECT_EQ(out.nonfinite_values, 0);
+  image.row(2)[4 * 3 + 1] = 0x7E00;
+  image.row(4)[4 * 6 + 3] = 0x7C00;
+  srgb8_from_viewport(image, false, out);
+  EXPECT_EQ(out.nonfinite_values, 2);
+  srgb8_from_viewport(image, true, out);
+  EXPECT_EQ(out.nonfinite_values, 2);
+}
+
+TEST(SrgbPicture, NoCoverageIsTransparentBlack) {
+  ViewportImage image;
+  image.width_px = image.height_px = 1;
+  image.row_stride = 1;
+  image.rgba_half = {0, 0, 0, 0};
+  Srgb8Image out;
+  srgb8_from_viewport(image, true, out);
+  EXPECT_EQ(out.values, (std::vector<std::uint8_t>{0, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace herr

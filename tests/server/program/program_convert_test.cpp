@@ -1,0 +1,201 @@
+// `herr convert` as its users run it: one command, exit codes, nothing half-written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "server/output/png_encoder.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/session.h"
+#include "tests/paths.h"
+#include "tests/server/program/child_program.h"
+#include "tests/server/program/program_runner.h"
+#include "tests/server/temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ConvertProgram : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string rows;
+    for (int i = 0; i < 11; ++i) rows += "100." + std::to_string(10 + i) + " 0 1.6 0 0 0 0 1\n";
+    write_whole_file(root() / "walk.txt", rows);
+    fs::create_directory(root() / "pictures");
+    Srgb8Image picture;
+    picture.width_px = picture.height_px = 4;
+    for (const char* name : {"1.png", "2.png", "10.png"}) {
+      picture.values.assign(4 * 4 * 3, static_cast<std::uint8_t>(20 * std::atoi(name)));
+      picture.channels = 3;
+      std::vector<std::uint8_t> png;
+      encode_png(picture, png, 1);
+      write_whole_file(root() / "pictures" / name, png);
+    }
+  }
+  const fs::path& root() const { return folder_.path(); }
+
+  Outcome convert(const std::string& arguments, const std::string& before = "") const {
+    return run_program(root(), "convert " + arguments, before);
+  }
+  // What lies in the folder beside what the test itself put there.
+  std::vector<std::string> made() const {
+    std::vector<std::string> names;
+    for (const std::string& name : folder_.names())
+      if (name != "walk.txt" && name != "pictures" && name != "stdout.txt" && name != "stderr.txt" &&
+          name != "bad.txt")
+        names.push_back(name);
+    return names;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(ConvertProgram, MakesASessionWithALoopedFeed) {
+  const Outcome got = convert(
+      "walk.txt session --preset tum --camera pictures --camera-hz 50 --camera-loop --camera-hfov 90 --json");
+  ASSERT_EQ(got.exit_code, 0) << got.err;
+  EXPECT_EQ(made(), std::vector<std::string>{"session"});
+  const auto report = nlohmann::json::parse(got.out);
+  EXPECT_EQ(report["poses"]["rows"], 11);
+  EXPECT_EQ(report["camera"]["pictures"], 3);
+  // 0, 20, ... 100 ms of a tenth of a second.
+  EXPECT_EQ(content_of(root() / "session/cam0/data.csv"),
+            "timestamp_ns,filename\n100100000000,000000.png\n100120000000,000001.png\n"
+            "100140000000,000002.png\n100160000000,000000.png\n100180000000,000001.png\n"
+            "100200000000,000002.png\n");
+  EXPECT_EQ(content_of(root() / "session/cam0/data/000002.png"), content_of(root() / "pictures/10.png"));
+  const Session session = Session::open(root() / "session");
+  // 4 pixels over 90 degrees: half of them over tan 45 = 1.
+  EXPECT_NEAR(session.header().cameras[0].model.fx, 2, 1e-12);
+}
+
+TEST_F(ConvertProgram, StopsTheFeedWithThePicturesUnlessLooped) {
+  ASSERT_EQ(convert("walk.txt s --preset tum --camera pictures --camera-hz 50 --camera-hfov 90").exit_code,
+            0);
+  EXPECT_EQ(Session::open(root() / "s").findings().camera_rows[0], 3);
+}
+
+TEST_F(ConvertProgram, RefusesWrongUsage) {
+  const std::vector<std::pair<std::string, std::string>> lines{
+      {"walk.txt s", "--preset: give either"},
+      {"walk.txt s --preset tumm", "did you mean tum?"},
+      {"walk.txt s --preset tum --map m.json", "--preset: give either"},
+      {"walk.txt --preset tum", "OUT: missing"},
+      {"--preset tum", "HEAD: missing"},
+      {"walk.txt s --preset tum --camera pictures", "--camera: the lens is unknown"},
+      {"walk.txt s --preset tum --camera-hfov 180", "--camera-hfov"},
+      {"walk.txt s --preset tum --camera-hfov 66", "--camera-hfov: there are no pictures"},
+      {"walk.txt s --preset tum --camera-loop", "--camera-loop: there are no pictures"},
+      {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-calibration c.json",
+       "--camera-hfov: the calibration has a lens"},
+      {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-label left",
+       "--camera-label: names a camera of a calibration"},
+      {"walk.txt s --preset tum --scene /room.scene.json", "--scene: is an absolute path"},
+      {"walk.txt pictures --preset tum", "is not empty; give --overwrite"},
+      {"walk.txt pictures --preset tum --overwrite", "only a session is overwritten"},
+      {"walk.txt walk.txt --preset tum", "OUT:"}};
+  for (const auto& [line, message] : lines) {
+    const Outcome got = convert(line);
+    EXPECT_EQ(got.exit_code, 2) << line << "\n" << got.err;
+    EXPECT_NE(got.err.find(message), std::string::npos) << got.err;
+    EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
+  }
+  EXPECT_TRUE(made().empty());
+}
+
+TEST_F(ConvertProgram, LeavesNothingBehindBadInput) {
+  write_whole_file(root() / "bad.txt",
+                   std::string_view("1.0 0 0 0 0 0 0 1\n1.1 0 0 O 0 0 0 1\n1.2 0 0 0 0 0 0 1\n"));
+  const Outcome got = convert("bad.txt s --preset tum");
+  EXPECT_EQ(got.exit_code, 3);
+  EXPECT_NE(got.err.find("bad.txt:2: column 4 is 'O'"), std::string::npos) << got.err;
+  EXPECT_TRUE(made().empty());
+  EXPECT_EQ(convert("missing.txt s --preset tum").exit_code, 3);
+  EXPECT_EQ(convert("bad.txt far/below/s --preset tum").exit_code, 3);
+  EXPECT_FALSE(fs::exists(root() / "far")) << "folders above OUT were made for nothing";
+  // Nanoseconds taken for seconds: rows a nanosecond apart are no recording.
+  write_whole_file(root() / "bad.txt",
+                   std::string_view("1e-9 0 0 0 0 0 0 1\n2e-9 0 0 0 0 0 0 1\n3e-9 0 0 0 0 0 0 1\n"));
+  const Outcome fast = convert("bad.txt s --preset tum");
+  EXPECT_EQ(fast.exit_code, 3);
+  EXPECT_NE(fast.err.find("bad.txt: gives no usable session"), std::string::npos) << fast.err;
+  EXPECT_EQ(fast.err.find(".tmp."), std::string::npos) << fast.err;
+  EXPECT_TRUE(made().empty());
+}
+
+TEST_F(ConvertProgram, LeavesBadRowsOutWhenToldToAndSaysSo) {
+  write_whole_file(root() / "bad.txt",
+                   std::string_view("1.0 0 0 0 0 0 0 1\n1.1 0 0 O 0 0 0 1\n1.2 0 0 0 0 0 0 1\n"));
+  const Outcome got = convert("bad.txt s --preset tum --keep-going");
+  EXPECT_EQ(got.exit_code, 5);
+  EXPECT_NE(got.out.find("1 bad rows left out"), std::string::npos) << got.out;
+  EXPECT_EQ(Session::open(root() / "s").findings().pose_rows, 2);
+}
+
+TEST_F(ConvertProgram, ReplacesASessionOnlyAsAWhole) {
+  ASSERT_EQ(convert("walk.txt s --preset tum").exit_code, 0);
+  const std::string before = content_of(root() / "s/pose/data.csv");
+  EXPECT_EQ(convert("walk.txt s --preset tum").exit_code, 2);
+  write_whole_file(root() / "bad.txt", std::string_view("1.0 0 0 O 0 0 0 1\n"));
+  EXPECT_EQ(convert("bad.txt s --preset tum --overwrite").exit_code, 3);
+  EXPECT_EQ(content_of(root() / "s/pose/data.csv"), before);
+  // A file may have four blocks of 512 or 1024 bytes, and 300 rows have more than 20 bytes each.
+  std::string rows;
+  for (int i = 100; i < 400; ++i) rows += "1." + std::to_string(i) + " 0 0 0 0 0 0 1\n";
+  write_whole_file(root() / "bad.txt", rows);
+  const Outcome full = convert("bad.txt s --preset tum --overwrite", "ulimit -f 4;");
+  EXPECT_EQ(full.exit_code, 75) << full.err;
+  EXPECT_EQ(content_of(root() / "s/pose/data.csv"), before);
+  ASSERT_EQ(convert("bad.txt s --preset tum --overwrite").exit_code, 0);
+  EXPECT_EQ(Session::open(root() / "s").findings().pose_rows, 300);
+  EXPECT_EQ(made(), std::vector<std::string>{"s"});
+}
+
+TEST_F(ConvertProgram, OverwritesNothingThatIsNoPartOfASession) {
+  ASSERT_EQ(convert("walk.txt s --preset tum --camera pictures --camera-hfov 90").exit_code, 0);
+  for (const char* own : {"s/notes.txt", "s/pose/raw.csv"}) {
+    write_whole_file(root() / own, std::string_view("mine"));
+    const Outcome got = convert("walk.txt s --preset tum --overwrite");
+    EXPECT_EQ(got.exit_code, 2) << own;
+    EXPECT_NE(got.err.find(std::string(own) + " is no part of the session"), std::string::npos) << got.err;
+    EXPECT_EQ(content_of(root() / own), "mine");
+    fs::remove(root() / own);
+  }
+  fs::create_directory_symlink("s", root() / "link");
+  EXPECT_EQ(convert("walk.txt link --preset tum --overwrite").exit_code, 2);
+  EXPECT_TRUE(fs::is_symlink(root() / "link"));
+  EXPECT_EQ(convert("walk.txt s --preset tum --overwrite").exit_code, 0);
+}
+
+TEST_F(ConvertProgram, ASignalLeavesNothing) {
+  std::string rows;  // a second or more of work
+  for (int i = 100'000; i < 600'000; ++i) rows += std::to_string(i) + " 0 0 0 0 0 0 1\n";
+  write_whole_file(root() / "long.txt", rows);
+  const auto before = made();
+  ChildProgram child(root(), {test::program_path(), "convert", "long.txt", "s", "--preset", "tum"});
+  // It writes: so its handler of the signal is in place.
+  while (child.runs() && made() == before) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  child.send(SIGTERM);
+  EXPECT_EQ(child.finish(), 128 + SIGTERM);
+  EXPECT_EQ(content_of(root() / "stderr.txt"), "herr: stopped: nothing was written\n");
+  EXPECT_EQ(made(), before);
+}
+
+TEST_F(ConvertProgram, PrintsMapsThatItReadsBack) {
+  const Outcome shown = convert("--show-map --preset tum");
+  ASSERT_EQ(shown.exit_code, 0) << shown.err;
+  write_whole_file(root() / "bad.txt", shown.out);
+  EXPECT_EQ(convert("walk.txt s --map bad.txt").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace herr

@@ -1,0 +1,129 @@
+// `herr inspect` as its users run it: exit codes, one line on stderr, the same verdict as replay, JSON.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sessions/files/atomic_file.h"
+#include "tests/paths.h"
+#include "tests/server/small_session.h"
+#include "tests/server/temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+class InspectProgram : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_scene(root() / "scene");
+    write_small_session(root() / "session", 0.5);
+  }
+  const fs::path& root() const { return folder_.path(); }
+
+  Outcome herr(const std::string& arguments) const {
+    const std::string line = "cd '" + root().string() + "' && " + test::program_path() + " " + arguments +
+                             " >stdout.txt 2>stderr.txt";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
+            content_of(root() / "stderr.txt")};
+  }
+  void append(const std::string& file, const std::string& text) const {
+    write_whole_file(root() / file, content_of(root() / file) + text);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(InspectProgram, FindsTheSmallSessionSound) {
+  const Outcome got = herr("inspect session");
+  EXPECT_EQ(got.exit_code, 0) << got.err;
+  EXPECT_EQ(got.err, "");
+  for (const char* part : {"session small", "head turns, deg/s", "gaze eccentricity", "frame plan",
+                           "one flat catcher cannot shadow itself", "0 errors", "sound: replay takes it"})
+    EXPECT_NE(got.out.find(part), std::string::npos) << part;
+  EXPECT_EQ(herr("inspect session/session.json").out, got.out);
+}
+
+TEST_F(InspectProgram, RefusesABadRowInTheWordsOfReplay) {
+  append("session/pose/data.csv", "0,0,0,0,0,0,0,1\nx,0,0,0,0,0,0,1\n");
+  const Outcome got = herr("inspect session");
+  EXPECT_EQ(got.exit_code, 3);
+  EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
+  EXPECT_EQ(got.err, herr("replay session --format none").err);
+  EXPECT_NE(got.out.find("2 errors"), std::string::npos) << got.out;
+  EXPECT_NE(got.out.find("with --keep-going it leaves out 2 rows"), std::string::npos) << got.out;
+}
+
+TEST_F(InspectProgram, RefusesAMissingSceneAndOneThatIsBroken) {
+  fs::remove(root() / "scene/triangle.gltf");
+  const Outcome got = herr("inspect session");
+  EXPECT_EQ(got.exit_code, 3);
+  EXPECT_EQ(got.err, herr("replay session --format none").err);
+  EXPECT_NE(got.out.find("head turns"), std::string::npos) << "the recording is described all the same";
+  EXPECT_EQ(herr("inspect scene/small.scene.json").exit_code, 3);
+  EXPECT_EQ(herr("inspect nowhere").err, herr("replay nowhere --format none").err);
+}
+
+TEST_F(InspectProgram, TakesACutOffLineForAnErrorOnlyWhenStrict) {
+  append("session/gaze/data.csv", "1500");
+  const Outcome lenient = herr("inspect session");
+  EXPECT_EQ(lenient.exit_code, 0);
+  EXPECT_NE(lenient.out.find("the file ends within this line"), std::string::npos);
+  EXPECT_EQ(herr("inspect session --strict").exit_code, 3);
+}
+
+TEST_F(InspectProgram, WritesOneJsonDocument) {
+  const Outcome got = herr("inspect session --json --profile xr1 --light-samples 64");
+  ASSERT_EQ(got.exit_code, 0) << got.err;
+  const auto report = nlohmann::json::parse(got.out);
+  EXPECT_EQ(report["kind"], "session");
+  EXPECT_EQ(report["exit_code"], 0);
+  const auto& streams = report["session"]["streams"];
+  ASSERT_EQ(streams.size(), 3u);
+  EXPECT_EQ(streams[0]["rows"], 46);  // 0.5 s at 90 Hz and the one at 0
+  EXPECT_EQ(streams[1]["name"], "gaze");
+  EXPECT_EQ(streams[2]["nominal_hz"], 10);
+  EXPECT_EQ(report["session"]["frames"], 31);  // at 60 Hz
+  EXPECT_EQ(streams[0]["age_at_frames"]["frames"], 31);
+  EXPECT_EQ(report["scene"]["triangles"], 1);
+  EXPECT_EQ(report["profile"]["name"], "xr1");
+  const auto& plan = report["plan"];
+  const auto samples =
+      std::find_if(plan.begin(), plan.end(), [](const auto& e) { return e["name"] == "light samples"; });
+  ASSERT_NE(samples, plan.end());
+  EXPECT_EQ((*samples)["reason"], "64 jittered strata per light");
+  // A document also where the input is bad.
+  EXPECT_EQ(nlohmann::json::parse(herr("inspect nowhere --json").out)["exit_code"], 3);
+}
+
+TEST_F(InspectProgram, DescribesASceneAlone) {
+  const Outcome got = herr("inspect scene/small.scene.json");
+  EXPECT_EQ(got.exit_code, 0) << got.err;
+  for (const char* part : {"1 in 1 instance, and 2 in 1 catcher", "no session is inspected", "sound:"})
+    EXPECT_NE(got.out.find(part), std::string::npos) << got.out;
+  EXPECT_EQ(nlohmann::json::parse(herr("inspect scene/triangle.gltf --json").out)["kind"], "scene");
+}
+
+TEST_F(InspectProgram, RefusesWrongUsage) {
+  for (const char* line : {"inspect", "inspect ''", "inspect session --sceen x", "inspect session session",
+                           "inspect scene/small.scene.json --scene scene/small.scene.json",
+                           "inspect session --light-samples 0"}) {
+    const Outcome got = herr(line);
+    EXPECT_EQ(got.exit_code, 2) << line << got.err;
+    EXPECT_EQ(got.out, "") << line;
+    EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
+  }
+}
+
+}  // namespace
+}  // namespace herr

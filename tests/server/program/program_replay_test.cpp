@@ -1,0 +1,188 @@
+// The program as its users run it: files, exit codes, one line for each mistake.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/paths.h"
+#include "tests/server/program/program_runner.h"
+#include "tests/server/small_session.h"
+#include "tests/server/temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Program : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_scene(root() / "scene");
+    write_small_profile(root() / "small.profile.json");
+    write_small_session(root() / "walk", 0.25);
+  }
+  const fs::path& root() const { return folder_.path(); }
+
+  Outcome herr(const std::string& arguments, const std::string& before = "") const {
+    return run_program(root(), arguments, before);
+  }
+  Outcome replay(const std::string& flags, const std::string& before = "") const {
+    return herr("replay walk --profile small.profile.json --polar 128x64 --threads 2 " + flags, before);
+  }
+
+  nlohmann::json summary(const std::string& out) const {
+    return nlohmann::json::parse(content_of(root() / out / "walk" / "summary.json"));
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Program, ReplayWritesPicturesTimesSheetCheckpointAndSummary) {
+  const Outcome outcome = replay("--out o");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // 0.25 s at 60 Hz: the last pose lies at 22/90 s = 0.2444 s, so frames 0 ... 14 (14/60 = 0.2333 s).
+  const auto files = files_below(root() / "o" / "walk");
+  EXPECT_EQ(files.size(), 15u * 4 + 4);
+  EXPECT_TRUE(fs::exists(root() / "o/walk/frames/frame_000014.right_focus.png"));
+  EXPECT_TRUE(fs::exists(root() / "o/walk/contact_sheet_000007.png"));
+  EXPECT_EQ(lines_in(content_of(root() / "o/walk/frames.csv")), 16);
+  const auto json = summary("o");
+  EXPECT_EQ(json["state"], "done");
+  EXPECT_EQ(json["frames"]["rendered"], 15);
+  EXPECT_EQ(json["latency"]["frame"]["count"], 15);
+  EXPECT_EQ(json["counters"]["nonfinite_values"], 0);
+  EXPECT_NE(outcome.out.find("first hits"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Program, PicturesAreTheSameBytesWithAnyNumberOfThreadsAndInEveryRun) {
+  for (const std::string format : {"png", "exr"}) {
+    ASSERT_EQ(replay("--frames 4 --format " + format + " --out a").exit_code, 0);
+    const auto files = files_below(root() / "a" / "walk" / "frames");
+    ASSERT_EQ(files.size(), format == "png" ? 16u : 4u);
+    for (const std::string threads : {"1", "2", "4"}) {
+      ASSERT_EQ(herr("replay walk --profile small.profile.json --polar 128x64 --frames 4 --overwrite --out b "
+                     "--format " +
+                     format + " --threads " + threads)
+                    .exit_code,
+                0);
+      for (const std::string& file : files) {
+        EXPECT_TRUE(content_of(root() / "a/walk/frames" / file) ==
+                    content_of(root() / "b/walk/frames" / file))
+            << file << " with " << threads << " threads";
+      }
+    }
+    fs::remove_all(root() / "a");
+  }
+}
+
+TEST_F(Program, TheSameFrameOfAPartOfTheSessionIsTheSamePicture) {
+  ASSERT_EQ(replay("--out whole --contact-sheet none").exit_code, 0);
+  ASSERT_EQ(replay("--out part --start 0.1 --frames 2 --contact-sheet none").exit_code, 0);
+  for (const std::string name : {"frame_000006.left_context.png", "frame_000007.right_focus.png"}) {
+    const std::string part = content_of(root() / "part/walk/frames" / name);
+    EXPECT_FALSE(part.empty());
+    EXPECT_TRUE(part == content_of(root() / "whole/walk/frames" / name)) << name;
+  }
+}
+
+TEST_F(Program, AFullOutputFolderIsRefusedUnlessItMayBeOverwritten) {
+  ASSERT_EQ(replay("--frames 2 --out o").exit_code, 0);
+  const Outcome refused = replay("--frames 1 --out o");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(lines_in(refused.err), 1);
+  EXPECT_NE(refused.err.find("--overwrite"), std::string::npos);
+  EXPECT_EQ(replay("--frames 1 --out o --overwrite --contact-sheet none").exit_code, 0);
+  EXPECT_EQ(files_below(root() / "o/walk/frames").size(), 4u);
+}
+
+TEST_F(Program, BadInputEndsWithThreeAndWritesNothing) {
+  write_text(root() / "walk/pose/data.csv",
+             "timestamp_ns,px,py,pz,qx,qy,qz,qw\n1000000000,0,1,nan,0,0,0,1\n");
+  const Outcome outcome = replay("--out o");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(lines_in(outcome.err), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("data.csv:2"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(files_below(root() / "o").empty());
+  EXPECT_EQ(herr("replay nowhere --out o").exit_code, 3);
+}
+
+TEST_F(Program, OneBadSessionDoesNotStopTheOthers) {
+  fs::create_directories(root() / "empty");
+  const Outcome outcome =
+      herr("replay empty walk --profile small.profile.json --polar 128x64 --frames 2 --out o --json");
+  EXPECT_EQ(outcome.exit_code, 3);
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["sessions"].size(), 2u);
+  EXPECT_EQ(json["sessions"][0]["exit_code"], 3);
+  EXPECT_EQ(json["sessions"][1]["frames"]["rendered"], 2);
+  EXPECT_EQ(json["exit_code"], 3);
+}
+
+TEST_F(Program, ADiskThatRefusesEndsWithSeventyFiveAndLeavesNoHalfFiles) {
+  // ulimit counts blocks of 512 bytes in dash and of 1024 in bash: 8 to 16 kB, less than one EXR of
+  // 4 x 48 x 40 x 8 B = 61 kB of noise, more than any temporary file's first block.
+  const Outcome outcome = replay("--format exr --out o --contact-sheet none --frames 3", "ulimit -f 4;");
+  EXPECT_EQ(outcome.exit_code, 75) << outcome.err;
+  EXPECT_EQ(lines_in(outcome.err), 1) << outcome.err;
+  for (const std::string& file : files_below(root() / "o"))
+    EXPECT_EQ(file.find(".tmp."), std::string::npos) << file;
+  EXPECT_TRUE(files_below(root() / "o/walk/frames").empty());
+}
+
+TEST_F(Program, ASignalEndsTheRunAfterTheFrameAndTheSummarySaysSo) {
+  write_small_session(root() / "long", 20);
+  const Outcome outcome =
+      herr("replay long --profile small.profile.json --out o --format none", "timeout -s INT 1");
+  // `timeout` answers 124 for its child; --preserve-status would need the child's own code.
+  EXPECT_EQ(outcome.exit_code, 124) << outcome.err;
+  const auto json = nlohmann::json::parse(content_of(root() / "o/long/summary.json"));
+  EXPECT_EQ(json["state"], "interrupted");
+  EXPECT_EQ(json["exit_code"], 130);
+  EXPECT_EQ(lines_in(content_of(root() / "o/long/frames.csv")), json["frames"]["rendered"].get<long>() + 1);
+}
+
+TEST_F(Program, UsageErrorsAreOneLineAndExitCodeTwo) {
+  for (const std::string flags : {"", "replay", "replay walk --frames nan", "replay walk --sceen x",
+                                  "rplay walk", "replay walk --policy best", "replay walk walk --out o",
+                                  "replay walk --start 99", "synth walk --scene scene/small.scene.json"}) {
+    const Outcome outcome = herr(flags);
+    EXPECT_EQ(outcome.exit_code, 2) << flags;
+    EXPECT_EQ(lines_in(outcome.err), 1) << flags << ": " << outcome.err;
+    EXPECT_EQ(outcome.err.find("herr: "), 0u) << flags;
+    EXPECT_EQ(outcome.out, "") << flags;
+  }
+}
+
+TEST_F(Program, ALostReaderIsNoErrorAndAFullStdoutIsOne) {
+  EXPECT_EQ(herr("--help").exit_code, 0);
+  EXPECT_EQ(herr("--version").out.find("herr "), 0u);
+  const std::string program = test::program_path();
+  EXPECT_EQ(std::system((program + " --help >/dev/full 2>/dev/null").c_str()), 75 << 8);
+  // The pipe's reader is gone before the program starts to write.
+  EXPECT_EQ(std::system(("bash -c 'set -o pipefail; (sleep 0.2; " + program + " --help) | true'").c_str()),
+            0);
+}
+
+TEST_F(Program, SynthMakesASessionThatReplaysAndIsTheSameForTheSameSeed) {
+  const std::string flags =
+      " --scene scene/small.scene.json --replay-scene ../scene/small.scene.json --seed 3 "
+      "--duration 0.3 --camera-size 32x24";
+  ASSERT_EQ(herr("synth made" + flags).exit_code, 0);
+  fs::rename(root() / "made", root() / "before");
+  ASSERT_EQ(herr("synth made" + flags).exit_code, 0);
+  const auto files = files_below(root() / "made");
+  // session.json, three data.csv, camera frames at 0, 0.1, 0.2 and 0.3 s.
+  EXPECT_EQ(files.size(), 8u);
+  for (const std::string& file : files) {
+    EXPECT_TRUE(content_of(root() / "made" / file) == content_of(root() / "before" / file)) << file;
+  }
+  const Outcome outcome = herr("replay made --profile small.profile.json --polar 128x64 --frames 3 --out o");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace herr

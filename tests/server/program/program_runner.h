@@ -1,0 +1,47 @@
+// The program run to its end by a shell in a folder, as its users run it, and what it left there.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/paths.h"
+#include "tests/server/temporary_folder.h"
+
+namespace herr {
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+// `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
+inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments,
+                           const std::string& before = "") {
+  const std::string line = "cd '" + folder.string() + "' && " + before + " " + test::program_path() + " " +
+                           arguments + " >stdout.txt 2>stderr.txt";
+  const int status = std::system(line.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder / "stdout.txt"),
+          content_of(folder / "stderr.txt")};
+}
+
+inline long lines_in(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+// Regular files, by their paths below the folder, sorted; none where there is no folder.
+inline std::vector<std::string> files_below(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  if (!std::filesystem::exists(folder)) return names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) names.push_back(std::filesystem::relative(entry.path(), folder).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace herr

@@ -1,0 +1,164 @@
+// One session through the replay loop, in this process: what the program's own tests cannot bring about.
+#include "server/replay/replay_session.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "server/process/stop_signal.h"
+#include "tests/server/small_session.h"
+#include "tests/server/temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReplaySession : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_scene(root() / "scene");
+    write_small_profile(root() / "small.profile.json");
+    write_small_session(root() / "walk", 0.25);
+    options_.out = root() / "o";
+    options_.profile = (root() / "small.profile.json").string();
+    options_.format = PictureFormat::none;
+    options_.sheet = SheetChoice::none;
+    options_.overwrite = true;
+    options_.render.polar_width = 64;
+    options_.render.polar_height = 64;
+    options_.render.threads = 1;
+  }
+  const fs::path& root() const { return folder_.path(); }
+  SessionReport replay() const { return replay_session(root() / "walk", options_); }
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(content_of(root() / "o" / "walk" / "summary.json"));
+  }
+
+  ReplayOptions options_;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(ReplaySession, CountsTrianglesOnceAndNoCatchers) {
+  ASSERT_EQ(replay().exit_code, 0);
+  // One triangle; the floor's two are a catcher's.
+  EXPECT_EQ(summary()["scene"]["triangles"], 1);
+}
+
+TEST_F(ReplaySession, TheSummarySaysHowTheProbesOfTheLastFrameFare) {
+  options_.render.probes.on = true;
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  const nlohmann::json probes = summary()["probes"];
+  // 16 x 8 x 16 by default; every awake one is updated in each frame, by 64 rays in each of two sets.
+  EXPECT_EQ(probes["active"].get<int>() + probes["inactive"].get<int>(), 2048);
+  EXPECT_GT(probes["active"], 0);
+  EXPECT_GE(probes["updated_per_frame"], probes["active"]);
+  EXPECT_GT(probes["rays_per_frame"].get<std::int64_t>(), 64 * probes["active"].get<std::int64_t>());
+  EXPECT_GE(probes["relocated"], 0);
+  EXPECT_GT(probes["variability"], 0);
+  EXPECT_LE(probes["variability"], 1);
+}
+
+// Grey, but for one NaN, one infinite and one negative value: three values that cannot be light.
+void write_impossible_light(const fs::path& file) {
+  OIIO::ImageSpec spec(64, 48, 3, OIIO::TypeDesc::FLOAT);
+  spec["compression"] = std::string("zip");
+  std::vector<float> values(64 * 48 * 3, 0.25f);
+  values[0] = std::nanf("");
+  values[100] = INFINITY;
+  values[200] = -1.0f;
+  const auto writer = OIIO::ImageOutput::create(file.string());
+  ASSERT_TRUE(writer && writer->open(file.string(), spec) &&
+              writer->write_image(OIIO::TypeDesc::FLOAT, values.data()) && writer->close());
+}
+
+TEST_F(ReplaySession, ValuesOfTheCameraThatCannotBeLightAreCountedAndWarnedOf) {
+  // Camera frames at 0, 0.1 and 0.2 s; the second one is shown for six frames and seen by both eyes.
+  write_impossible_light(root() / "walk/cam0/data/000001.exr");
+  std::string rows = content_of(root() / "walk/cam0/data.csv");
+  rows.replace(rows.find("000001.png"), 10, "000001.exr");
+  write_text(root() / "walk/cam0/data.csv", rows);
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  EXPECT_EQ(summary()["session"]["sanitised_camera_values"], 3);
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_EQ(report.warnings[0].find("3 values of camera images"), 0u) << report.warnings[0];
+}
+
+TEST_F(ReplaySession, ACameraWithoutFaultsIsNotWarnedOf) {
+  const SessionReport report = replay();
+  EXPECT_EQ(summary()["session"]["sanitised_camera_values"], 0);
+  EXPECT_TRUE(report.warnings.empty());
+}
+
+TEST_F(ReplaySession, ATargetOutOfReachEndsAtTheFloorAndIsWarnedOf) {
+  options_.policy.deadline = true;
+  options_.target_ms = 1e-3;  // no frame takes a microsecond
+  options_.clock = ReplayClock::max;
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  ASSERT_EQ(report.warnings.size(), 1u);
+  const std::int64_t frames = report.statistics.frames;
+  EXPECT_EQ(report.warnings[0].find("the target of 0.00 ms was out of reach in " +
+                                    std::to_string(frames - 1) + " of " + std::to_string(frames) + " frames"),
+            0u)
+      << report.warnings[0];
+  const nlohmann::json quality = summary()["quality"];
+  EXPECT_EQ(quality["reasons"], nlohmann::json({{"start", 1}, {"floor_too_slow", frames - 1}}));
+  EXPECT_EQ(quality["polar_width"]["max"], 8.0) << "an eighth of 64";
+  EXPECT_EQ(summary()["settings"]["policy"], "deadline");
+  EXPECT_FALSE(fs::exists(root() / "o/walk/checkpoint.json")) << "nobody could go on with it";
+}
+
+TEST_F(ReplaySession, ATargetThatIsEasilyReachedGivesTheWholeWidth) {
+  options_.policy = {true, true};
+  options_.target_ms = 10'000;
+  options_.clock = ReplayClock::max;
+  ASSERT_EQ(replay().exit_code, 0);
+  const nlohmann::json quality = summary()["quality"];
+  EXPECT_EQ(quality["polar_width"]["min"], 8.0) << "the first frame, of which nothing is known";
+  EXPECT_EQ(quality["polar_width"]["max"], 64.0);
+  EXPECT_EQ(quality["reasons"]["grow_limited"], 2) << "8, 16, 32, 64";
+}
+
+TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
+  ASSERT_EQ(replay().exit_code, 0);
+  const nlohmann::json whole = summary();
+  for (const char* part : {"pace", "feed"}) {
+    for (const auto& [name, value] : whole[part].items()) {
+      EXPECT_TRUE(name == "unit" || whole["definitions"].contains(name)) << part << "." << name;
+    }
+  }
+  EXPECT_EQ(whole["feed"]["misregistration"]["count"], whole["frames"]["rendered"]);
+  EXPECT_EQ(whole["quality"]["reasons"], nlohmann::json({{"fixed", whole["frames"]["rendered"]}}));
+  EXPECT_EQ(whole["quality"]["polar_width"]["min"], 64.0);
+}
+
+using ReplaySessionDeathTest = ReplaySession;
+
+TEST_F(ReplaySessionDeathTest, ASignalBeforeTheFirstFrameLeavesEarlierResultsAlone) {
+  // The signal stays for the rest of a process, so it is sent in a process of its own.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  write_text(root() / "o/walk/summary.json", "earlier");
+  const auto interrupted = [&] {
+    install_signal_handling();
+    ::raise(SIGINT);
+    const SessionReport report = replay();
+    const bool kept = content_of(root() / "o/walk/summary.json") == "earlier";
+    fs::remove_all(root());  // exit() does not end the fixture
+    std::exit(kept && report.state == ReplayState::interrupted ? report.exit_code : 1);
+  };
+  EXPECT_EXIT(interrupted(), ::testing::ExitedWithCode(130), "");
+}
+
+}  // namespace
+}  // namespace herr
