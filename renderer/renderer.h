@@ -14,15 +14,16 @@
 #include "renderer/frame_plan.h"
 #include "renderer/memory_use.h"
 #include "renderer/probe_counts.h"
-#include "renderer/probes/probe_reader.h"
 #include "renderer/render_settings.h"
 #include "renderer/stage_times.h"
 #include "renderer/viewport_image.h"
 #include "scenes/model/scene.h"
 #include "sessions/format/display_profile.h"
-#include "sessions/session.h"
+#include "sessions/streams/frame_sample.h"
 
 namespace herr {
+
+class ProbeReader;  // probes/probe_reader.h
 
 // What may change from frame to frame. No choice of it allocates.
 struct FrameQuality {

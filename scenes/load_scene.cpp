@@ -1,3 +1,5 @@
+#include "scenes/load_scene.h"
+
 // Which reader a path gets, and the light of a bare glTF file.
 #include <algorithm>
 #include <cctype>
@@ -9,7 +11,6 @@
 #include "scenes/document/scene_document.h"
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/model/placed_objects.h"
-#include "scenes/model/scene.h"
 #include "scenes/model/transform_checks.h"
 #include "scenes/voxels/load_vox.h"
 #include "sessions/files/input_error.h"

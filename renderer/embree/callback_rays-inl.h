@@ -8,6 +8,7 @@
 #define HERR_CALLBACK_RAYS_INL
 #endif
 
+#include "renderer/embree/embree_api.h"
 #include "renderer/simd/simd_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();

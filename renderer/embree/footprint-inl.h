@@ -10,6 +10,7 @@
 #define HERR_FOOTPRINT_INL
 #endif
 
+#include "renderer/embree/embree_api.h"
 #include "renderer/simd/simd_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();

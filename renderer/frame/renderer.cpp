@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/probes/probe_reader.h"
 
 namespace herr {
 namespace {

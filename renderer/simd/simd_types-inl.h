@@ -10,8 +10,6 @@
 
 #include <hwy/highway.h>
 
-#include "renderer/embree/embree_api.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
@@ -33,9 +31,6 @@ constexpr I kI{};
 constexpr U kU{};
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(kF));  // 4, 8 or 16 on x86: also the packet width
 static_assert(kLanes <= 16);
-
-using Ray = RayPacket<kLanes>::Ray;
-using RayHit = RayPacket<kLanes>::RayHit;
 
 HWY_INLINE VF set(float x) {
   return hn::Set(kF, x);

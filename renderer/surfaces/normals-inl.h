@@ -7,6 +7,7 @@
 #define HERR_NORMALS_INL
 #endif
 
+#include "renderer/embree/ray_packet-inl.h"
 #include "renderer/surfaces/material_at-inl.h"
 #include "renderer/tiles/tile_job.h"
 

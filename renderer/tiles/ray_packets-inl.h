@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "renderer/embree/footprint-inl.h"
+#include "renderer/embree/ray_packet-inl.h"
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/tiles/tile_job.h"
 

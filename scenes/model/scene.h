@@ -198,10 +198,6 @@ struct SceneState {
   std::vector<DeformationPose> poses;  // per Scene::deformations; empty: as the meshes were loaded
 };
 
-// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
-// InputError.
-Scene load_scene(const std::filesystem::path& file);
-
 // Lights at `time_s` seconds after the session's start (any finite value). Pure; `out` keeps its storage, and
 // what else it says. (changes/world.h takes the rest of a scene to a time.)
 void scene_state_at(const Scene& scene, double time_s, SceneState& out);

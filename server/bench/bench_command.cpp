@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "renderer/bench_frame.h"
+#include "scenes/load_scene.h"
 #include "server/bench/bench_report.h"
 #include "server/bench/frame_time_table.h"
 #include "server/bench/left_out.h"
 #include "server/bench/ray_limits.h"
-#include "server/cli/flags.h"
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
 #include "server/results/summary_json.h"
+#include "server/settings/option_checks.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {

@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
-#include "server/cli/flags.h"
 #include "server/process/exit_code.h"
+#include "server/settings/flag_values.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {

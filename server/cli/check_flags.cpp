@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "server/cli/flags.h"
-#include "server/text/flag_values.h"
+#include "server/settings/flag_values.h"
 
 namespace herr {
 namespace {

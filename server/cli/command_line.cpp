@@ -8,8 +8,9 @@
 #include "server/cli/flags.h"
 #include "server/cli/synth_flags.h"
 #include "server/process/version.h"
+#include "server/settings/flag_values.h"
+#include "server/settings/option_checks.h"
 #include "server/synth/synth_command.h"
-#include "server/text/flag_values.h"
 #include "sessions/import/built_in_maps.h"
 
 namespace herr {

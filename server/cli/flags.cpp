@@ -8,7 +8,8 @@
 #include <stdexcept>
 
 #include "scenes/model/scene.h"
-#include "server/text/flag_values.h"
+#include "server/settings/flag_values.h"
+#include "server/settings/option_checks.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -131,11 +132,6 @@ void add_time_flags(CLI::App& app, ReplayOptions& options) {
 void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
                 const std::string& help, const FlagReader& read) {
   app.add_option_function<std::string>(flag, read, help)->type_name(value_name)->take_last()->expected(1);
-}
-
-const std::string& non_empty(const std::string& what, const std::string& text) {
-  if (text.empty()) throw UsageError(what + ": the path is empty; give a file or folder");
-  return text;
 }
 
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read) {
@@ -309,54 +305,6 @@ void check_serve_options(const ServeOptions& options) {
         "--host: '" + printable(options.host) +
         "' is not an address of loopback, where anybody could look in; give --auth-token-file, or "
         "use 127.0.0.1, ::1 or localhost");
-}
-
-void check_isa(const RenderSettings& settings) {
-  try {
-    resolve_isa(settings.isa);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
-  }
-}
-
-void check_policy(const ReplayOptions& options) {
-  const bool fixed = options.policy == QualityPolicy{};
-  if (!fixed && options.render.foveation == Foveation::off) {
-    throw UsageError(
-        std::string("--policy ") + name_of(options.policy) +
-        ": changes the width of polar buffers, and --foveation off has none; give one of the two");
-  }
-  if (!options.narrowest_width) return;
-  if (fixed) throw UsageError("--polar-floor: the policy fixed never goes below --polar; give --policy");
-  if (*options.narrowest_width > options.render.polar_width) {
-    throw UsageError("--polar-floor: is wider than --polar; give at most " +
-                     std::to_string(2 * options.render.polar_width));
-  }
-}
-
-void check_replay_options(const ReplayOptions& options) {
-  if (options.resume && options.overwrite) {
-    throw UsageError("--resume: goes on with the results that --overwrite would remove; give one of the two");
-  }
-  if (options.resume && options.clock == ReplayClock::realtime) {
-    throw UsageError("--resume: frames of the clock realtime cannot be taken up again; use another --clock");
-  }
-  if (options.resume && options.policy.deadline) {
-    throw UsageError(
-        "--resume: frames of the policy deadline depend on how long each took, and cannot be taken up again; "
-        "give --overwrite to start again");
-  }
-  if (options.target_ms && options.clock != ReplayClock::realtime && !options.policy.deadline) {
-    throw UsageError(
-        "--target-ms: only the clock realtime and the policy deadline have one; give --clock realtime");
-  }
-  check_policy(options);
-  // Encoders on the render threads would make the frames late that they belong to.
-  const bool pictures = options.format != PictureFormat::none || options.sheet != SheetChoice::none;
-  if (options.clock == ReplayClock::realtime && pictures) {
-    throw UsageError(
-        "--clock realtime: measures times and writes no pictures; give --format none --contact-sheet none");
-  }
 }
 
 }  // namespace herr

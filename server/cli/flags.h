@@ -24,9 +24,6 @@ using FlagReader = std::function<void(const std::string& text)>;
 void value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
                 const std::string& help, const FlagReader& read);
 // The same for a path that must not be empty.
-// `text` itself; throws UsageError that names `what` when it is empty (a script's variable that was not set).
-const std::string& non_empty(const std::string& what, const std::string& text);
-
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read);
 
 // What is replayed, and how strictly it is read.
@@ -45,10 +42,7 @@ void add_render_flags(CLI::App& app, RenderSettings& render);
 // All of `herr replay` and of `herr serve`; the options hold the defaults.
 void add_replay_flags(CLI::App& app, ReplayOptions& options);
 void add_serve_flags(CLI::App& app, ServeOptions& options);
-// Throws UsageError where this CPU lacks the instruction set.
-void check_isa(const RenderSettings& settings);
 // What no single flag can know. Throws UsageError.
-void check_replay_options(const ReplayOptions& options);
 void check_serve_options(const ServeOptions& options);
 
 }  // namespace herr

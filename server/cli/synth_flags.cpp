@@ -4,8 +4,8 @@
 #include <string>
 
 #include "server/cli/flags.h"
+#include "server/settings/flag_values.h"
 #include "server/synth/irregular_events.h"
-#include "server/text/flag_values.h"
 #include "server/text/number_text.h"
 #include "sessions/format/session_header.h"
 

@@ -13,7 +13,7 @@
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
 #include "server/process/version.h"
-#include "server/text/flag_values.h"
+#include "server/settings/flag_values.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
 #include "sessions/import/aria_calibration.h"

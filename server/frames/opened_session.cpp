@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "scenes/load_scene.h"
 #include "server/process/exit_code.h"
 #include "sessions/files/input_error.h"
 

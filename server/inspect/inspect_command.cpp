@@ -1,6 +1,5 @@
 #include "server/inspect/inspect_command.h"
 
-#include "server/cli/flags.h"
 #include "server/inspect/inspect_json.h"
 #include "server/inspect/inspect_report.h"
 #include "server/inspect/inspect_text.h"
@@ -8,6 +7,7 @@
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
 #include "server/results/summary_json.h"
+#include "server/settings/option_checks.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <utility>
 
+#include "scenes/load_scene.h"
 #include "server/inspect/event_findings.h"
 #include "server/process/exit_code.h"
 #include "sessions/files/input_error.h"

@@ -3,13 +3,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "server/cli/flags.h"
 #include "server/frames/frame_quality.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
 #include "server/replay/replay_session.h"
 #include "server/results/output_folder.h"
 #include "server/results/summary_json.h"
+#include "server/settings/option_checks.h"
+#include "server/settings/quality_target.h"
 #include "server/statistics/latency_table.h"
 #include "server/text/number_text.h"
 #include "sessions/files/atomic_file.h"

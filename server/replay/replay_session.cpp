@@ -25,6 +25,7 @@
 #include "server/results/output_folder.h"
 #include "server/results/run_state.h"
 #include "server/results/summary_json.h"
+#include "server/settings/quality_target.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"

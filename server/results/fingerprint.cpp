@@ -9,8 +9,8 @@
 #include <set>
 #include <system_error>
 
-#include "server/frames/frame_quality.h"
 #include "server/process/version.h"
+#include "server/settings/quality_target.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"

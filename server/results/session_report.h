@@ -11,6 +11,7 @@
 #include "renderer/render_settings.h"
 #include "server/process/exit_code.h"
 #include "server/settings/frame_range.h"
+#include "server/settings/replay_options.h"
 #include "server/statistics/run_statistics.h"
 #include "sessions/session.h"
 
@@ -54,5 +55,8 @@ struct SessionReport {
   std::int64_t writer_waits = 0;                      // frames that waited for the writer
   std::vector<std::string> contact_sheets;            // file names in out_folder
 };
+
+// One line where frames had the least quality and still were too slow; empty where none was.
+std::string floor_warning(const SessionReport& report, const ReplayOptions& options);
 
 }  // namespace herr

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "server/frames/frame_quality.h"
 #include "server/process/version.h"
+#include "server/settings/quality_target.h"
 #include "server/statistics/latency_json.h"
 #include "server/statistics/quality_json.h"
 #include "sessions/files/input_error.h"

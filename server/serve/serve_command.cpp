@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "server/cli/flags.h"
 #include "server/http/http_server.h"
 #include "server/process/exit_code.h"
 #include "server/process/steady_time.h"
@@ -16,6 +15,7 @@
 #include "server/serve/auth_token.h"
 #include "server/serve/endpoints.h"
 #include "server/serve/frame_loop.h"
+#include "server/settings/option_checks.h"
 #include "server/statistics/latency_table.h"
 
 namespace herr {

@@ -10,8 +10,8 @@
 
 #include "renderer/render_settings.h"
 #include "server/quality/quality_policy.h"
-#include "server/statistics/latency_json.h"
-#include "sessions/session.h"
+#include "server/settings/replay_clock.h"
+#include "sessions/streams/session_options.h"
 
 namespace herr {
 

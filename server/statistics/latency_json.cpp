@@ -23,18 +23,6 @@ const char* presentation_formula(ReplayClock clock) {
 
 }  // namespace
 
-const char* name_of(ReplayClock clock) {
-  switch (clock) {
-    case ReplayClock::virtual_time:
-      return "virtual";
-    case ReplayClock::realtime:
-      return "realtime";
-    case ReplayClock::max:
-      return "max";
-  }
-  return "unknown";
-}
-
 Json distribution_json(const LatencyHistogram& times) {
   Json json{{"count", times.count()}};
   const auto put = [&](const char* name, double ns) {

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "scenes/model/scene.h"
+#include "scenes/load_scene.h"
 #include "server/output/new_session_folder.h"
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"

@@ -8,11 +8,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "sessions/check/session_findings.h"
 #include "sessions/check/session_visitor.h"
 #include "sessions/format/session_header.h"
-#include "sessions/session.h"
 #include "sessions/streams/event_stream.h"
 #include "sessions/streams/row_stream.h"
+#include "sessions/streams/session_options.h"
 #include "sessions/streams/stream_census.h"
 #include "sessions/streams/stream_rows.h"
 

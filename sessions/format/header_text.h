@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sessions/session.h"
+#include "sessions/format/session_header.h"
 
 namespace herr {
 

@@ -2,19 +2,40 @@
 // Before: a file. After: Session::open, which checks the streams against what the header says.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sessions/camera/camera_model.h"
 #include "sessions/files/input_error.h"
-#include "sessions/session.h"
+#include "sessions/format/display_profile.h"
+#include "sessions/format/pose.h"
 
 namespace herr {
 
 inline constexpr int kSessionFormatVersion = 1;
 // Later stamps are refused, so that the difference of any two fits into 64 bits (4e18 ns = 126 years).
 inline constexpr TimeNs kLastStampNs = 4'000'000'000'000'000'000;
+
+// What session.json says.
+struct SessionHeader {
+  struct Camera {
+    CameraModel model;
+    Pose head_from_camera;
+    double nominal_hz = 0;
+  };
+  std::string name;
+  std::string provenance, licence;
+  DisplayProfile profile;
+  std::array<Pose, 2> head_from_eye;  // default: +-31.5 mm along x
+  bool gaze_combined = false;         // gaze_kind "combined"
+  std::optional<double> vergence_m;   // combined gaze: distance at which the eyes converge
+  double pose_hz = 0, gaze_hz = 0;    // nominal; 0 = not stated
+  std::vector<Camera> cameras;        // 0, 1 or 2: [0] is the left or only one
+  std::string scene;                  // path of a scene file relative to the session's folder; may be empty
+};
 
 struct ParsedSessionHeader {
   SessionHeader header;

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "sessions/camera/camera_image.h"
+#include "sessions/format/session_header.h"
 #include "sessions/import/column_map.h"
-#include "sessions/session.h"
 
 namespace herr {
 

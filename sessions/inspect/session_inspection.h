@@ -9,11 +9,13 @@
 #include <optional>
 
 #include "sessions/check/session_check.h"
+#include "sessions/check/session_findings.h"
+#include "sessions/format/session_header.h"
 #include "sessions/inspect/findings.h"
 #include "sessions/inspect/gaze_meter.h"
 #include "sessions/inspect/head_meter.h"
 #include "sessions/inspect/stream_summary.h"
-#include "sessions/session.h"
+#include "sessions/streams/session_options.h"
 
 namespace herr {
 

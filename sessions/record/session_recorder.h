@@ -12,7 +12,7 @@
 #include <string>
 
 #include "sessions/files/append_file.h"
-#include "sessions/session.h"
+#include "sessions/format/session_header.h"
 #include "sessions/streams/stream_rows.h"
 
 namespace herr {

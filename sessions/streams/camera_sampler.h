@@ -7,7 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include "sessions/session.h"
+#include "sessions/format/session_header.h"
+#include "sessions/streams/frame_sample.h"
 #include "sessions/streams/pose_sampler.h"
 #include "sessions/streams/row_stream.h"
 #include "sessions/streams/stream_rows.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "sessions/files/line_reader.h"
-#include "sessions/session.h"
 #include "sessions/streams/row_stream.h"
+#include "sessions/streams/scene_event.h"
 
 namespace herr {
 

@@ -6,8 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "sessions/session.h"
+#include "sessions/format/session_header.h"
+#include "sessions/streams/frame_sample.h"
 #include "sessions/streams/row_stream.h"
+#include "sessions/streams/session_options.h"
 #include "sessions/streams/stream_rows.h"
 
 namespace herr {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "sessions/format/pose.h"
-#include "sessions/session.h"
 #include "sessions/streams/head_speed.h"
 #include "sessions/streams/row_stream.h"
+#include "sessions/streams/session_options.h"
 #include "sessions/streams/stream_rows.h"
 
 namespace herr {

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""Rejects includes that go the wrong way through the house: sessions <- scenes <- renderer <- server.
-Also include cycles, and foreign headers outside the files that may know them.
+"""Rejects includes that go the wrong way through the house: sessions <- scenes <- renderer <- server, and within
+each from floor to floor (rooms.py); includes of another module that are not of its face; include cycles; foreign
+headers outside the files that may know them; folders that no table knows or that hold too many files.
 Prints one line for each finding, FILE:LINE: what is wrong; exit 1 if there is any."""
 
 import argparse
+import collections
 import fnmatch
 import pathlib
 import sys
 
+import rooms
 from source_tree import LAYERS, ROOTS, includes, source_files
 
 
@@ -65,6 +68,68 @@ def layer_findings(graph):
                 yield f"{where}: {here}/ includes {include.path}; includes go {' <- '.join(LAYERS)}"
 
 
+def floor_of(module, room):
+    """Height of a room; None for the sample generator, which stands outside."""
+    if room == "samples":
+        return None
+    if room == "":
+        return -1 if module in rooms.GROUND else len(rooms.ROOMS[module])
+    return rooms.ROOMS[module].index(room)
+
+
+def room_findings(graph):
+    """Files in folders that no table knows, includes of a room above, and of another module's inner headers."""
+    for file, lines in graph.items():
+        here = file.parts[0]
+        if here not in LAYERS:
+            yield from test_room_findings(file)
+            continue
+        room = rooms.room_of(file, rooms.ROOMS)[1]
+        if room is None:
+            yield f"{file}:1: {file.parent}/ is no room of {here}/; give it a floor in tests/house/rooms.py"
+            continue
+        for include in lines:
+            target = include.target
+            if target is None or target.parts[0] not in LAYERS:
+                continue
+            where = f"{file}:{include.line}"
+            if target.parts[0] != here:
+                if str(target) not in rooms.FACE[target.parts[0]]:
+                    yield f"{where}: {target} is not of the face of {target.parts[0]}/ (tests/house/rooms.py)"
+                continue
+            there = rooms.room_of(target, rooms.ROOMS)[1]
+            floors = [floor_of(here, r) for r in (room, there) if r is not None]
+            if there != room and None not in floors and len(floors) == 2 and floors[1] > floors[0]:
+                yield (f"{where}: includes {target}, which lies above; rooms of {here}/, lowest first: "
+                       f"{', '.join(rooms.ROOMS[here])}")
+
+
+def test_room_findings(file):
+    """Tests stand in the rooms of their source."""
+    module, folder = (*file.parts[1:2], "/".join(file.parts[2:-1]))
+    if module in LAYERS and folder not in ("", *rooms.ROOMS[module], *rooms.TEST_ROOMS.get(module, ())):
+        yield f"{file}:1: {file.parent}/ is no room of {module}/; tests stand in the rooms of their source"
+
+
+def face_findings(graph):
+    """Headers of a face that are not there, or that no other module includes."""
+    seen = {include.target for file, lines in graph.items() for include in lines
+            if include.target is not None and file.parts[0] in LAYERS and include.target.parts[0] != file.parts[0]}
+    for module in {file.parts[0] for file in graph} & set(LAYERS):
+        for header in rooms.FACE[module]:
+            path = pathlib.Path(header)
+            if path not in graph:
+                yield f"tests/house/rooms.py:1: the face of {module}/ names {header}, which does not exist"
+            elif path not in seen:
+                yield f"tests/house/rooms.py:1: no other module includes {header}; take it off the face of {module}/"
+
+
+def crowd_findings(graph):
+    for folder, count in sorted(collections.Counter(file.parent for file in graph).items()):
+        if count > rooms.MOST_FILES:
+            yield f"{folder}/:1: {count} C++ files, more than {rooms.MOST_FILES}: two rooms in one"
+
+
 def cycle_findings(graph):
     """One finding for each include that closes a cycle, found by an iterative depth-first walk."""
     visiting, done = 1, 2
@@ -110,20 +175,37 @@ def foreign_findings(graph):
                     yield f"{where} of {library.name} is already in {next(iter(known))}; one file is enough"
 
 
-def findings(root):
-    graph = {file: includes(root, file) for file in source_files(root)}
-    return [*layer_findings(graph), *cycle_findings(graph), *foreign_findings(graph)]
+def circle_findings(graph):
+    """Folders of one module that include each other, whatever the table of rooms says."""
+    edges = {(file.parent, include.target.parent): f"{file}:{include.line}"
+             for file, lines in graph.items() for include in lines
+             if include.target is not None and file.parts[0] in LAYERS and file.parts[0] == include.target.parts[0]}
+    for (here, there), where in sorted(edges.items()):
+        if here < there and (there, here) in edges:
+            yield f"{where}: {here}/ and {there}/ include each other (back at {edges[there, here]})"
+
+
+def include_graph(root):
+    return {file: includes(root, file) for file in source_files(root)}
+
+
+def findings(graph):
+    return [*layer_findings(graph), *room_findings(graph), *cycle_findings(graph), *foreign_findings(graph),
+            *crowd_findings(graph)]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("root", type=pathlib.Path, help="top folder of the project")
     root = parser.parse_args().root
-    files = source_files(root)
-    if not files:
+    graph = include_graph(root)
+    if not graph:
         sys.exit(f"{root}: no C++ file below {', '.join(ROOTS)}; pass the top folder of the project")
-    found = findings(root)
-    print(*found, f"{len(files)} files, {len(found)} findings", sep="\n")
+    circles = [*circle_findings(graph)]
+    found = [*findings(graph), *face_findings(graph), *circles]
+    faces = ", ".join(f"{module} {len(rooms.FACE[module])}" for module in LAYERS)
+    print(*found, f"headers that other modules may include: {faces}", f"folder circles: {len(circles)}",
+          f"{len(graph)} files, {len(found)} findings", sep="\n")
     sys.exit(1 if found else 0)
 
 

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import tempfile
 import unittest
+import unittest.mock
 
 import check_format
 import check_layers
@@ -32,17 +33,25 @@ class Tree(unittest.TestCase):
 
 class LayerRules(Tree):
     def findings(self):
-        return check_layers.findings(self.root)
+        return check_layers.findings(check_layers.include_graph(self.root))
+
+    FACE = {module: (f"{module}/seen.h",) for module in check_layers.LAYERS}
 
     def test_a_good_tree_has_no_findings(self):
-        self.write("sessions/pose.h", HEADER + "#include <vector>\n")
-        self.write("scenes/scene.h", HEADER + '#include "sessions/pose.h"\n')
-        self.write("renderer/renderer.h", HEADER + '#include "scenes/scene.h"\n#include "sessions/pose.h"\n')
+        self.write("sessions/format/pose.h", HEADER + "#include <vector>\n")
+        self.write("sessions/session.h", HEADER + '#include "sessions/format/pose.h"\n')
+        self.write("scenes/model/scene.h", HEADER + '#include "sessions/format/pose.h"\n')
+        self.write("renderer/renderer.h",
+                   HEADER + '#include "scenes/model/scene.h"\n#include "sessions/format/pose.h"\n')
         self.write("renderer/embree/embree_api.h", HEADER + "#include <embree3/rtcore.h>\n")
-        self.write("renderer/kernel.cpp", '#include "hwy/foreach_target.h"\n#include HWY_TARGET_INCLUDE\n')
+        self.write("renderer/simd/kernel.cpp", '#include "hwy/foreach_target.h"\n#include HWY_TARGET_INCLUDE\n')
+        self.write("renderer/frame/renderer.cpp",
+                   '#include "renderer/renderer.h"\n#include "renderer/embree/embree_api.h"\n')
         self.write("server/main.cpp", '#include "renderer/renderer.h"\n')
         self.write("scenes/gltf/load.cpp", "#include <tiny_gltf.h>\n")
-        self.write("tests/server/main_test.cpp", '#include <gtest/gtest.h>\n#include "sessions/pose.h"\n')
+        self.write("scenes/samples/generator/main.cpp", '#include "scenes/model/scene.h"\n')
+        self.write("tests/server/program/main_test.cpp",
+                   '#include <gtest/gtest.h>\n#include "sessions/format/pose.h"\n')
         self.assertEqual(self.findings(), [])
 
     def test_every_wrong_way_is_found_and_every_right_way_is_not(self):
@@ -51,12 +60,14 @@ class LayerRules(Tree):
             for there in layers:
                 with self.subTest(here=here, there=there):
                     self.setUp()
-                    self.write(f"{there}/seen.h", HEADER)
-                    self.write(f"{here}/seer.cpp", f'\n#include "{there}/seen.h"\n')
+                    header = self.FACE[there][0]
+                    self.write(header, HEADER)
+                    self.write(f"{here}/seer.cpp", f'\n#include "{header}"\n')
                     wrong = layers.index(there) > layers.index(here)
-                    found = self.findings()
+                    with unittest.mock.patch.object(check_layers.rooms, "FACE", self.FACE):
+                        found = self.findings()
                     if wrong:
-                        self.expect_one(found, f"{here}/seer.cpp:2", f"{there}/seen.h", " <- ")
+                        self.expect_one(found, f"{here}/seer.cpp:2", header, " <- ")
                     else:
                         self.assertEqual(found, [])
 
@@ -65,7 +76,7 @@ class LayerRules(Tree):
         self.write("sessions/a.cpp", "#include <server/program.h>\n")
         self.write("sessions/b.cpp", '  #  include   "server/program.h"  // why\n')
         self.write("sessions/c.cpp", '#include "../server/program.h"\n')
-        self.assertEqual([f.split(":")[0] for f in self.findings()],
+        self.assertEqual([f.split(":")[0] for f in self.findings() if " <- " in f],
                          ["sessions/a.cpp", "sessions/b.cpp", "sessions/c.cpp"])
 
     def test_an_include_in_a_comment_or_a_string_is_none(self):
@@ -120,6 +131,78 @@ class LayerRules(Tree):
         self.assertEqual(len(found), 2, found)
         self.assertIn("does not exist", found[0])
         self.assertIn("stand in <>", found[1])
+
+
+class RoomRules(Tree):
+    """Floors within a module, and its face."""
+
+    def findings(self):
+        return check_layers.findings(check_layers.include_graph(self.root))
+
+    def test_an_include_of_a_room_above_is_found_and_one_below_is_not(self):
+        for module, names in check_layers.rooms.ROOMS.items():
+            low, high = names[0], names[-1]
+            with self.subTest(module=module):
+                self.setUp()
+                self.write(f"{module}/{low}/a.h", HEADER)
+                self.write(f"{module}/{high}/b.h", HEADER + f'#include "{module}/{low}/a.h"\n')
+                self.assertEqual(self.findings(), [])
+                self.write(f"{module}/{low}/c.cpp", f'#include "{module}/{high}/b.h"\n')
+                self.expect_one(self.findings(), f"{module}/{low}/c.cpp:1", "lies above")
+
+    def test_a_circle_of_two_folders_is_found_with_both_includes(self):
+        self.write("server/http/a.h", HEADER)
+        self.write("server/replay/b.h", HEADER + '#include "server/http/a.h"\n')
+        graph = check_layers.include_graph(self.root)
+        self.assertEqual([*check_layers.circle_findings(graph)], [])
+        self.write("server/http/c.cpp", '#include "server/replay/b.h"\n')
+        graph = check_layers.include_graph(self.root)
+        self.expect_one([*check_layers.circle_findings(graph)], "server/http/c.cpp:1", "server/replay/b.h:3")
+        self.expect_one(self.findings(), "server/http/c.cpp:1", "lies above")
+
+    def test_a_roof_may_include_every_room_and_no_room_its_roof(self):
+        self.write("sessions/session.h", HEADER + '#include "sessions/import/a.h"\n')
+        self.write("sessions/import/a.h", HEADER)
+        self.assertEqual(self.findings(), [])
+        self.write("sessions/files/b.cpp", '#include "sessions/session.h"\n')
+        self.expect_one(self.findings(), "sessions/files/b.cpp:1", "lies above")
+
+    def test_ground_may_be_included_by_every_room_and_includes_none(self):
+        self.write("renderer/times.h", HEADER)
+        self.write("renderer/simd/a.h", HEADER + '#include "renderer/times.h"\n')
+        self.assertEqual(self.findings(), [])
+        self.write("renderer/renderer.h", HEADER + '#include "renderer/simd/a.h"\n')
+        self.expect_one(self.findings(), "renderer/renderer.h:3", "lies above")
+
+    def test_a_header_that_is_not_of_the_face_is_refused_to_other_modules_and_not_to_tests(self):
+        self.write("renderer/threads/inner.h", HEADER)
+        self.write("tests/server/program/a_test.cpp", '#include "renderer/threads/inner.h"\n')
+        self.assertEqual(self.findings(), [])
+        self.write("server/cli/a.cpp", '#include "renderer/threads/inner.h"\n')
+        self.expect_one(self.findings(), "server/cli/a.cpp:1", "not of the face of renderer/")
+
+    def test_a_face_names_only_headers_that_are_there_and_that_others_include(self):
+        self.write("sessions/session.h", HEADER)
+        graph = check_layers.include_graph(self.root)
+        with unittest.mock.patch.dict(check_layers.rooms.FACE, {"sessions": ("sessions/session.h", "sessions/gone.h")}):
+            found = [*check_layers.face_findings(graph)]
+        self.assertEqual(len(found), 2, found)
+        self.assertIn("take it off", found[0])
+        self.assertIn("does not exist", found[1])
+
+    def test_a_folder_that_is_no_room_is_found_in_modules_and_in_tests(self):
+        self.write("renderer/cellar/a.cpp", "\n")
+        self.expect_one(self.findings(), "renderer/cellar/a.cpp:1", "no room of renderer/")
+        self.setUp()
+        self.write("tests/renderer/cellar/a_test.cpp", "\n")
+        self.expect_one(self.findings(), "tests/renderer/cellar/a_test.cpp:1", "no room of renderer/")
+
+    def test_25_files_in_a_folder_pass_and_26_do_not(self):
+        for i in range(25):
+            self.write(f"server/cli/f{i}.cpp", "\n")
+        self.assertEqual(self.findings(), [])
+        self.write("server/cli/f25.cpp", "\n")
+        self.expect_one(self.findings(), "server/cli/:1", "26 C++ files")
 
 
 class TextRules(Tree):

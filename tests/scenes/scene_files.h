@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/model/scene.h"
+#include "scenes/load_scene.h"
 #include "sessions/files/input_error.h"
 
 namespace herr::test {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "scenes/samples/generator/mesh_check.h"
 #include "scenes/samples/generator/objects/objects.h"
+#include "scenes/samples/generator/shapes/mesh_check.h"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 
+#include "scenes/load_scene.h"
 #include "sessions/files/input_error.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"

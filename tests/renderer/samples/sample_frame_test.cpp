@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "renderer/frame/renderer_impl.h"
+#include "scenes/load_scene.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "scenes/load_scene.h"
 #include "tests/paths.h"
 #include "tests/renderer/busy_scene.h"
 #include "tests/renderer/rendered_frames.h"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "scenes/load_scene.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame/renderer_impl.h"
+#include "scenes/load_scene.h"
 #include "tests/paths.h"
 #include "tests/renderer/half_pixels.h"
 #include "tests/renderer/test_scenes.h"

@@ -7,6 +7,7 @@
 #include "scenes/animation/bend_mesh.h"
 #include "scenes/animation/model_pose.h"
 #include "scenes/changes/world.h"
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

@@ -8,6 +8,7 @@
 
 #include "scenes/changes/check_changes.h"
 #include "scenes/document/parse_change.h"
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 #include "tests/scenes/voxels/vox_files.h"
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

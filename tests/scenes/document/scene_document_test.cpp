@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

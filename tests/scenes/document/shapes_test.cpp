@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

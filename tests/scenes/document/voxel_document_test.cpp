@@ -1,6 +1,7 @@
 // Voxels in scene documents: what an entry places, and what it refuses.
 #include <gtest/gtest.h>
 
+#include "scenes/load_scene.h"
 #include "tests/scenes/voxels/vox_files.h"
 
 namespace herr::test {

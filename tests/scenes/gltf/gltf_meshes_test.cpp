@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

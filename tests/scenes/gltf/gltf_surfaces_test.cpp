@@ -7,6 +7,7 @@
 
 #include "scenes/gltf/closed_mesh.h"
 #include "scenes/gltf/vertex_tangents.h"
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

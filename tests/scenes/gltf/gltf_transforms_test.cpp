@@ -5,6 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
+#include "scenes/load_scene.h"
 #include "scenes/model/transform_checks.h"
 #include "tests/scenes/scene_files.h"
 

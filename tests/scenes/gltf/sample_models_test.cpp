@@ -7,6 +7,7 @@
 #include <iostream>
 #include <set>
 
+#include "scenes/load_scene.h"
 #include "tests/paths.h"
 #include "tests/scenes/scene_files.h"
 

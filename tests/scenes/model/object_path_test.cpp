@@ -8,6 +8,7 @@
 
 #include "scenes/changes/world.h"
 #include "scenes/document/parse_change.h"
+#include "scenes/load_scene.h"
 #include "scenes/model/transform_checks.h"
 #include "tests/scenes/document/path_scenes.h"
 

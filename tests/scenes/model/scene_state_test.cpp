@@ -1,6 +1,7 @@
 // The scene over time, its bounds and counts, and the light of a bare glTF file.
 #include <gtest/gtest.h>
 
+#include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <random>
 
+#include "scenes/load_scene.h"
 #include "scenes/voxels/load_vox.h"
 #include "scenes/voxels/vox_graph.h"
 #include "sessions/files/input_file.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/model/scene.h"
+#include "scenes/load_scene.h"
 #include "server/inspect/scene_facts.h"
 #include "server/inspect/scene_text.h"
 #include "server/inspect/time_plot.h"

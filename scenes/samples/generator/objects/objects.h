@@ -3,7 +3,7 @@
 // the .cpp of its name.
 #pragma once
 
-#include "scenes/samples/generator/glb_writer.h"
+#include "scenes/samples/generator/glb/glb_writer.h"
 
 namespace herr::samples {
 

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "scenes/samples/generator/mesh.h"
 #include "scenes/samples/generator/pictures/text_picture.h"
+#include "scenes/samples/generator/shapes/mesh.h"
 
 namespace herr::samples {
 namespace {

@@ -4,8 +4,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "scenes/samples/generator/mesh.h"
 #include "scenes/samples/generator/pictures/noise.h"
+#include "scenes/samples/generator/shapes/mesh.h"
 
 namespace herr::samples {
 

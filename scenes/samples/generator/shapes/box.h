@@ -1,7 +1,7 @@
 // Boxes with flat sides: the room, its furniture, plinths.
 #pragma once
 
-#include "scenes/samples/generator/mesh.h"
+#include "scenes/samples/generator/shapes/mesh.h"
 
 namespace herr::samples {
 

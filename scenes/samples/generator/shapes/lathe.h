@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scenes/samples/generator/mesh.h"
+#include "scenes/samples/generator/shapes/mesh.h"
 
 namespace herr::samples {
 

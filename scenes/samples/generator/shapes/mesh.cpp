@@ -1,4 +1,4 @@
-#include "scenes/samples/generator/mesh.h"
+#include "scenes/samples/generator/shapes/mesh.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

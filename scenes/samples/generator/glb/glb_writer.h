@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/samples/generator/mesh.h"
 #include "scenes/samples/generator/pictures/picture.h"
+#include "scenes/samples/generator/shapes/mesh.h"
 
 namespace herr::samples {
 

@@ -1,4 +1,4 @@
-#include "server/text/flag_values.h"
+#include "server/settings/flag_values.h"
 
 #include <algorithm>
 #include <charconv>
@@ -103,6 +103,11 @@ std::string unknown_flag_message(const std::string& flag, const std::vector<std:
   std::string message = printable(name) + ": unknown flag";
   if (!known.empty()) message += "; did you mean " + nearest_name(name, known) + "?";
   return message + " ('" + command + " --help' lists all)";
+}
+
+const std::string& non_empty(const std::string& what, const std::string& text) {
+  if (text.empty()) throw UsageError(what + ": the path is empty; give a file or folder");
+  return text;
 }
 
 }  // namespace herr

@@ -29,6 +29,9 @@ SizeValue parse_size(const std::string& flag, const std::string& text, int highe
 // "X,Y,Z": three numbers, each within [-highest, highest]; a minus sign may stand before each.
 glm::dvec3 parse_point(const std::string& flag, const std::string& text, double highest);
 
+// `text` itself; throws UsageError that names `what` when it is empty (a script's variable that was not set).
+const std::string& non_empty(const std::string& what, const std::string& text);
+
 // The index of `text` among the words; an unknown word names the nearest one.
 std::size_t parse_word(const std::string& flag, const std::string& text,
                        const std::vector<std::string>& words);

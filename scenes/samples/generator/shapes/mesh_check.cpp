@@ -1,4 +1,4 @@
-#include "scenes/samples/generator/mesh_check.h"
+#include "scenes/samples/generator/shapes/mesh_check.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

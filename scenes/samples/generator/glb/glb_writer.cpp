@@ -1,4 +1,4 @@
-#include "scenes/samples/generator/glb_writer.h"
+#include "scenes/samples/generator/glb/glb_writer.h"
 
 #include <cstring>
 #include <fstream>

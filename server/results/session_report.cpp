@@ -1,0 +1,19 @@
+#include "server/results/session_report.h"
+
+#include "server/settings/quality_target.h"
+#include "server/text/number_text.h"
+
+namespace herr {
+
+std::string floor_warning(const SessionReport& report, const ReplayOptions& options) {
+  const std::int64_t frames =
+      report.statistics.reasons[static_cast<std::size_t>(QualityReason::floor_too_slow)];
+  if (frames == 0) return {};
+  return "the target of " + fixed_text(quality_target_ms(options, report.range), 2) +
+         " ms was out of reach in " + std::to_string(frames) + " of " +
+         std::to_string(report.statistics.frames) +
+         " frames with the least quality allowed; give a lower --polar-floor, fewer pixels (--profile) or a "
+         "higher --target-ms";
+}
+
+}  // namespace herr

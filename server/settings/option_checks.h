@@ -1,0 +1,15 @@
+// What no single flag can know: options that do not go together, or not with this machine.
+// Before: the command line has filled the options. After: a command runs.
+#pragma once
+
+#include "renderer/render_settings.h"
+#include "server/settings/replay_options.h"
+
+namespace herr {
+
+// Throws UsageError where this CPU lacks the instruction set.
+void check_isa(const RenderSettings& settings);
+// Throws UsageError that names the flag.
+void check_replay_options(const ReplayOptions& options);
+
+}  // namespace herr

@@ -1,0 +1,17 @@
+#include "server/settings/quality_target.h"
+
+namespace herr {
+
+double quality_target_ms(const ReplayOptions& options, const FrameRange& range) {
+  return options.target_ms.value_or(range.period_ms());
+}
+
+int narrowest_width(const ReplayOptions& options, const RenderSettings& settings) {
+  return options.narrowest_width.value_or(default_narrowest(settings.polar_width));
+}
+
+bool is_reproducible(const ReplayOptions& options) {
+  return options.clock != ReplayClock::realtime && !options.policy.deadline;
+}
+
+}  // namespace herr

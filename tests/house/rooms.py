@@ -1,0 +1,62 @@
+"""The rooms of each module in the order of their floors, lowest first, and what other modules may include.
+A file includes only its own room and rooms below it; the root of a module is its roof, in renderer/ its ground."""
+
+ROOMS = {
+    "sessions": ("files", "camera", "format", "streams", "check", "inspect", "record", "import"),
+    "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
+    "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
+                 "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
+    "server": ("text", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
+               "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
+               "inspect/probes", "inspect", "synth", "convert", "cli"),
+}
+
+# Modules whose root holds public headers, which every room may include, and what those headers alone need.
+GROUND = ("renderer",)
+
+# Headers that other modules may include; all others are a module's own business.
+FACE = {
+    "sessions": (
+        "sessions/session.h",
+        "sessions/camera/camera_image.h", "sessions/camera/camera_model.h",
+        "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/input_error.h",
+        "sessions/files/input_file.h", "sessions/files/line_reader.h", "sessions/files/strict_json.h",
+        "sessions/files/write_error.h",
+        "sessions/format/display_profile.h", "sessions/format/pose.h", "sessions/format/session_header.h",
+        "sessions/import/aria_calibration.h", "sessions/import/built_in_maps.h", "sessions/import/camera_pictures.h",
+        "sessions/import/import_report.h", "sessions/import/import_rows.h",
+        "sessions/inspect/findings.h", "sessions/inspect/number_words.h", "sessions/inspect/session_inspection.h",
+        "sessions/inspect/time_profile.h",
+        "sessions/record/session_recorder.h",
+        "sessions/streams/event_stream.h", "sessions/streams/frame_sample.h", "sessions/streams/session_options.h",
+    ),
+    "scenes": (
+        "scenes/load_scene.h",
+        "scenes/changes/check_changes.h", "scenes/changes/world.h",
+        "scenes/document/parse_change.h",
+        "scenes/model/scene.h", "scenes/model/transform_checks.h", "scenes/model/voxel_grid.h",
+    ),
+    "renderer": (
+        "renderer/bench_frame.h", "renderer/frame_plan.h", "renderer/memory_use.h", "renderer/polar_picture.h",
+        "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h", "renderer/stage_times.h",
+        "renderer/viewport_image.h",
+        "renderer/bench/calibration_rays.h", "renderer/foveation/polar_map.h",
+        "renderer/lighting/light_records.h", "renderer/probes/probe_reader.h",
+    ),
+    "server": (),
+}
+
+# Folders of tests that stand for no single room: the whole program, runs of minutes, samples.
+TEST_ROOMS = {"renderer": ("samples",), "server": ("program", "long")}
+
+# More files than this in one folder are two concepts.
+MOST_FILES = 25
+
+
+def room_of(file, rooms):
+    """(module, room) of a file below one of the modules; room "" is the module's root, None a folder that the
+    table does not know. The sample generator of scenes/ is a program of its own and stands outside."""
+    module, folder = file.parts[0], "/".join(file.parts[1:-1])
+    if folder.split("/")[0] == "samples":
+        return module, "samples"
+    return module, folder if folder == "" or folder in rooms[module] else None
