@@ -1,4 +1,4 @@
-// Which instruction sets this CPU offers, and their names. The kernels' own dispatch is in simd_dispatch.h.
+// Which instruction sets this CPU offers, and their names. Kernels are picked in simd/kernel_for.h.
 #include <stdexcept>
 #include <string>
 

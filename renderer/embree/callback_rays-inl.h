@@ -1,12 +1,7 @@
 // The rays that Embree hands to the callbacks of a user geometry: N of them, each field N values long, in the
 // object space of the instance. Groups of a whole vector where N allows it, else rays one by one: Embree
 // leaves packets for single rays where they are incoherent. Source of the layout: RTCRayHitN in the manual.
-#if defined(HERR_CALLBACK_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_CALLBACK_RAYS_INL
-#undef HERR_CALLBACK_RAYS_INL
-#else
-#define HERR_CALLBACK_RAYS_INL
-#endif
+#pragma once
 
 #include "renderer/embree/embree_api.h"
 #include "renderer/simd/simd_types-inl.h"
@@ -88,5 +83,3 @@ HWY_INLINE void report_hits(D, int* valid, hn::Mask<D> hits) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -3,12 +3,7 @@
 // float's bits without its sign): the width at the origin and what it grows by per unit of t, both over the
 // direction's length, since instances scale directions and positions alike. 0 is a ray without width: full
 // detail.
-#if defined(HERR_FOOTPRINT_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_FOOTPRINT_INL
-#undef HERR_FOOTPRINT_INL
-#else
-#define HERR_FOOTPRINT_INL
-#endif
+#pragma once
 
 #include "renderer/embree/embree_api.h"
 #include "renderer/simd/simd_types-inl.h"
@@ -33,5 +28,3 @@ HWY_INLINE VF footprint_growth(VU code) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

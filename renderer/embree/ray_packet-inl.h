@@ -1,10 +1,5 @@
 // Embree's packet as wide as this instruction set's vectors; compiled once per instruction set.
-#if defined(HERR_RAY_PACKET_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_RAY_PACKET_INL
-#undef HERR_RAY_PACKET_INL
-#else
-#define HERR_RAY_PACKET_INL
-#endif
+#pragma once
 
 #include "renderer/embree/embree_api.h"
 #include "renderer/simd/simd_types-inl.h"
@@ -19,5 +14,3 @@ using RayHit = RayPacket<kLanes>::RayHit;
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -4,12 +4,7 @@
 // Box: slabs, Majercik et al., "A Ray-Box Intersection Algorithm and Efficient Dynamic Voxel Rendering"
 // (2018), with planes that the line runs along told apart first, as 0 * infinity would be NaN (Williams et
 // al. 2005). NaN never counts as a crossing.
-#if defined(HERR_SHAPE_CROSSINGS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_SHAPE_CROSSINGS_INL
-#undef HERR_SHAPE_CROSSINGS_INL
-#else
-#define HERR_SHAPE_CROSSINGS_INL
-#endif
+#pragma once
 
 #include "renderer/embree/callback_rays-inl.h"
 
@@ -126,5 +121,3 @@ class BoxCrossing {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -2,12 +2,7 @@
 // blocks whose first samples disagree (refinement where samples differ: Mitchell 1987). There, samples run
 // from a coarse lattice of strata to the finer ones, and a stratum whose neighbours all agree is not asked:
 // only those along the edge of what hides the light are.
-#if defined(HERR_ADAPTIVE_LIGHT_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_ADAPTIVE_LIGHT_INL
-#undef HERR_ADAPTIVE_LIGHT_INL
-#else
-#define HERR_ADAPTIVE_LIGHT_INL
-#endif
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -67,7 +62,7 @@ HWY_INLINE void sum_seen(const std::array<Lane<std::uint8_t>, kMostOrderedSample
 
 // Foretells sample `s` of undecided hits where all the strata around it that are known agree: the edge of
 // what hides the light does not pass there. Takes three of them at least. Elsewhere undecided hits ask.
-HWY_INLINE void foretell(const TileJob& job, const LightRecord& light, int s, int count) {
+HWY_NOINLINE inline void foretell(const TileJob& job, const LightRecord& light, int s, int count) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
   const bool catchers = job.shading->plan->catchers_occlude;
   const KnownNeighbours known = known_neighbours(light, s);
@@ -95,7 +90,7 @@ HWY_INLINE MF swap_pairs(MF m) {
 }
 
 // Hits that may share their first samples: the same kind of surface, turned alike, in one plane, not glossy.
-HWY_INLINE void find_pairs(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
+HWY_NOINLINE inline void find_pairs(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
   for (int slot = 0; slot < count; slot += kLanes) {
     const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
     const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
@@ -125,8 +120,8 @@ HWY_INLINE MF borrows(const AdaptiveLight& adaptive, int s, int slot, MF lit) {
 }
 
 // Finds what hits see of one of the first samples: by a ray, or from the ray of the neighbour.
-HWY_INLINE void first_visibility(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                                 int count, RayKind kind) {
+HWY_NOINLINE inline void first_visibility(const TileJob& job, const LightRecord& light, int s,
+                                          const HitBatch& hits, int count, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
   scratch.queue.count = 0;
@@ -148,8 +143,8 @@ HWY_INLINE void first_visibility(const TileJob& job, const LightRecord& light, i
 }
 
 // Finds what hits see of a later sample: by a ray where a hit asks, else by what was decided or foretold.
-HWY_INLINE void later_visibility(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                                 int count, RayKind kind) {
+HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord& light, int s,
+                                          const HitBatch& hits, int count, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
   scratch.queue.count = 0;
@@ -167,8 +162,8 @@ HWY_INLINE void later_visibility(const TileJob& job, const LightRecord& light, i
 }
 
 // Writes down what each hit saw of sample `s`.
-HWY_INLINE void note_seen(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                          int count) {
+HWY_NOINLINE inline void note_seen(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
+                                   int count) {
   TileScratch& scratch = *job.scratch;
   std::uint8_t* saw = scratch.adaptive->saw[static_cast<std::size_t>(s)].data();
   std::uint8_t* saw_without = scratch.adaptive->saw_without[static_cast<std::size_t>(s)].data();
@@ -195,7 +190,7 @@ HWY_INLINE void count_seen(const TileJob& job, const LightRecord& light, int s, 
 // Decides for each hit, from the first samples, whether it sees all of the light, nothing of it, or must ask
 // on: where samples within its 4x4 block disagree. Blocks are the same on every instruction set, and so is
 // the decision.
-HWY_INLINE void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
+HWY_NOINLINE inline void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
   enum : std::uint8_t { kDark = 1, kBright = 2, kMixed = kDark | kBright };
   std::array<std::uint8_t, kBlocksInTile> with{}, without{};
   const auto state = [](float seen, float faced) -> std::uint8_t {
@@ -217,8 +212,8 @@ HWY_INLINE void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive)
 
 // One light at hits [0, count) of a batch. `first` samples are traced for every hit.
 template <Lobe kLobe>
-HWY_INLINE void adaptive_light(const TileJob& job, const LightRecord& light, int first, HitBatch& hits,
-                               int count, RayKind kind) {
+HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, int first, HitBatch& hits,
+                                 int count, RayKind kind) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
   for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
   find_pairs(hits, count, adaptive);
@@ -241,5 +236,3 @@ HWY_INLINE void adaptive_light(const TileJob& job, const LightRecord& light, int
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

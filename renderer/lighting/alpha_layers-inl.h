@@ -1,12 +1,7 @@
 // Blended surfaces, front to back: each layer of nearest hits is lit whole and covers what lies behind by its
 // alpha; rays that are not yet covered go on from there. After kMostLayers the next surface counts as opaque.
 // Where less than 1/512 would still be seen, nothing more is traced.
-#if defined(HERR_ALPHA_LAYERS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_ALPHA_LAYERS_INL
-#undef HERR_ALPHA_LAYERS_INL
-#else
-#define HERR_ALPHA_LAYERS_INL
-#endif
+#pragma once
 
 #include "renderer/lighting/resolve-inl.h"
 
@@ -14,7 +9,7 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE void begin_layers(const TileJob& job, int packets) {
+HWY_NOINLINE inline void begin_layers(const TileJob& job, int packets) {
   AlphaLayers& layers = *job.scratch->layers;
   const int count = packets * kLanes;
   for (Lane<float>* lane : {&layers.light_r, &layers.light_g, &layers.light_b, &layers.ratio_r,
@@ -47,7 +42,7 @@ HWY_INLINE void go_on(const TileJob& job, int packet, MF lanes) {
 }
 
 // Adds the layer that was just lit and aims the rays of the next; false where there is none.
-HWY_INLINE bool add_layer(const TileJob& job, int packets, bool last) {
+HWY_NOINLINE inline bool add_layer(const TileJob& job, int packets, bool last) {
   AlphaLayers& layers = *job.scratch->layers;
   const HitBatch& hits = job.scratch->first;
   bool more = false;
@@ -81,7 +76,7 @@ HWY_INLINE bool add_layer(const TileJob& job, int packets, bool last) {
   return more;
 }
 
-HWY_INLINE void resolve_layers(const TileJob& job, int packets) {
+HWY_NOINLINE inline void resolve_layers(const TileJob& job, int packets) {
   const AlphaLayers& layers = *job.scratch->layers;
   for (int packet = 0; packet < packets; ++packet) {
     const int slot = packet * kLanes;
@@ -94,5 +89,3 @@ HWY_INLINE void resolve_layers(const TileJob& job, int packets) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

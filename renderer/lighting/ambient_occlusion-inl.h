@@ -2,12 +2,7 @@
 // nothing within the radius multiplies indirect light. All hits of a 4x4 block of samples turn the same local
 // directions into their own frames: rays of a packet then stay together, which makes them twice as fast as
 // directions of their own, at the price of noise that is the same over the block.
-#if defined(HERR_AMBIENT_OCCLUSION_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_AMBIENT_OCCLUSION_INL
-#undef HERR_AMBIENT_OCCLUSION_INL
-#else
-#define HERR_AMBIENT_OCCLUSION_INL
-#endif
+#pragma once
 
 #include <cmath>
 
@@ -71,7 +66,7 @@ HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
 }
 
 // Fills HitBatch::open and open_without of the first hits.
-HWY_INLINE void ambient_occlusion(const TileJob& job, int packets) {
+HWY_NOINLINE inline void ambient_occlusion(const TileJob& job, int packets) {
   TileScratch& scratch = *job.scratch;
   HitBatch& hits = scratch.first;
   const int rays = job.shading->occlusion_rays;
@@ -92,5 +87,3 @@ HWY_INLINE void ambient_occlusion(const TileJob& job, int packets) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Stage: light rays. Direct light of every light at the hits of a batch: N stratified samples per light,
 // E = (I / N) sum V cos(theta) / max(d^2, r^2), diffuse and specular.
-#if defined(HERR_DIRECT_LIGHT_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_DIRECT_LIGHT_INL
-#undef HERR_DIRECT_LIGHT_INL
-#else
-#define HERR_DIRECT_LIGHT_INL
-#endif
+#pragma once
 
 #include "renderer/lighting/adaptive_light-inl.h"
 
@@ -15,7 +10,7 @@ namespace HWY_NAMESPACE {
 
 // Direct light of every light at hits [0, count) of a batch.
 template <Lobe kLobe>
-void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
+HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
   for (Lane<float>* lane : {&hits.lr, &hits.lg, &hits.lb}) clear(*lane, count);
   if (job.shading->plan->catchers) {
     for (Lane<float>* lane : {&hits.wr, &hits.wg, &hits.wb}) clear(*lane, count);
@@ -39,5 +34,3 @@ void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Radiance that comes from outside the scene: one colour, or an equirectangular picture with bilinear
 // filtering.
-#if defined(HERR_ENVIRONMENT_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_ENVIRONMENT_INL
-#undef HERR_ENVIRONMENT_INL
-#else
-#define HERR_ENVIRONMENT_INL
-#endif
+#pragma once
 
 #include "renderer/simd/vector_angles-inl.h"
 #include "renderer/tiles/tile_job.h"
@@ -56,5 +51,3 @@ HWY_INLINE V3 environment_radiance(const ShadingInputs& shading, const V3& direc
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

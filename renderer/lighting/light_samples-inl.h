@@ -1,10 +1,5 @@
 // One sample of a light at the hits of a batch: its shadow rays, and its light where they pass.
-#if defined(HERR_LIGHT_SAMPLES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_LIGHT_SAMPLES_INL
-#undef HERR_LIGHT_SAMPLES_INL
-#else
-#define HERR_LIGHT_SAMPLES_INL
-#endif
+#pragma once
 
 #include <cstring>
 
@@ -80,8 +75,8 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
 }
 
 // Queues one shadow ray for each hit that faces sample `s`, and assumes it visible.
-HWY_INLINE void queue_shadow_rays(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                                  int count) {
+HWY_NOINLINE inline void queue_shadow_rays(const TileJob& job, const LightRecord& light, int s,
+                                           const HitBatch& hits, int count) {
   TileScratch& scratch = *job.scratch;
   scratch.queue.count = 0;
   for (int slot = 0; slot < count; slot += kLanes) {
@@ -92,7 +87,7 @@ HWY_INLINE void queue_shadow_rays(const TileJob& job, const LightRecord& light, 
   }
 }
 
-HWY_INLINE void find_visibility(const TileJob& job, const HitBatch& hits, RayKind kind) {
+HWY_NOINLINE inline void find_visibility(const TileJob& job, const HitBatch& hits, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   trace_visibility(
       job, hits, kind, RayKind::catcher_shadow,
@@ -103,5 +98,3 @@ HWY_INLINE void find_visibility(const TileJob& job, const HitBatch& hits, RayKin
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Lit surfaces -> the radiance that they send back along their rays. After: direct_light and what lights
 // indirectly; before: resolve (first hits), second_rays (second hits).
-#if defined(HERR_OUTGOING_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_OUTGOING_INL
-#undef HERR_OUTGOING_INL
-#else
-#define HERR_OUTGOING_INL
-#endif
+#pragma once
 
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/tiles/tile_job.h"
@@ -45,5 +40,3 @@ HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shad
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,12 +1,7 @@
 // Stage: indirect light. The eight probes around a hit, weighed by distance (trilinear), by side (none from
 // behind the surface) and by sight (Chebyshev's inequality on the probe's distance map, after Majercik et al.
 // 2019), give the mean radiance that the surface receives from everything but the lights themselves.
-#if defined(HERR_PROBE_LOOKUP_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_PROBE_LOOKUP_INL
-#undef HERR_PROBE_LOOKUP_INL
-#else
-#define HERR_PROBE_LOOKUP_INL
-#endif
+#pragma once
 
 #include <bit>
 
@@ -310,7 +305,7 @@ HWY_INLINE void ask_probes(const ProbeView* const (&views)[kSets], const LookupP
 }
 
 // Indirect light of hits [0, count); of catchers also what they receive without the virtual objects.
-HWY_INLINE void indirect_light(const TileJob& job, HitBatch& hits, int count) {
+HWY_NOINLINE inline void indirect_light(const TileJob& job, HitBatch& hits, int count) {
   const ShadingInputs& shading = *job.shading;
   const auto store = [&](const V3& light, Lane<float>& r, Lane<float>& g, Lane<float>& b, int slot) HWY_ATTR {
     hn::Store(light.x, kF, &r[slot]);
@@ -341,5 +336,3 @@ HWY_INLINE void indirect_light(const TileJob& job, HitBatch& hits, int count) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

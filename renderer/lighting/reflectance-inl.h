@@ -1,11 +1,6 @@
 // The surface's response to light from one direction: Lambert plus GGX (Walter et al. 2007; visibility term
 // by Hammon 2017, Fresnel by Schlick).
-#if defined(HERR_REFLECTANCE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_REFLECTANCE_INL
-#undef HERR_REFLECTANCE_INL
-#else
-#define HERR_REFLECTANCE_INL
-#endif
+#pragma once
 
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/tiles/tile_job.h"
@@ -59,5 +54,3 @@ HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3&
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

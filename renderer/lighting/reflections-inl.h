@@ -1,11 +1,6 @@
 // Stage: second rays by reflection. One mirror bounce for hits whose material asks for it, objects and
 // catchers.
-#if defined(HERR_REFLECTIONS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_REFLECTIONS_INL
-#undef HERR_REFLECTIONS_INL
-#else
-#define HERR_REFLECTIONS_INL
-#endif
+#pragma once
 
 #include "renderer/lighting/second_rays-inl.h"
 
@@ -35,7 +30,7 @@ HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine, bool weig
   return {channel(hits.fr), channel(hits.fg), channel(hits.fb)};
 }
 
-HWY_INLINE void queue_mirror_rays(const TileJob& job, int count) {
+HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   const HitBatch& hits = scratch.first;
   RayQueue& queue = scratch.queue;
@@ -62,7 +57,7 @@ HWY_INLINE void queue_mirror_rays(const TileJob& job, int count) {
 
 // The whole stage for first hits [0, count).
 template <SurfaceDetail kDetail, Lobe kLobe>
-HWY_INLINE void reflect_light(const TileJob& job, int count) {
+HWY_NOINLINE void reflect_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   if (job.shading->plan->catcher_mirrors) {
     for (Lane<float>* lane : {&scratch.first.sr, &scratch.first.sg, &scratch.first.sb}) clear(*lane, count);
@@ -82,5 +77,3 @@ HWY_INLINE void reflect_light(const TileJob& job, int count) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -2,12 +2,7 @@
 // interface by Snell's law, mirrored where it is reflected totally, until it meets something opaque or leaves
 // the scene; that is lit like a first hit. At each interface the share 1 - F (Schlick) times the base colour
 // goes on.
-#if defined(HERR_REFRACTIONS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_REFRACTIONS_INL
-#undef HERR_REFRACTIONS_INL
-#else
-#define HERR_REFRACTIONS_INL
-#endif
+#pragma once
 
 #include <utility>
 
@@ -52,8 +47,8 @@ HWY_INLINE Refraction refract(const V3& v, const V3& n, const V3& g, VF eta, VF 
 // at later ones. Behind the first, a hit that lets its light through shows nothing of its own and becomes
 // none.
 template <typename Senders>
-HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count, bool first_interface,
-                                  const Senders& senders) {
+HWY_NOINLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count, bool first_interface,
+                                    const Senders& senders) {
   SecondRays& second = *job.scratch->second;
   RayQueue& onward = second.onward;
   onward.count = 0;
@@ -96,7 +91,7 @@ HWY_INLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count,
 
 // The whole stage for first hits [0, count).
 template <SurfaceDetail kDetail, Lobe kLobe>
-HWY_INLINE void refract_light(const TileJob& job, int count) {
+HWY_NOINLINE void refract_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   SecondRays& second = *scratch.second;
   const VI lane = hn::Iota(kI, 0);
@@ -123,5 +118,3 @@ HWY_INLINE void refract_light(const TileJob& job, int count) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

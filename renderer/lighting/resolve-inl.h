@@ -1,12 +1,7 @@
 // Stage: shaded samples -> texels {s, r}: s = virtual light, r = share of the camera feed that is kept.
 // Objects: r = 0. Misses: r = 1, s = 0. Catchers: r = E_with / E_without (differential rendering), s = what
 // they mirror of the virtual objects.
-#if defined(HERR_RESOLVE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_RESOLVE_INL
-#undef HERR_RESOLVE_INL
-#else
-#define HERR_RESOLVE_INL
-#endif
+#pragma once
 
 #include <cstring>
 
@@ -186,7 +181,7 @@ HWY_INLINE void store_texels(const TileJob& job, int packet, VI kind, Texel texe
   if (sink.ratios) store_plane(job, sink.ratios, texel.ratio, hn::Zero(kF), packet, kind);
 }
 
-HWY_INLINE void resolve(const TileJob& job, int packets) {
+HWY_NOINLINE inline void resolve(const TileJob& job, int packets) {
   for (int packet = 0; packet < packets; ++packet) {
     const VI kind = hn::Load(kI, &job.scratch->first.kind[packet * kLanes]);
     store_texels(job, packet, kind, surface_texel(job, packet, kind));
@@ -196,5 +191,3 @@ HWY_INLINE void resolve(const TileJob& job, int packets) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // What reflections and refractions share: tracing a queue of second rays, lighting what they hit, and adding
 // its light to the hits that sent them. Rays are compacted into dense packets.
-#if defined(HERR_SECOND_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_SECOND_RAYS_INL
-#undef HERR_SECOND_RAYS_INL
-#else
-#define HERR_SECOND_RAYS_INL
-#endif
+#pragma once
 
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/environment-inl.h"
@@ -42,7 +37,7 @@ HWY_INLINE void remember_senders(TileScratch& scratch) {
 // Traces the queued rays and stores their surfaces in the second batch, slot i for ray i. `salt` tells the
 // random numbers of this pass from those of others.
 template <SurfaceDetail kDetail>
-HWY_INLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt) {
+HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt) {
   TileScratch& scratch = *job.scratch;
   SecondRays& second = *scratch.second;
   const RayQueue& queue = scratch.queue;
@@ -92,7 +87,7 @@ HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
 // Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to all, what
 // is not virtual to objects only, since a catcher's feed shows the real room already. Rays of kind none bring
 // nothing.
-HWY_INLINE void gather_second_light(const TileJob& job, int rays) {
+HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays) {
   HitBatch& first = job.scratch->first;
   const SecondRays& sent = *job.scratch->second;
   const HitBatch& second = sent.hits;
@@ -129,5 +124,3 @@ HWY_INLINE void gather_second_light(const TileJob& job, int rays) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Shadow rays: from hits of a batch to points of a light, compacted into dense packets, traced for occlusion.
 // Hits that face away are culled first; rays of neighbouring hits to the same stratum share packets.
-#if defined(HERR_SHADOW_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_SHADOW_RAYS_INL
-#undef HERR_SHADOW_RAYS_INL
-#else
-#define HERR_SHADOW_RAYS_INL
-#endif
+#pragma once
 
 #include "renderer/tiles/ray_packets-inl.h"
 
@@ -182,5 +177,3 @@ HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKi
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

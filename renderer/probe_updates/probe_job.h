@@ -20,10 +20,11 @@ struct ProbeJob {
   ProbeLanes* radiance = nullptr;  // of this worker: three channels a ray
 };
 
+using ProbeKernel = void (*)(const ProbeJob&);
 struct ProbeKernels {
-  void (*trace)(const ProbeJob&);    // rays of the job's probes -> radiance; changes nothing else
-  void (*blend)(const ProbeJob&);    // radiance -> gathered light, statistics, darkness
-  void (*publish)(const ProbeJob&);  // gathered light -> what look-ups read
+  ProbeKernel trace;    // rays of the job's probes -> radiance; changes nothing else
+  ProbeKernel blend;    // radiance -> gathered light, statistics, darkness
+  ProbeKernel publish;  // gathered light -> what look-ups read
 };
 ProbeKernels probe_kernels_for(Isa isa);
 

@@ -2,12 +2,7 @@
 // Lanes are probes: all share the frame's ray directions, and so the weights of rays in each node.
 // x <- h x + (1 - h) new^(1/gamma) with gamma = 5, so that darkening is not slower to the eye than
 // brightening (Majercik et al. 2019).
-#if defined(HERR_PROBE_UPDATE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_PROBE_UPDATE_INL
-#undef HERR_PROBE_UPDATE_INL
-#else
-#define HERR_PROBE_UPDATE_INL
-#endif
+#pragma once
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -165,7 +160,7 @@ HWY_INLINE void note_statistics(const ProbeJob& job, const ProbeGroup& group, co
   }
 }
 
-HWY_INLINE void blend_probes(const ProbeJob& job) {
+void blend_probes(const ProbeJob& job) {
   const ProbeSet& set_of = job.volume->sets[static_cast<std::size_t>(job.set)];
   const int probes = static_cast<int>(job.volume->job_probes(job.job).size());
   ProbeJobResult& result = job.volume->results[static_cast<std::size_t>(job.job) * job.volume->sets.size() +
@@ -191,7 +186,7 @@ HWY_INLINE VU light_bits(VF x) {
   return hn::ShiftRight<10>(hn::Add(hn::BitCast(kU, x), hn::Set(kU, 0x200u)));
 }
 
-HWY_INLINE void publish_probes(const ProbeJob& job) {
+void publish_probes(const ProbeJob& job) {
   ProbeVolume& volume = *job.volume;
   ProbeSet& set_of = volume.sets[static_cast<std::size_t>(job.set)];
   const int nodes = static_cast<int>(volume.node_directions.size());
@@ -223,5 +218,3 @@ HWY_INLINE void publish_probes(const ProbeJob& job) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,12 +1,7 @@
 // Vector types and small helpers shared by the tile stages; compiled once per instruction set.
 // Multiply-add is written out as MulAdd, never left to the compiler, so every specialisation gives the same
 // bits.
-#if defined(HERR_SIMD_TYPES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_SIMD_TYPES_INL
-#undef HERR_SIMD_TYPES_INL
-#else
-#define HERR_SIMD_TYPES_INL
-#endif
+#pragma once
 
 #include <hwy/highway.h>
 
@@ -125,5 +120,3 @@ HWY_INLINE VF unit_float(VU bits) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,10 +1,5 @@
 // Angles of vectors, vectorised.
-#if defined(HERR_VECTOR_ANGLES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_VECTOR_ANGLES_INL
-#undef HERR_VECTOR_ANGLES_INL
-#else
-#define HERR_VECTOR_ANGLES_INL
-#endif
+#pragma once
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -28,5 +23,3 @@ HWY_INLINE VF atan2(VF y, VF x) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,12 +1,7 @@
 // A material where rays hit it: factors times the two textures that most materials have at most.
 // Before: surfaces knows triangle and place. After: surface_details adds the rest; surfaces stores the
 // outcome.
-#if defined(HERR_MATERIAL_AT_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_MATERIAL_AT_INL
-#undef HERR_MATERIAL_AT_INL
-#else
-#define HERR_MATERIAL_AT_INL
-#endif
+#pragma once
 
 #include "renderer/surfaces/texture-inl.h"
 
@@ -100,5 +95,3 @@ HWY_INLINE void apply_base_textures(const InstanceRecord& instance, VI record, c
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

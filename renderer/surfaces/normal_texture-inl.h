@@ -1,12 +1,7 @@
 // Normal textures: shading normals bent by directions in tangent space. All of it happens in object space, so
 // that matrices which mirror or stretch treat what the texture shows as they treat the mesh itself.
 // Source: glTF 2.0 sections 3.7.2.1 and 3.9.3.
-#if defined(HERR_NORMAL_TEXTURE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_NORMAL_TEXTURE_INL
-#undef HERR_NORMAL_TEXTURE_INL
-#else
-#define HERR_NORMAL_TEXTURE_INL
-#endif
+#pragma once
 
 #include "renderer/surfaces/normals-inl.h"
 #include "renderer/surfaces/surface_details-inl.h"
@@ -58,5 +53,3 @@ HWY_INLINE void bend_normals(const InstanceRecord& instance, VI record, const Ba
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Normals of hits, turned to the viewer's side: those of triangles and those that shapes and voxels bring.
 // Before: Embree. After: surfaces; normal_texture bends them where a material says so.
-#if defined(HERR_NORMALS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_NORMALS_INL
-#undef HERR_NORMALS_INL
-#else
-#define HERR_NORMALS_INL
-#endif
+#pragma once
 
 #include "renderer/embree/ray_packet-inl.h"
 #include "renderer/surfaces/material_at-inl.h"
@@ -94,5 +89,3 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Vertex colours, further textures and coordinates, strength of highlights, unlit surfaces: what few
 // materials have. Compiled into the kernels of scenes that need it only.
-#if defined(HERR_SURFACE_DETAILS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_SURFACE_DETAILS_INL
-#undef HERR_SURFACE_DETAILS_INL
-#else
-#define HERR_SURFACE_DETAILS_INL
-#endif
+#pragma once
 
 #include "renderer/surfaces/material_at-inl.h"
 
@@ -83,5 +78,3 @@ HWY_INLINE void apply_details(const DetailRecord& detail, VI record, const Baryc
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

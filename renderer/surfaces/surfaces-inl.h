@@ -1,12 +1,7 @@
 // Stage: Embree hits -> position, normals and material of each ray of a batch.
 // Rays of a packet mostly hit one instance, so the packet is taken instance by instance: matrices, material
 // and textures are then broadcast, and only the triangle's record is gathered.
-#if defined(HERR_SURFACES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_SURFACES_INL
-#undef HERR_SURFACES_INL
-#else
-#define HERR_SURFACES_INL
-#endif
+#pragma once
 
 #include "renderer/surfaces/normal_texture-inl.h"
 #include "renderer/tiles/generate_rays-inl.h"
@@ -74,8 +69,8 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
 // Where textures are read, rays have a width: HitBatch::cone_width and cone_spread are theirs at the origin
 // before, and the width is the hit's afterwards.
 template <SurfaceDetail kDetail>
-HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
-                                  bool see_catchers, HitBatch& out, int slot) {
+HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
+                                    bool see_catchers, HitBatch& out, int slot) {
   const VU geometry = hn::Load(kU, packet.hit.geomID);
   const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
   const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
@@ -140,5 +135,3 @@ HWY_INLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -2,12 +2,7 @@
 // else trilinear between the two levels that the ray's width asks for (a level alone would show its border).
 // The sRGB curve is a cubic that stays within 0.0022 of IEC 61966-2-1 (tests/renderer measures it); 0 and 1
 // are exact.
-#if defined(HERR_TEXTURE_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_TEXTURE_INL
-#undef HERR_TEXTURE_INL
-#else
-#define HERR_TEXTURE_INL
-#endif
+#pragma once
 
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/simd/simd_types-inl.h"
@@ -100,7 +95,7 @@ HWY_INLINE VF rough_log2(VF x) {
 
 // (u, v) finite in every lane. `width2`: squared width of the ray in texture coordinates, of area 1. `lanes`:
 // those that count.
-HWY_INLINE Rgba fetch_texture(const TextureRecord& texture, VF u, VF v, VF width2, MF lanes) {
+HWY_NOINLINE inline Rgba fetch_texture(const TextureRecord& texture, VF u, VF v, VF width2, MF lanes) {
   const VF zero = hn::Zero(kF);
   const VF texels2 =
       hn::Mul(width2, set(static_cast<float>(texture.width) * static_cast<float>(texture.height)));
@@ -131,5 +126,3 @@ HWY_INLINE Rgba fetch_texture(const TextureRecord& texture, VF u, VF v, VF width
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Stage: sample positions of a tile -> primary ray packets of 4 columns by kLanes / 4 rows.
 // Polar samples that no viewport can see (outside every frustum by more than a sample's reach) are left out.
-#if defined(HERR_GENERATE_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_GENERATE_RAYS_INL
-#undef HERR_GENERATE_RAYS_INL
-#else
-#define HERR_GENERATE_RAYS_INL
-#endif
+#pragma once
 
 #include "renderer/tiles/ray_packets-inl.h"
 
@@ -52,7 +47,7 @@ HWY_INLINE V3 planar_directions(const RayGrid& grid, VF column, VF row) {
 }
 
 // Fills scratch packets; returns how many.
-HWY_INLINE int generate_rays(const TileJob& job) {
+HWY_NOINLINE inline int generate_rays(const TileJob& job) {
   const RayGrid& grid = *job.grid;
   TileScratch& scratch = *job.scratch;
   RayHit* packets = packets_of(scratch);
@@ -101,5 +96,3 @@ HWY_INLINE int generate_rays(const TileJob& job) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

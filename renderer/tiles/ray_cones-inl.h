@@ -1,12 +1,7 @@
 // How wide a ray from the eye is: a cone of the solid angle that its sample stands for, so that textures are
 // read at the level that the samples can show. Before: generate_rays. After: surfaces, along each ray.
 // Source: Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing" (2019).
-#if defined(HERR_RAY_CONES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_RAY_CONES_INL
-#undef HERR_RAY_CONES_INL
-#else
-#define HERR_RAY_CONES_INL
-#endif
+#pragma once
 
 #include "renderer/tiles/generate_rays-inl.h"
 
@@ -24,7 +19,7 @@ HWY_INLINE VF spread_of(const RayGrid& grid, int x, const V3& direction) {
   return hn::Mul(set(grid.finest_pixel_rad), hn::Mul(cosine, hn::Sqrt(cosine)));
 }
 
-HWY_INLINE void aim_cones(const TileJob& job, int packets) {
+HWY_NOINLINE inline void aim_cones(const TileJob& job, int packets) {
   TileScratch& scratch = *job.scratch;
   const RayHit* rays = packets_of(scratch);
   for (int p = 0; p < packets; ++p) {
@@ -38,5 +33,3 @@ HWY_INLINE void aim_cones(const TileJob& job, int packets) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,11 +1,6 @@
 // Rays -> Embree packets, the same way for every kind of ray, and their copies for bench's recorder.
 // A lane that is not valid may hold anything: Embree never looks at it.
-#if defined(HERR_RAY_PACKETS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_RAY_PACKETS_INL
-#undef HERR_RAY_PACKETS_INL
-#else
-#define HERR_RAY_PACKETS_INL
-#endif
+#pragma once
 
 #include <limits>
 
@@ -59,21 +54,22 @@ HWY_INLINE void set_valid(int* valid, MF lanes) {
   hn::Store(hn::VecFromMask(kI, hn::RebindMask(kI, lanes)), kI, valid);
 }
 
-// Copies a packet's rays to the recorder, if there is one; `gaps` keeps idle lanes as gaps.
-HWY_INLINE void record(const TileJob& job, RayKind kind, const Ray& packet, const int* valid, bool gaps) {
-  if (!job.recorder) return;
+HWY_NOINLINE inline void record_in(RayRecorder& recorder, RayKind kind, const Ray& packet, const int* valid,
+                                   bool gaps) {
   for (int i = 0; i < kLanes; ++i) {
     if (valid[i] != 0) {
-      job.recorder->add(kind, packet.org_x[i], packet.org_y[i], packet.org_z[i], packet.dir_x[i],
-                        packet.dir_y[i], packet.dir_z[i], packet.id[i]);
+      recorder.add(kind, packet.org_x[i], packet.org_y[i], packet.org_z[i], packet.dir_x[i], packet.dir_y[i],
+                   packet.dir_z[i], packet.id[i]);
     } else if (gaps) {
-      job.recorder->add_gap(kind);
+      recorder.add_gap(kind);
     }
   }
+}
+// Copies a packet's rays to the recorder, if there is one; `gaps` keeps idle lanes as gaps.
+HWY_INLINE void record(const TileJob& job, RayKind kind, const Ray& packet, const int* valid, bool gaps) {
+  if (job.recorder) record_in(*job.recorder, kind, packet, valid, gaps);
 }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

@@ -1,12 +1,7 @@
 // Fetch, blend and store of a block row of 16 pixels: four texels of the radiance buffer, four of the camera
 // feed, out = feed * r + s. Texels are 4 halfs, so two neighbours are one 128-bit load and one widening
 // conversion.
-#if defined(HERR_BLEND_PIXELS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_BLEND_PIXELS_INL
-#undef HERR_BLEND_PIXELS_INL
-#else
-#define HERR_BLEND_PIXELS_INL
-#endif
+#pragma once
 
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/viewports/viewport_job.h"
@@ -111,5 +106,3 @@ HWY_INLINE void blend_block(const BlendSources& from, const BlockCoordinates& po
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

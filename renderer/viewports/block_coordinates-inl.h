@@ -1,11 +1,6 @@
 // Where the 16 pixels of a block row fetch from: coordinates -> texel offsets and weights, and the exact
 // coordinates of pixels that no cell can interpolate.
-#if defined(HERR_BLOCK_COORDINATES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_BLOCK_COORDINATES_INL
-#undef HERR_BLOCK_COORDINATES_INL
-#else
-#define HERR_BLOCK_COORDINATES_INL
-#endif
+#pragma once
 
 #include "renderer/viewports/blend_pixels-inl.h"
 #include "renderer/viewports/polar_coordinates-inl.h"
@@ -98,5 +93,3 @@ HWY_INLINE BlendSources sources_of(const ViewportJob& job) {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

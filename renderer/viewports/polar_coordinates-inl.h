@@ -1,11 +1,6 @@
 // Viewport pixels -> polar buffer coordinates, exact and vectorised: theta by atan2(|cross|, dot), u by
 // log1p.
-#if defined(HERR_POLAR_COORDINATES_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_POLAR_COORDINATES_INL
-#undef HERR_POLAR_COORDINATES_INL
-#else
-#define HERR_POLAR_COORDINATES_INL
-#endif
+#pragma once
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -40,5 +35,3 @@ HWY_INLINE PolarCoordinates polar_coordinates(const ViewportJob& job, VF x, VF y
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

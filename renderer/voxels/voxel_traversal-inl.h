@@ -3,12 +3,7 @@
 // cube's whole coordinates, so that errors do not add up on the way. Method: Amanatides & Woo, "A Fast Voxel
 // Traversal Algorithm" (1987), over Laine & Karras' cubes of any level ("Efficient Sparse Voxel Octrees",
 // 2010).
-#if defined(HERR_VOXEL_TRAVERSAL_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HERR_VOXEL_TRAVERSAL_INL
-#undef HERR_VOXEL_TRAVERSAL_INL
-#else
-#define HERR_VOXEL_TRAVERSAL_INL
-#endif
+#pragma once
 
 #include "renderer/embree/footprint-inl.h"
 #include "renderer/voxels/voxel_view.h"
@@ -319,5 +314,3 @@ class VoxelMarch {
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();
-
-#endif

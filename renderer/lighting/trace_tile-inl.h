@@ -1,0 +1,103 @@
+// A tile's way through its stages: rays -> first hits -> surfaces -> light rays -> second rays -> texels.
+// The stages are the other -inl headers. Compiled once for each instruction set
+// (simd/kernel_instance.cpp.in).
+#pragma once
+
+#include "renderer/lighting/alpha_layers-inl.h"
+#include "renderer/lighting/ambient_occlusion-inl.h"
+#include "renderer/tiles/ray_cones-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// The nearest surfaces that the packets' rays meet, lit.
+template <SurfaceDetail kDetail, Lobe kLobe>
+HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind) {
+  TileScratch& scratch = *job.scratch;
+  StageCycles& cycles = *job.cycles;
+  const FramePlan& plan = *job.shading->plan;
+  RayHit* packets = packets_of(scratch);
+  const auto traced_lanes = [&](int p) HWY_ATTR {
+    return hn::RebindMask(
+        kF, hn::Ne(hn::Load(kI, scratch.packet_valid[static_cast<std::size_t>(p)].data()), hn::Zero(kI)));
+  };
+  const bool sparse = kind == RayKind::behind;  // few packets have anything behind what blends
+  for (int p = 0; p < packet_count; ++p) {
+    if (sparse && hn::AllFalse(kF, traced_lanes(p))) continue;
+    const int* valid = scratch.packet_valid[static_cast<std::size_t>(p)].data();
+    const bool filters = plan.front_only || plan.alpha_mask || plan.alpha_blend;
+    if (filters) hn::Store(hn::Set(kU, kFrontOnly), kU, packets[p].ray.flags);
+    if constexpr (kDetail != SurfaceDetail::plain) {
+      if (filters || plan.voxels) widen(packets[p].ray, scratch.first, p * kLanes);
+    }
+    record(job, kind, packets[p].ray, valid, true);
+    intersect_packet<kLanes>(valid, job.shading->scene, true, &packets[p]);
+  }
+  cycles.lap(Stage::first_hits);
+
+  for (int p = 0; p < packet_count; ++p) {
+    const MF traced = traced_lanes(p);
+    if (sparse && hn::AllFalse(kF, traced)) continue;
+    const VI wanted = hn::Load(kI, &scratch.first.kind[p * kLanes]);
+    surface_of_packet<kDetail>(packets[p], traced, *job.shading, false, scratch.first, p * kLanes);
+    const VI kind_of_hit = hn::Load(kI, &scratch.first.kind[p * kLanes]);
+    hn::Store(hn::IfThenElse(hn::RebindMask(kI, traced), kind_of_hit, wanted), kI,
+              &scratch.first.kind[p * kLanes]);
+  }
+  cycles.lap(Stage::surfaces);
+
+  const int count = packet_count * kLanes;
+  direct_light<kLobe>(job, scratch.first, count, RayKind::shadow);
+  cycles.lap(Stage::light_rays);
+  if (plan.occlusion) {
+    ambient_occlusion(job, packet_count);
+    cycles.lap(Stage::occlusion);
+  }
+  if (plan.probes) {
+    indirect_light(job, scratch.first, count);
+    cycles.lap(Stage::indirect_light);
+  }
+  if (plan.mirror_rays) reflect_light<kDetail, kLobe>(job, count);
+  if (plan.refraction) refract_light<kDetail, kLobe>(job, count);
+}
+
+template <SurfaceDetail kDetail, Lobe kLobe>
+HWY_NOINLINE void trace_tile_with(const TileJob& job) {
+  StageCycles& cycles = *job.cycles;
+  const FramePlan& plan = *job.shading->plan;
+
+  cycles.start();
+  const int packet_count = generate_rays(job);
+  cycles.lap(Stage::polar_rays);
+  if (packet_count == 0) return;
+
+  if constexpr (kDetail != SurfaceDetail::plain) aim_cones(job, packet_count);
+  if (!plan.alpha_blend) {
+    trace_layer<kDetail, kLobe>(job, packet_count, RayKind::primary);
+    resolve(job, packet_count);
+    cycles.lap(Stage::resolve);
+    return;
+  }
+  begin_layers(job, packet_count);
+  for (int layer = 1; layer <= kMostLayers; ++layer) {
+    trace_layer<kDetail, kLobe>(job, packet_count, layer == 1 ? RayKind::primary : RayKind::behind);
+    const bool more = add_layer(job, packet_count, layer == kMostLayers);
+    cycles.lap(Stage::resolve);
+    if (!more) break;
+  }
+  resolve_layers(job, packet_count);
+  cycles.lap(Stage::resolve);
+}
+
+void trace_tile(const TileJob& job) {
+  const FramePlan& plan = *job.shading->plan;
+  if (plan.surface_details) return trace_tile_with<SurfaceDetail::all, Lobe::weighted>(job);
+  if (plan.textures || plan.voxels) return trace_tile_with<SurfaceDetail::textures, Lobe::usual>(job);
+  return plan.specular ? trace_tile_with<SurfaceDetail::plain, Lobe::usual>(job)
+                       : trace_tile_with<SurfaceDetail::plain, Lobe::none>(job);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
