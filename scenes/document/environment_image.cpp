@@ -17,7 +17,7 @@ namespace herr {
 namespace {
 
 constexpr int kMaxWidth_px = 8192, kMaxHeight_px = 4096;
-constexpr float kBrightest = 65504.0f;  // what EXR's half holds, and far above any display
+constexpr float kBrightestTexel = 65504.0f;  // what EXR's half holds, and far above any display
 
 bool is_radiance_picture(const std::filesystem::path& path) {
   InputFile file(path);
@@ -34,9 +34,9 @@ void check_size(const std::filesystem::path& file, int width_px, int height_px) 
 }
 
 float usable(float value, std::int64_t& sanitised) {
-  if (value >= 0 && value <= kBrightest) return value;
+  if (value >= 0 && value <= kBrightestTexel) return value;
   ++sanitised;
-  return value > kBrightest ? kBrightest : 0.0f;
+  return value > kBrightestTexel ? kBrightestTexel : 0.0f;
 }
 
 EnvironmentImage read_radiance_picture(const std::filesystem::path& file, std::int64_t& sanitised) {

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "scenes/document/document_limits.h"
 #include "scenes/document/scene_document_parts.h"
 #include "sessions/files/input_error.h"
 
@@ -12,10 +13,7 @@ namespace {
 
 constexpr std::array kKinds{ChangeKind::spawn,     ChangeKind::remove,       ChangeKind::move,
                             ChangeKind::set_light, ChangeKind::set_material, ChangeKind::replace_mesh};
-constexpr double kFarthestPlace_m = 1e9;
-constexpr double kBrightest = 1e9;
 constexpr double kLargestLight_m = 1e6;
-constexpr double kLatest_s = 4e9;  // the latest stamp of a session
 
 ChangeKind parse_kind(const JsonObject& object) {
   const std::string op = object.text("op");

@@ -16,7 +16,7 @@
 namespace herr {
 namespace {
 
-constexpr double kFarthest_m = 1e4;         // of a place in a room
+constexpr double kFarthestInRoom_m = 1e4;   // of a place in a room
 constexpr double kSameTop_m = 0.05;         // between a box's top and the plane that was seen of it
 constexpr double kSmallestExtent_m = 1e-3;  // thinner parts have no area to catch light with
 constexpr double kUnitLength = 1e-3;        // tolerance of a quaternion's length
@@ -35,8 +35,9 @@ bool only_hangs(const std::string& label) {
 }
 
 glm::dvec3 components(const JsonObject& object) {
-  return {object.number("x", -kFarthest_m, kFarthest_m), object.number("y", -kFarthest_m, kFarthest_m),
-          object.number("z", -kFarthest_m, kFarthest_m)};
+  return {object.number("x", -kFarthestInRoom_m, kFarthestInRoom_m),
+          object.number("y", -kFarthestInRoom_m, kFarthestInRoom_m),
+          object.number("z", -kFarthestInRoom_m, kFarthestInRoom_m)};
 }
 
 glm::dmat4x3 parse_location(const JsonObject& part) {
@@ -55,11 +56,11 @@ void parse_extent(const JsonObject& bounds, const std::vector<int>& axes, ScanPa
   constexpr std::array kOffsets{"x", "y", "z"}, kExtents{"width", "height", "depth"};
   const JsonObject offset = bounds.object("offset"), extent = bounds.object("extent");
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const double size = extent.number(kExtents[i], 0, kFarthest_m);
+    const double size = extent.number(kExtents[i], 0, kFarthestInRoom_m);
     if (size < kSmallestExtent_m) {
       extent.fail(kExtents[i], "is less than a millimetre", "take the part out of the scan");
     }
-    part.lower[axes[i]] = offset.number(kOffsets[i], -kFarthest_m, kFarthest_m);
+    part.lower[axes[i]] = offset.number(kOffsets[i], -kFarthestInRoom_m, kFarthestInRoom_m);
     part.upper[axes[i]] = part.lower[axes[i]] + size;
   }
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scenes/detail/simplify_mesh.h"
+#include "scenes/document/document_limits.h"
 #include "scenes/document/environment_image.h"
 #include "scenes/document/parse_change.h"
 #include "scenes/document/room_scan.h"
@@ -20,8 +21,6 @@
 
 namespace herr {
 namespace {
-
-constexpr double kBrightestRadiance = 1e9;
 
 // A glTF file as it was appended to the scene, for entries that name it again.
 // Entries that play different animations do not share.
@@ -112,7 +111,7 @@ void read_environment(const JsonObject& entry, Scene& scene) {
   entry.allow_only({"file", "turn_deg", "scale"});
   const std::filesystem::path file = named_file(entry, "file");
   const auto turn_deg = static_cast<float>(entry.number_or("turn_deg", -360, 360, 0));
-  const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightestRadiance, 1));
+  const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightest, 1));
   std::int64_t sanitised = 0;
   scene.environment_map = read_environment_image(file, sanitised);
   scene.environment_map.turn_deg = turn_deg;
@@ -134,8 +133,8 @@ Scene read_scene_document(const std::filesystem::path& file) {
   Scene scene;
   scene.files.push_back(file);
   scene.name = root.text("name");
-  scene.ambient = glm::vec3(root.vec3_or("ambient", 0, kBrightestRadiance, glm::dvec3(0.0)));
-  scene.environment = glm::vec3(root.vec3_or("environment", 0, kBrightestRadiance, glm::dvec3(0.0)));
+  scene.ambient = glm::vec3(root.vec3_or("ambient", 0, kBrightest, glm::dvec3(0.0)));
+  scene.environment = glm::vec3(root.vec3_or("environment", 0, kBrightest, glm::dvec3(0.0)));
   if (root.has("environment_map")) {
     if (root.has("environment")) {
       root.fail("environment_map", "stands beside an environment of one colour", "write only one of them");

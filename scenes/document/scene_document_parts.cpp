@@ -8,6 +8,7 @@
 #include <string>
 
 #include "scenes/document/catcher_meshes.h"
+#include "scenes/document/document_limits.h"
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/model/transform_checks.h"
@@ -16,9 +17,7 @@
 namespace herr {
 namespace {
 
-constexpr double kFarthestPlace_m = 1e9;  // of anything that a document places
 constexpr double kLargestScale = 1e6;
-constexpr double kBrightest = 1e9;               // W/sr and radiance
 constexpr double kLargestRefractiveIndex = 100;  // glTF sets no limit; diamond has 2.4
 
 glm::dvec3 parse_scale(const JsonObject& entry) {
@@ -42,7 +41,7 @@ std::optional<float> optional_factor(const JsonObject& object, const char* key) 
   return static_cast<float>(object.number(key, 0, 1));
 }
 
-PlacedCatcher parse_box(const JsonObject& box) {
+PlacedCatcher parse_box_catcher(const JsonObject& box) {
   box.allow_only({"min", "max"});
   const glm::dvec3 lower = box.vec3("min", -kFarthestPlace_m, kFarthestPlace_m);
   const glm::dvec3 upper = box.vec3("max", -kFarthestPlace_m, kFarthestPlace_m);
@@ -209,7 +208,7 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   if (object.has("box") == object.has("quad")) {
     object.fail(nullptr, "needs a box or a quad, and only one of them", "write \"box\" or \"quad\"");
   }
-  PlacedCatcher catcher = object.has("box") ? parse_box(object.object("box")) : parse_quad(object);
+  PlacedCatcher catcher = object.has("box") ? parse_box_catcher(object.object("box")) : parse_quad(object);
 
   Material material = parse_catcher_material(object, object.text_or("name", object.where()));
   catcher.mesh.name = material.name;

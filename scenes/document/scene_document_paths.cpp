@@ -7,14 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "scenes/document/document_limits.h"
 #include "scenes/document/scene_document_parts.h"
 #include "scenes/model/placed_objects.h"
 #include "scenes/model/transform_checks.h"
 
 namespace herr {
 namespace {
-
-constexpr double kLatest_s = 4e9;  // as of a timeline
 
 // A scale that changes its sign is 0 in between, where nothing can be traced.
 void require_same_signs(const JsonObject& key, const glm::dvec3& before, const glm::dvec3& scale) {

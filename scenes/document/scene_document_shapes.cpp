@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "scenes/document/document_limits.h"
 #include "scenes/document/scene_document_parts.h"
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/model/transform_checks.h"
@@ -11,7 +12,6 @@
 namespace herr {
 namespace {
 
-constexpr double kFarthestPlace_m = 1e9;
 constexpr double kLargestReach_m = 1e6;  // radius, half extent
 
 void require_thickness(const JsonObject& object, const char* key, const glm::dvec3& half) {
@@ -41,7 +41,7 @@ glm::dmat4x3 parse_sphere(const JsonObject& sphere) {
   return placed(radii, parse_orientation(sphere, "rotation_xyzw"), centre);
 }
 
-glm::dmat4x3 parse_box(const JsonObject& box) {
+glm::dmat4x3 parse_box_shape(const JsonObject& box) {
   box.allow_only({"min", "max", "centre", "half_extents", "rotation_xyzw"});
   const bool by_corners = box.has("min") || box.has("max");
   if (by_corners && (box.has("centre") || box.has("half_extents") || box.has("rotation_xyzw"))) {
@@ -75,7 +75,7 @@ void append_shape(const JsonObject& entry, Scene& scene) {
   instance.name = entry.text_or("name", entry.where());
   instance.kind = entry.has("sphere") ? ShapeKind::sphere : ShapeKind::box;
   instance.world_from_object = instance.kind == ShapeKind::sphere ? parse_sphere(entry.object("sphere"))
-                                                                  : parse_box(entry.object("box"));
+                                                                  : parse_box_shape(entry.object("box"));
   if (const auto problem = transform_problem(instance.world_from_object)) {
     entry.fail(nullptr, *problem, "write a larger size");
   }

@@ -14,10 +14,6 @@
 namespace herr {
 namespace {
 
-const GltfAccessor& accessor_of(const GltfModel& model, int index) {
-  return model.accessors[static_cast<std::size_t>(index)];
-}
-
 [[noreturn]] void fail(const GltfModel& model, const std::string& what) {
   throw InputError(model.file, 0, what, "export the model again");
 }

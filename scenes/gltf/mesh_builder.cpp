@@ -13,10 +13,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-const GltfAccessor& accessor_of(const GltfModel& model, int index) {
-  return model.accessors[static_cast<std::size_t>(index)];
-}
-
 // Triangles of a run of vertex indices. Every second triangle of a strip is turned, so that all face one way.
 std::vector<Triangle> triangles_of(const std::vector<std::uint32_t>& run, int mode) {
   std::vector<Triangle> triangles;

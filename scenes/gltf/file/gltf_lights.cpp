@@ -8,12 +8,12 @@
 namespace herr {
 namespace {
 
-constexpr const char* kExtension = "KHR_lights_punctual";
-constexpr double kBrightest = 1e9, kFarthest_m = 1e9;
+constexpr const char* kLightsExtension = "KHR_lights_punctual";
+constexpr double kBrightestLight = 1e9, kFarthestLight_m = 1e9;
 constexpr double kHalfPi = 1.5707963267948966;
 
 bool has_extension(const JsonObject& object) {
-  return object.has("extensions") && object.object("extensions").has(kExtension);
+  return object.has("extensions") && object.object("extensions").has(kLightsExtension);
 }
 
 AreaLight read_light(const JsonObject& object, std::vector<std::string>& warnings) {
@@ -29,9 +29,9 @@ AreaLight read_light(const JsonObject& object, std::vector<std::string>& warning
                        "\"; it does not shine");
     return light;
   }
-  const auto intensity = static_cast<float>(object.number_or("intensity", 0, kBrightest, 1));
-  light.intensity_w_sr = glm::vec3(object.vec3_or("color", 0, kBrightest, glm::dvec3(1.0))) * intensity;
-  light.range_m = light.kind == LightKind::sun ? 0 : object.number_or("range", 0, kFarthest_m, 0);
+  const auto intensity = static_cast<float>(object.number_or("intensity", 0, kBrightestLight, 1));
+  light.intensity_w_sr = glm::vec3(object.vec3_or("color", 0, kBrightestLight, glm::dvec3(1.0))) * intensity;
+  light.range_m = light.kind == LightKind::sun ? 0 : object.number_or("range", 0, kFarthestLight_m, 0);
   if (light.kind != LightKind::spot) return light;
   const JsonObject cone = object.object("spot");
   light.outer_cone_rad = cone.number_or("outerConeAngle", 1e-3, kHalfPi, 0.7853981633974483);
@@ -47,14 +47,14 @@ AreaLight read_light(const JsonObject& object, std::vector<std::string>& warning
 void read_gltf_lights(const nlohmann::json& document, const std::filesystem::path& file, GltfModel& model) {
   const JsonObject root(document, file, "");
   if (has_extension(root)) {
-    for (const JsonObject& light : root.object("extensions").object(kExtension).objects("lights")) {
+    for (const JsonObject& light : root.object("extensions").object(kLightsExtension).objects("lights")) {
       model.lights.push_back(read_light(light, model.warnings));
     }
   }
   const std::vector<JsonObject> nodes = root.objects("nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!has_extension(nodes[i])) continue;
-    const JsonObject use = nodes[i].object("extensions").object(kExtension);
+    const JsonObject use = nodes[i].object("extensions").object(kLightsExtension);
     const auto lights = static_cast<std::int64_t>(model.lights.size());
     if (lights == 0) use.fail("light", "names a light, and the file has none", "export the model again");
     model.nodes[i].light = static_cast<int>(use.integer("light", 0, lights - 1));

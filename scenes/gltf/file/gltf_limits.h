@@ -17,6 +17,7 @@ inline constexpr std::int64_t kMaxFileTriangles = 32'000'000;  // of all primiti
 inline constexpr std::int64_t kMaxInstances = 1'000'000;       // after flattening the node tree
 inline constexpr std::int64_t kMaxImagePixels = 64ll << 20;    // one image: 256 MiB as RGBA8
 inline constexpr int kMaxImageSide_px = 16384;                 // the contract of TextureImage
+inline constexpr double kLargestTransform = 1e30;              // of any number that becomes part of a matrix
 inline constexpr std::int64_t kMaxTextureBytes = 1ll << 30;    // all decoded textures of a scene
 
 }  // namespace herr

@@ -9,10 +9,10 @@
 namespace herr {
 namespace {
 
-constexpr double kBrightest = 1e6;      // emissive strength, specular colour
-constexpr double kLargestScale = 1e6;   // of a normal texture
-constexpr double kLargestIndex = 100;   // of refraction; the extension sets no limit, diamond has 2.4
-constexpr double kLargestCutoff = 1e6;  // above 1 nothing of the surface is left, which is allowed
+constexpr double kStrongestFactor = 1e6;  // emissive strength, specular colour
+constexpr double kLargestScale = 1e6;     // of a normal texture
+constexpr double kLargestIndex = 100;     // of refraction; the extension sets no limit, diamond has 2.4
+constexpr double kLargestCutoff = 1e6;    // above 1 nothing of the surface is left, which is allowed
 
 std::optional<JsonObject> part(const JsonObject& parent, const char* key) {
   if (!parent.has(key)) return std::nullopt;
@@ -88,7 +88,7 @@ class MaterialReader {
   void read_extensions(const JsonObject& from, GltfMaterial& to) const {
     to.unlit = extension(from, "KHR_materials_unlit").has_value();
     if (const auto emissive = extension(from, "KHR_materials_emissive_strength")) {
-      to.emission *= factor(*emissive, "emissiveStrength", kBrightest, 1);
+      to.emission *= factor(*emissive, "emissiveStrength", kStrongestFactor, 1);
     }
     if (const auto transmission = extension(from, "KHR_materials_transmission")) {
       to.transmission = factor(*transmission, "transmissionFactor", 1, 0);
@@ -103,7 +103,7 @@ class MaterialReader {
     }
     if (const auto specular = extension(from, "KHR_materials_specular")) {
       to.specular = factor(*specular, "specularFactor", 1, 1);
-      to.specular_colour = colour(*specular, "specularColorFactor", kBrightest, 1);
+      to.specular_colour = colour(*specular, "specularColorFactor", kStrongestFactor, 1);
       to.specular_texture = texture(*specular, "specularTexture");
       to.specular_colour_texture = texture(*specular, "specularColorTexture");
     }

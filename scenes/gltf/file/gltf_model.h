@@ -154,6 +154,10 @@ struct GltfModel {
   std::vector<std::filesystem::path> files;  // read, the glTF file first
 };
 
+inline const GltfAccessor& accessor_of(const GltfModel& model, int index) {
+  return model.accessors[static_cast<std::size_t>(index)];
+}
+
 // "FILE: text" with control characters escaped, as Scene::warnings holds it.
 std::string gltf_warning(const GltfModel& model, const std::string& text);
 

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
+#include "scenes/gltf/file/gltf_limits.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {
 
-constexpr double kLargest = 1e30;
 constexpr std::size_t kMaxTargets = 256;  // models of faces have about fifty
 
 int index_or_none(const JsonObject& object, const char* key) {
@@ -22,7 +22,7 @@ std::vector<float> weights_of(const JsonObject& object) {
   const nlohmann::json& list = object.value("weights");
   if (!list.is_array() || list.size() > kMaxTargets)
     object.fail("weights", "is not an array of at most 256 numbers", "export the model again");
-  for (const double weight : object.numbers("weights", list.size(), -kLargest, kLargest))
+  for (const double weight : object.numbers("weights", list.size(), -kLargestTransform, kLargestTransform))
     weights.push_back(static_cast<float>(weight));
   return weights;
 }
@@ -70,8 +70,9 @@ void read_nodes(const JsonObject& root, GltfModel& model) {
     GltfNode& node = model.nodes[i];
     node.skin = index_or_none(nodes[i], "skin");
     node.has_matrix = nodes[i].has("matrix");
-    node.translation = nodes[i].vec3_or("translation", -kLargest, kLargest, glm::dvec3(0.0));
-    node.scale = nodes[i].vec3_or("scale", -kLargest, kLargest, glm::dvec3(1.0));
+    node.translation =
+        nodes[i].vec3_or("translation", -kLargestTransform, kLargestTransform, glm::dvec3(0.0));
+    node.scale = nodes[i].vec3_or("scale", -kLargestTransform, kLargestTransform, glm::dvec3(1.0));
     if (nodes[i].has("rotation")) {
       const std::vector<double> q = nodes[i].numbers("rotation", 4, -1, 1);
       node.rotation = glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]));

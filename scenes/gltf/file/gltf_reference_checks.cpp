@@ -2,12 +2,11 @@
 #include <string>
 
 #include "scenes/gltf/file/gltf_checks.h"
+#include "scenes/gltf/file/gltf_limits.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {
-
-constexpr double kLargest = 1e30;  // of any number that becomes part of a matrix
 
 // How many entries each array of the document has: the bounds of every index.
 struct Counts {
@@ -75,15 +74,15 @@ void check_node_transform(const JsonObject& node) {
     if (node.has("translation") || node.has("rotation") || node.has("scale")) {
       node.fail("matrix", "stands beside translation, rotation or scale", "keep one of the two");
     }
-    const std::vector<double> m = node.numbers("matrix", 16, -kLargest, kLargest);
+    const std::vector<double> m = node.numbers("matrix", 16, -kLargestTransform, kLargestTransform);
     // Column major: the last row is 3, 7, 11, 15. Anything but 0 0 0 1 is a projection, which no ray can
     // follow.
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
       node.fail("matrix", "is not affine (its last row is not 0 0 0 1)", "export the model again");
     }
   }
-  if (node.has("translation")) node.numbers("translation", 3, -kLargest, kLargest);
-  if (node.has("scale")) node.numbers("scale", 3, -kLargest, kLargest);
+  if (node.has("translation")) node.numbers("translation", 3, -kLargestTransform, kLargestTransform);
+  if (node.has("scale")) node.numbers("scale", 3, -kLargestTransform, kLargestTransform);
   if (node.has("rotation")) {
     const std::vector<double> q = node.numbers("rotation", 4, -1, 1);
     if (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] < 1e-6) {

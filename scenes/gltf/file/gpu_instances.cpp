@@ -12,7 +12,7 @@
 namespace herr {
 namespace {
 
-constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
+constexpr const char* kInstancingExtension = "EXT_mesh_gpu_instancing";
 
 std::size_t count_of(const GltfModel& model, int accessor) {
   return model.accessors[static_cast<std::size_t>(accessor)].count;
@@ -25,8 +25,9 @@ void read_gpu_instances(const nlohmann::json& document, const std::filesystem::p
   const std::vector<JsonObject> nodes = root.objects("nodes");
   const auto accessors = static_cast<std::int64_t>(model.accessors.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes[i].has("extensions") || !nodes[i].object("extensions").has(kExtension)) continue;
-    const JsonObject attributes = nodes[i].object("extensions").object(kExtension).object("attributes");
+    if (!nodes[i].has("extensions") || !nodes[i].object("extensions").has(kInstancingExtension)) continue;
+    const JsonObject attributes =
+        nodes[i].object("extensions").object(kInstancingExtension).object("attributes");
     GltfInstancing& instancing = model.nodes[i].instancing;
     std::size_t count = 0;
     const auto read = [&](const char* name, int& accessor) {

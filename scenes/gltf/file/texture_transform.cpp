@@ -5,7 +5,7 @@
 namespace herr {
 namespace {
 
-constexpr const char* kExtension = "KHR_texture_transform";
+constexpr const char* kTransformExtension = "KHR_texture_transform";
 constexpr int kLastSet = 31;
 constexpr double kFarthest = 1e6;  // of offsets and scales: coordinates stay finite in float
 
@@ -31,8 +31,8 @@ glm::vec2 UvSource::apply(const glm::vec2& uv) const {
 UvSource read_uv_source(const JsonObject& use) {
   UvSource source;
   source.set = static_cast<int>(use.integer_or("texCoord", 0, kLastSet, 0));
-  if (!use.has("extensions") || !use.object("extensions").has(kExtension)) return source;
-  const JsonObject transform = use.object("extensions").object(kExtension);
+  if (!use.has("extensions") || !use.object("extensions").has(kTransformExtension)) return source;
+  const JsonObject transform = use.object("extensions").object(kTransformExtension);
   source.set = static_cast<int>(transform.integer_or("texCoord", 0, kLastSet, source.set));
   source.offset = pair_or(transform, "offset", 0.0);
   source.scale = pair_or(transform, "scale", 1.0);
