@@ -18,24 +18,6 @@ namespace {
 constexpr unsigned kFlushDenormals =
     0x8040;  // FTZ and DAZ: Embree's documentation asks for both while tracing
 
-// Sets FTZ/DAZ on every thread that works in the arena, and puts the caller's mode back when it leaves.
-class DenormalObserver final : public tbb::task_scheduler_observer {
- public:
-  explicit DenormalObserver(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }
-  ~DenormalObserver() override { observe(false); }
-  void on_scheduler_entry(bool) override {
-    saved() = _mm_getcsr();
-    _mm_setcsr(saved() | kFlushDenormals);
-  }
-  void on_scheduler_exit(bool) override { _mm_setcsr(saved()); }
-
- private:
-  static unsigned& saved() {
-    thread_local unsigned mode = _mm_getcsr();
-    return mode;
-  }
-};
-
 // cgroup v2 "cpu.max" holds "QUOTA PERIOD" in microseconds, or "max PERIOD".
 int cgroup_quota_threads() {
   std::ifstream file("/sys/fs/cgroup/cpu.max");
@@ -52,6 +34,24 @@ int available_threads() {
 }
 
 struct RenderThreads::Arena {
+  // Sets FTZ/DAZ on every thread that works in the arena, and puts the caller's mode back when it leaves.
+  class DenormalObserver final : public tbb::task_scheduler_observer {
+   public:
+    explicit DenormalObserver(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }
+    ~DenormalObserver() override { observe(false); }
+    void on_scheduler_entry(bool) override {
+      saved() = _mm_getcsr();
+      _mm_setcsr(saved() | kFlushDenormals);
+    }
+    void on_scheduler_exit(bool) override { _mm_setcsr(saved()); }
+
+   private:
+    static unsigned& saved() {
+      thread_local unsigned mode = _mm_getcsr();
+      return mode;
+    }
+  };
+
   explicit Arena(int threads)
       : limit(tbb::global_control::max_allowed_parallelism,
               static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()))),

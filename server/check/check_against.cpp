@@ -63,9 +63,7 @@ std::vector<double> differences(std::span<const double> candidate, std::span<con
   return values;
 }
 
-constexpr double kToldTail = 0.05;  // of bounds that decide nothing
-
-Shift told_shift(std::span<const double> candidate, std::span<const double> baseline) {
+Shift told_pair_shift(std::span<const double> candidate, std::span<const double> baseline) {
   return signed_rank_shift(differences(candidate, baseline), kToldTail);
 }
 
@@ -76,7 +74,7 @@ bool look(const Pairs& pairs, const PairDesign& design, CheckReport& report) {
   std::vector<RunValues> all = candidate;
   all.insert(all.end(), baseline.begin(), baseline.end());
   report.noise = noise_of(all);
-  report.times = told_times(candidate, baseline, told_shift);
+  report.times = told_times(candidate, baseline, told_pair_shift);
   report.candidate_ms = median_frame_ms(candidate), report.baseline_ms = median_frame_ms(baseline);
 
   CheckedTime& median = report.times.front();

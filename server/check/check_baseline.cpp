@@ -18,9 +18,7 @@
 namespace herr {
 namespace {
 
-constexpr double kToldTail = 0.05;  // of bounds that decide nothing
-
-Shift told_shift(std::span<const double> candidate, std::span<const double> baseline) {
+Shift told_rank_shift(std::span<const double> candidate, std::span<const double> baseline) {
   return rank_sum_shift(candidate, baseline, kToldTail);
 }
 
@@ -56,7 +54,7 @@ void describe(const Runs& runs, CheckReport& report) {
 void judge_times(const Baseline& baseline, const Runs& runs, CheckReport& report) {
   const BaselineDesign design;
   report.noise = noise_of(runs.values);
-  report.times = told_times(runs.values, baseline.runs, told_shift);
+  report.times = told_times(runs.values, baseline.runs, told_rank_shift);
   report.baseline_ms = median_frame_ms(baseline.runs);
   CheckedTime& median = report.times.front();
   const BaselineJudgement judgement = judge_against_baseline(

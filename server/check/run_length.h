@@ -22,6 +22,8 @@ std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& c
 // "--profile xr1-half, --polar 788x384, ..., --threads 2": what somebody would look at first.
 std::string settings_line(const CheckFingerprint& fingerprint);
 
+inline constexpr double kToldTail = 0.05;  // of bounds that decide nothing
+
 // The times that a report tells, judged or not, from runs of both programs.
 using ShiftOf = Shift (*)(std::span<const double> candidate, std::span<const double> baseline);
 std::vector<CheckedTime> told_times(std::span<const RunValues> candidate, std::span<const RunValues> baseline,

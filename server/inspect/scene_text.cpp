@@ -19,10 +19,6 @@ std::string point(const glm::dvec3& p) {
   return "(" + fixed_text(p.x, 2) + ", " + fixed_text(p.y, 2) + ", " + fixed_text(p.z, 2) + ")";
 }
 
-std::string line(const std::string& name, const std::string& value) {
-  return "  " + left_aligned(name, 12) + value + "\n";
-}
-
 std::string objects_text(const SceneFacts& scene) {
   std::string text;
   for (std::size_t i = 0; i < std::min(scene.objects.size(), kObjectsShown); ++i) {
@@ -40,52 +36,58 @@ std::string objects_text(const SceneFacts& scene) {
 
 std::string grids_text(const SceneFacts& scene) {
   if (scene.grids.empty()) return "";
-  std::string text = line("voxels", counted(static_cast<std::int64_t>(scene.grids.size()), "grid", "grids") +
-                                        ", " + megabytes(scene.voxel_bytes) + " (octrees come on top)");
+  std::string text =
+      named_line("voxels", counted(static_cast<std::int64_t>(scene.grids.size()), "grid", "grids") + ", " +
+                               megabytes(scene.voxel_bytes) + " (octrees come on top)");
   for (std::size_t i = 0; i < std::min(scene.grids.size(), kObjectsShown); ++i) {
     const GridFacts& grid = scene.grids[i];
-    text += line("", printable(grid.name) + ": " + std::to_string(grid.counts.x) + " x " +
-                         std::to_string(grid.counts.y) + " x " + std::to_string(grid.counts.z) + ", " +
-                         std::to_string(grid.voxels) + " voxels, " + megabytes(grid.bytes));
+    text += named_line("", printable(grid.name) + ": " + std::to_string(grid.counts.x) + " x " +
+                               std::to_string(grid.counts.y) + " x " + std::to_string(grid.counts.z) + ", " +
+                               std::to_string(grid.voxels) + " voxels, " + megabytes(grid.bytes));
   }
   if (scene.grids.size() > kObjectsShown)
-    text += line("", "and " + std::to_string(scene.grids.size() - kObjectsShown) + " more");
+    text += named_line("", "and " + std::to_string(scene.grids.size() - kObjectsShown) + " more");
   return text;
 }
 
 }  // namespace
 
+std::string named_line(const std::string& name, const std::string& value) {
+  return "  " + left_aligned(name, 12) + value + "\n";
+}
+
 std::string scene_text(const InspectReport& report) {
   const SceneFacts& scene = *report.scene;
   std::string text =
       "scene " + printable(scene.name) + "   (" + printable(report.scene_file.string()) + ")\n";
-  text += line("triangles", std::to_string(scene.triangles) + " in " +
-                                counted(scene.instances - scene.catchers, "instance", "instances") +
-                                ", and " + std::to_string(scene.catcher_triangles) + " in " +
-                                counted(scene.catchers, "catcher", "catchers") + "; " +
-                                std::to_string(scene.degenerate_triangles) + " without area");
-  text += line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
-                             counted(scene.meshes, "mesh", "meshes") + ", " +
-                             megabytes(scene.geometry_bytes) + " (acceleration structures come on top)");
+  text += named_line("triangles", std::to_string(scene.triangles) + " in " +
+                                      counted(scene.instances - scene.catchers, "instance", "instances") +
+                                      ", and " + std::to_string(scene.catcher_triangles) + " in " +
+                                      counted(scene.catchers, "catcher", "catchers") + "; " +
+                                      std::to_string(scene.degenerate_triangles) + " without area");
+  text +=
+      named_line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
+                               counted(scene.meshes, "mesh", "meshes") + ", " +
+                               megabytes(scene.geometry_bytes) + " (acceleration structures come on top)");
   text += grids_text(scene);
   if (scene.spheres + scene.boxes > 0)
-    text += line("shapes", counted(scene.spheres, "sphere", "spheres") + ", " +
-                               counted(scene.boxes, "box", "boxes") + ", met analytically");
-  text += line("materials", std::to_string(scene.materials) + ", " + std::to_string(scene.mirrors) +
-                                " reflect, " + std::to_string(scene.emitters) + " emit light");
-  text += line("textures", std::to_string(scene.textures) + ", " +
-                               fixed_text(static_cast<double>(scene.texture_pixels) * 1e-6, 2) + " Mpx, " +
-                               megabytes(scene.texture_bytes));
-  text += line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
-                             " on a path; ambient " + point(scene.ambient) + ", environment " +
-                             point(scene.environment));
+    text += named_line("shapes", counted(scene.spheres, "sphere", "spheres") + ", " +
+                                     counted(scene.boxes, "box", "boxes") + ", met analytically");
+  text += named_line("materials", std::to_string(scene.materials) + ", " + std::to_string(scene.mirrors) +
+                                      " reflect, " + std::to_string(scene.emitters) + " emit light");
+  text += named_line("textures", std::to_string(scene.textures) + ", " +
+                                     fixed_text(static_cast<double>(scene.texture_pixels) * 1e-6, 2) +
+                                     " Mpx, " + megabytes(scene.texture_bytes));
+  text += named_line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
+                                   " on a path; ambient " + point(scene.ambient) + ", environment " +
+                                   point(scene.environment));
   if (scene.moving_objects > 0)
-    text += line("paths", counted(scene.moving_objects, "object follows a path of its own",
-                                  "objects follow paths of their own"));
-  text += line("bounds",
-               point(scene.bounds.lower) + " to " + point(scene.bounds.upper) + " m" +
-                   (scene.catchers > 0 && scene.catchers < scene.instances ? ", without catchers" : ""));
-  text += line("files", std::to_string(scene.files.size()));
+    text += named_line("paths", counted(scene.moving_objects, "object follows a path of its own",
+                                        "objects follow paths of their own"));
+  text += named_line(
+      "bounds", point(scene.bounds.lower) + " to " + point(scene.bounds.upper) + " m" +
+                    (scene.catchers > 0 && scene.catchers < scene.instances ? ", without catchers" : ""));
+  text += named_line("files", std::to_string(scene.files.size()));
   return text + objects_text(scene) + "\n";
 }
 

@@ -7,6 +7,9 @@
 
 namespace herr {
 
+// "  NAME        VALUE": a line of both parts, session and scene.
+std::string named_line(const std::string& name, const std::string& value);
+
 // report.scene must be there.
 std::string scene_text(const InspectReport& report);
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "server/inspect/scene_text.h"
 #include "server/inspect/time_plot.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
@@ -11,12 +12,8 @@
 namespace herr {
 namespace {
 
-std::string ms(double ns, int decimals = 1) {
+std::string ms_text(double ns, int decimals = 1) {
   return fixed_text(ns * 1e-6, decimals);
-}
-
-std::string line(const std::string& name, const std::string& value) {
-  return "  " + left_aligned(name, 12) + value + "\n";
 }
 
 std::string table_row(const std::string& name, const std::vector<std::string>& cells, int width) {
@@ -53,19 +50,19 @@ std::string header_text_of(const InspectReport& report) {
   if (!session.header) return "session " + folder + "\n";
   const SessionHeader& header = *session.header;
   std::string text = "session " + printable(header.name) + "   (" + folder + ")\n";
-  if (!header.provenance.empty()) text += line("provenance", printable(header.provenance));
-  if (!header.licence.empty()) text += line("licence", printable(header.licence));
-  text += line("display", profile_words(report.profile));
-  text += line("gaze", gaze_words(header));
+  if (!header.provenance.empty()) text += named_line("provenance", printable(header.provenance));
+  if (!header.licence.empty()) text += named_line("licence", printable(header.licence));
+  text += named_line("display", profile_words(report.profile));
+  text += named_line("gaze", gaze_words(header));
   for (std::size_t i = 0; i < header.cameras.size(); ++i) {
     const CameraModel& model = header.cameras[i].model;
-    text += line("cam" + std::to_string(i),
-                 std::to_string(model.width_px) + "x" + std::to_string(model.height_px) + " pixels");
+    text += named_line("cam" + std::to_string(i),
+                       std::to_string(model.width_px) + "x" + std::to_string(model.height_px) + " pixels");
   }
   if (report.frames && session.span) {
     const double seconds = static_cast<double>(session.span->end_ns - session.span->start_ns) * kSecondsPerNs;
-    text += line("replay", fixed_text(seconds, 2) + " s, " + std::to_string(report.frames->count) +
-                               " frames, from stamp " + std::to_string(session.span->start_ns));
+    text += named_line("replay", fixed_text(seconds, 2) + " s, " + std::to_string(report.frames->count) +
+                                     " frames, from stamp " + std::to_string(session.span->start_ns));
   }
   return text;
 }
@@ -84,13 +81,13 @@ std::string streams_text(const std::vector<const StreamSummary*>& streams) {
     }
     const double repeats =
         100.0 * static_cast<double>(stream->repeated_values) / static_cast<double>(stream->rows - 1);
-    text += table_row(
-        stream->name,
-        {std::to_string(stream->rows), fixed_text(stream->span_s(), 2),
-         stream->nominal_hz > 0 ? fixed_text(stream->nominal_hz, 2) : "-", fixed_text(stream->median_hz(), 2),
-         ms(stream->intervals.jitter_ns(), 2), ms(static_cast<double>(stream->intervals.widest_ns())),
-         std::to_string(stream->intervals.hitches()), fixed_text(repeats, 1)},
-        kWidth);
+    text += table_row(stream->name,
+                      {std::to_string(stream->rows), fixed_text(stream->span_s(), 2),
+                       stream->nominal_hz > 0 ? fixed_text(stream->nominal_hz, 2) : "-",
+                       fixed_text(stream->median_hz(), 2), ms_text(stream->intervals.jitter_ns(), 2),
+                       ms_text(static_cast<double>(stream->intervals.widest_ns())),
+                       std::to_string(stream->intervals.hitches()), fixed_text(repeats, 1)},
+                      kWidth);
   }
   return text + "gaps: intervals of more than 1.5 medians; jitter: deviation of the others\n";
 }
@@ -105,8 +102,8 @@ std::string ages_text(const std::vector<const StreamSummary*>& streams, bool spa
     const bool any = ages.intervals() > 0;
     text +=
         table_row(stream->name,
-                  {any ? ms(ages.quantile_ns(0.5)) : "-", any ? ms(ages.quantile_ns(0.95)) : "-",
-                   any ? ms(static_cast<double>(ages.widest_ns())) : "-",
+                  {any ? ms_text(ages.quantile_ns(0.5)) : "-", any ? ms_text(ages.quantile_ns(0.95)) : "-",
+                   any ? ms_text(static_cast<double>(ages.widest_ns())) : "-",
                    std::to_string(stream->ages->frames()), std::to_string(stream->ages->frames_without())},
                   kWidth);
   }
@@ -121,12 +118,12 @@ std::string offsets_text(const SessionInspection& session, const std::vector<con
   for (const StreamSummary* stream : streams) {
     if (stream == &session.poses || stream->rows == 0) continue;
     const StreamOffset offset = offset_to(session.poses, *stream);
-    text +=
-        table_row(stream->name,
-                  {ms(static_cast<double>(offset.start_ns)), ms(static_cast<double>(offset.end_ns)),
-                   ms(static_cast<double>(offset.change_ns)), ms(static_cast<double>(offset.resolution_ns)),
-                   offset.drift_ppm ? fixed_text(*offset.drift_ppm, 0) : "-"},
-                  kWidth);
+    text += table_row(
+        stream->name,
+        {ms_text(static_cast<double>(offset.start_ns)), ms_text(static_cast<double>(offset.end_ns)),
+         ms_text(static_cast<double>(offset.change_ns)), ms_text(static_cast<double>(offset.resolution_ns)),
+         offset.drift_ppm ? fixed_text(*offset.drift_ppm, 0) : "-"},
+        kWidth);
   }
   return text + "drift -: too small to tell, or so large that one stream started or stopped alone\n";
 }

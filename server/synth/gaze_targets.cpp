@@ -10,7 +10,7 @@ namespace herr {
 namespace {
 
 constexpr std::uint64_t kTargetStream = 16;
-constexpr double kWidestYawDeg = 22, kWidestPitchDeg = 13;
+constexpr double kWidestEyeYawDeg = 22, kWidestEyePitchDeg = 13;
 constexpr double kNearestM = 1.0, kFarthestM = 5.0;
 // Where the head is turning to is known this much ahead: gaze leads.
 constexpr double kAnticipationS = 0.1;
@@ -87,8 +87,8 @@ GazeTarget GazeTargets::next(const GazeTarget& now) {
 
 // A point of the room in front of the head.
 glm::dvec3 GazeTargets::point_ahead(double time_s) {
-  const double yaw = glm::radians(random_.uniform(-kWidestYawDeg, kWidestYawDeg));
-  const double pitch = glm::radians(random_.uniform(-kWidestPitchDeg, kWidestPitchDeg));
+  const double yaw = glm::radians(random_.uniform(-kWidestEyeYawDeg, kWidestEyeYawDeg));
+  const double pitch = glm::radians(random_.uniform(-kWidestEyePitchDeg, kWidestEyePitchDeg));
   const double distance_m = random_.uniform(kNearestM, kFarthestM);
   const glm::dvec3 direction{std::sin(yaw) * std::cos(pitch), std::sin(pitch),
                              -std::cos(yaw) * std::cos(pitch)};

@@ -13,7 +13,6 @@
 namespace herr {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr std::uint64_t kStepStream = 6, kYawStream = 40, kPitchStream = 41, kPeakStream = 42,
                         kStartStream = 43;
 
@@ -55,7 +54,7 @@ constexpr double kFullStepSpeed = 1.2;  // m/s
 // Head turns: one in each slot, minimum-jerk, 100-200 degrees a second at their fastest.
 constexpr double kTurnSlotS = 2.8, kLatestTurnStartS = 0.4, kShortestTurnS = 0.35;
 constexpr double kSlowestPeakDegS = 100.0, kFastestPeakDegS = 200.0;
-constexpr double kWidestYawDeg = 60.0, kWidestPitchDeg = 15.0;
+constexpr double kWidestHeadYawDeg = 60.0, kWidestHeadPitchDeg = 15.0;
 
 }  // namespace
 
@@ -94,8 +93,9 @@ glm::dvec2 HeadMotion::head_turn_deg(double time_s) const {
   const auto slot = static_cast<std::uint64_t>(time_s / kTurnSlotS);
   const auto direction = [&](std::uint64_t index) {
     if (index == 0) return glm::dvec2(0.0);  // of slot -1: straight ahead
-    return glm::dvec2(keyed_uniform(options_.seed, kYawStream, index, -kWidestYawDeg, kWidestYawDeg),
-                      keyed_uniform(options_.seed, kPitchStream, index, -kWidestPitchDeg, kWidestPitchDeg));
+    return glm::dvec2(
+        keyed_uniform(options_.seed, kYawStream, index, -kWidestHeadYawDeg, kWidestHeadYawDeg),
+        keyed_uniform(options_.seed, kPitchStream, index, -kWidestHeadPitchDeg, kWidestHeadPitchDeg));
   };
   const glm::dvec2 from = direction(slot), to = direction(slot + 1);
   const double peak_deg_s =

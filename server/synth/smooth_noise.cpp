@@ -7,11 +7,7 @@
 #include "server/synth/seeded_random.h"
 
 namespace herr {
-namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 SmoothNoise::SmoothNoise(std::uint64_t seed, std::uint64_t stream, double amplitude, double lowest_hz,
                          double highest_hz) {

@@ -4,8 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 
 namespace herr {
+
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 // Any sampling rate above twice the highest frequency resolves it.
 class SmoothNoise {

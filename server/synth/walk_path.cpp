@@ -20,7 +20,7 @@ constexpr std::size_t kPoints = 64;
 // walking, The Structural Engineer 83, 2005: 1.3 m/s on floors; slower in a room).
 constexpr double kWalkingSpeed = 1.2;
 constexpr double kRampS = 0.8;  // one or two steps to start and to stop
-constexpr double kTurnPeakDegS = 120.0, kShortestTurnS = 0.5;
+constexpr double kTurnPeakDegS = 120.0, kShortestWalkTurnS = 0.5;
 
 // Of the way that a ramp of length 1 and final speed 1 covers, up to the share x of its time; 1/2 at its end.
 // Its derivative is smoothstep.
@@ -75,7 +75,7 @@ WalkPath::WalkPath(std::uint64_t seed, const WalkArea& area) {
     leg.heading_rad = heading_of(way);
     leg.turn_rad = turn_between(leg.heading_rad, heading_of(next_way));
     leg.turn_s =
-        std::max(kShortestTurnS, kMinimumJerkPeak * std::abs(glm::degrees(leg.turn_rad)) / kTurnPeakDegS);
+        std::max(kShortestWalkTurnS, kMinimumJerkPeak * std::abs(glm::degrees(leg.turn_rad)) / kTurnPeakDegS);
     tour_s_ += leg.walk_s + leg.turn_s;
     legs_.push_back(leg);
   }
