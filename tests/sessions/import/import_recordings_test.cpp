@@ -17,6 +17,7 @@
 #include "sessions/import/foreign_table.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/record/session_recorder.h"
+#include "sessions/session.h"
 #include "tests/sessions/recorded_folder.h"
 
 namespace herr::test {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sessions/record/session_recorder.h"
+#include "sessions/session.h"
 #include "tests/sessions/recorded_folder.h"
 
 namespace herr::test {
