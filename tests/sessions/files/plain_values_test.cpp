@@ -1,0 +1,56 @@
+#include "sessions/files/plain_values.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace herr {
+namespace {
+
+template <typename Reader>
+std::string complaint(Reader&& read) {
+  try {
+    read();
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+TEST(PlainValues, WholeNumbersAreDigitsAlone) {
+  EXPECT_EQ(whole_number_from("0", 0, 9), 0);
+  EXPECT_EQ(whole_number_from("4294967295", 0, 4294967295), 4294967295);
+  for (const char* text : {"", "-1", "+1", "010", "1e3", "1.0", " 5", "5 ", "0x10", "99999999999999999999"}) {
+    EXPECT_NE(complaint([&] { whole_number_from(text, 0, 1000); }), "") << text;
+  }
+  EXPECT_EQ(complaint([] { whole_number_from("65", 1, 64); }),
+            "'65' is not a whole number from 1 to 64; write plain decimal digits");
+}
+
+TEST(PlainValues, RealNumbersHaveAtMostOnePoint) {
+  EXPECT_EQ(real_number_from("0.3", 0, 1), 0.3);
+  for (const char* text : {"", ".5", "5.", "1e3", "nan", "inf", "01", "1,5", "-0.1", "1.5.2", "1e999"}) {
+    EXPECT_NE(complaint([&] { real_number_from(text, 0, 1000); }), "") << text;
+  }
+  EXPECT_EQ(complaint([] { real_number_from("2", 0.001, 1e-2); }),
+            "'2' is not a number from 0.001 to 0.01; write it as 12 or 1.5");
+}
+
+TEST(PlainValues, NumbersReadBackAsTheSame) {
+  for (const double value : {0.0, 0.1, 1e6, 1.0 / 3, 1e-300, 1.7976931348623157e308}) {
+    EXPECT_EQ(real_number_from(plain_number_text(value), 0, value), value) << plain_number_text(value);
+  }
+  EXPECT_EQ(plain_number_text(1e6), "1000000");
+}
+
+TEST(PlainValues, AnUnknownWordNamesTheNearest) {
+  EXPECT_EQ(word_from("off", {"on", "off"}), 1u);
+  EXPECT_EQ(complaint([] {
+              word_from("virtul", {"virtual", "max"});
+            }),
+            "'virtul' is not one of virtual, max; did you mean virtual?");
+}
+
+}  // namespace
+}  // namespace herr
