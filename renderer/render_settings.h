@@ -1,4 +1,5 @@
-// What the user can choose about a render; one struct, each field with its default, unit and range.
+// What the user can choose about a render; one struct, each field with its default and a sentence. Ranges,
+// flags and names stand in settings_list.cpp: a new field has a row there.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 namespace herr {
 
 inline constexpr int kMostLightSamples = 4096;
+inline constexpr int kFewestProbeRays = 8, kMostProbeRays = 512;
 
 enum class Foveation : std::uint8_t { log_polar, off };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
@@ -15,27 +17,26 @@ enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 // Light that bounces between surfaces, gathered by a grid of probes over time.
 struct ProbeSettings {
   bool on = false;
-  int rays = 64;                    // per probe and update, 8 ... 512
+  int rays = 64;                    // per probe and update
   int budget = 0;                   // probes updated in a frame, in turn; 0 = all
-  double hysteresis_tau_s = 0.365;  // time constant of what probes remember, 0 ... 1e6; 0 = nothing
+  double hysteresis_tau_s = 0.365;  // time constant of what probes remember; 0 = nothing
   bool react = true;                // forget faster where light changes by more than a quarter
-  double normal_bias = 0.1;  // look-ups see from this share of the smallest spacing off the surface, 0 ... 1
-  double view_bias = 0.0;    // and from this share of it towards the viewer, 0 ... 1
+  double normal_bias = 0.1;         // look-ups see from this share of the smallest spacing off the surface
+  double view_bias = 0.0;           // and from this share of it towards the viewer
 };
 
 struct RenderSettings {
   Foveation foveation = Foveation::log_polar;  // off: one ray per viewport pixel, the reference
-  int polar_width = 788;   // radial samples per eye, 1 ... 8192 (the paper's "1576x768" counts both eyes)
-  int polar_height = 768;  // angular samples, even, 2 ... 8192
-  int light_samples = 1;   // per light and hit, 1 ... 4096; 1 = centre of the light, hard shadows
+  int polar_width = 788;   // radial samples per eye (the paper's "1576x768" counts both eyes)
+  int polar_height = 768;  // angular samples, an even number
+  int light_samples = 1;   // per light and hit; 1 = centre of the light, hard shadows
   // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
   // 0: all strata everywhere.
   int first_light_samples = 0;
-  int occlusion_rays = 0;           // short rays of ambient occlusion per first hit, 0 (off) ... 64
-  double occlusion_radius_m = 0.3;  // how far they reach, 0.001 ... 1000
+  int occlusion_rays = 0;           // short rays of ambient occlusion per first hit; 0: none
+  double occlusion_radius_m = 0.3;  // how far they reach
   bool reflections = true;          // trace one mirror bounce where a material asks for it
-  bool refraction = true;           // follow light through transparent materials; off:
-                                    // they are drawn opaque
+  bool refraction = true;           // follow light through transparent materials; off: they are opaque
   bool camera = true;               // composite over the camera feed where the session has one
   bool gaze_marker = false;         // red circle around the gaze direction in every viewport
   bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
@@ -44,7 +45,7 @@ struct RenderSettings {
   // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the
   // same, bit for bit. To see what leaving them out saves.
   std::vector<std::string> insist_on;
-  int threads = 0;      // 1 ... 512; 0 = all that this process may use
+  int threads = 0;      // 0 = all that this process may use
   Isa isa = Isa::best;  // instruction set of kernels and Embree
 };
 

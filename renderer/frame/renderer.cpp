@@ -5,37 +5,13 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/probes/probe_reader.h"
+#include "renderer/settings_list.h"
 
 namespace herr {
 namespace {
 
 RenderSettings resolved(RenderSettings settings) {
-  const auto within = [](const char* name, int value, int lowest, int highest) {
-    if (value < lowest || value > highest) {
-      throw std::invalid_argument(std::string(name) + " must lie in [" + std::to_string(lowest) + ", " +
-                                  std::to_string(highest) + "], not " + std::to_string(value));
-    }
-  };
-  within("polar width", settings.polar_width, 1, 8192);
-  within("polar height", settings.polar_height, 2, 8192);
-  if (settings.polar_height % 2 != 0) throw std::invalid_argument("polar height must be even");
-  within("light samples", settings.light_samples, 1, kMostLightSamples);
-  within("first light samples", settings.first_light_samples, 0, kMostLightSamples);
-  within("occlusion rays", settings.occlusion_rays, 0, 64);
-  if (!(settings.occlusion_radius_m >= 1e-3 && settings.occlusion_radius_m <= 1e3)) {
-    throw std::invalid_argument("occlusion radius must lie in [0.001, 1000] m");
-  }
-  within("threads", settings.threads, 0, 512);
-  within("probe rays", settings.probes.rays, kFewestProbeRays, kMostProbeRays);
-  within("probe budget", settings.probes.budget, 0, kMostProbes);
-  const ProbeSettings& probes = settings.probes;
-  if (!(probes.hysteresis_tau_s >= 0 && probes.hysteresis_tau_s <= 1e6)) {
-    throw std::invalid_argument("time constant of probes must lie in [0, 1e6] s");
-  }
-  for (const double bias : {probes.normal_bias, probes.view_bias}) {
-    if (!(bias >= 0 && bias <= 1)) throw std::invalid_argument("bias of probes must lie in [0, 1]");
-  }
-  if (!(settings.feed_distance_m > 0.01)) throw std::invalid_argument("feed distance must exceed 0.01 m");
+  check_settings(settings);
   if (settings.threads == 0) settings.threads = available_threads();
   settings.isa = resolve_isa(settings.isa);
   return settings;

@@ -10,8 +10,6 @@
 
 namespace herr {
 
-inline constexpr int kFewestProbeRays = 8, kMostProbeRays = 512;
-
 // Direction i of n, unit.
 glm::dvec3 fibonacci_direction(int i, int n);
 // A rotation, uniform over all rotations for uniform keys (Shoemake 1992).
@@ -29,7 +27,7 @@ struct ProbeDirections {
   std::vector<Weight> weights;
   std::vector<std::int32_t> first_weight;  // per direction, then the end
 
-  // Allocates for `rays`, kFewestProbeRays ... kMostProbeRays.
+  // Allocates for `rays`, kFewestProbeRays ... kMostProbeRays (renderer/render_settings.h).
   void allocate(int rays, int directions);
   // New frame; `node_directions` are those of the irradiance map. No allocation.
   void aim(std::uint32_t key, const std::vector<glm::dvec3>& node_directions);

@@ -1,0 +1,97 @@
+#include "renderer/settings_list.h"
+
+#include "scenes/model/scene.h"
+
+namespace herr {
+namespace {
+
+using Group = SettingGroup;
+using Effect = SettingEffect;
+
+constexpr int kLargestPolar = 8192;
+constexpr double kLongestMemory_s = 1e6, kFarthestFeed_m = 1e9;
+
+// Rows: name, flag, unit, group, effect, sentence, value; then what holds where it has none.
+
+std::vector<Setting> of_rays(RenderSettings& s) {
+  return {
+      {"foveation", "--foveation", "", Group::look, Effect::error_for_time,
+       "log-polar, or off: one ray per pixel", one_of(s.foveation, {"log-polar", "off"})},
+      {"polar", "--polar", "", Group::rays, Effect::error_for_time, "polar buffer of both eyes together",
+       SizeSetting{&s.polar_width, &s.polar_height, kLargestPolar, kLargestPolar}},
+      {"light_samples", "--light-samples", "", Group::rays, Effect::error_for_time,
+       "shadow rays per light and hit; 1: hard shadows", whole(s.light_samples, 1, kMostLightSamples)},
+      {"first_light_samples", "--first-light-samples", "", Group::rays, Effect::error_for_time,
+       "adaptive, up to 256 light samples: trace N, the rest only where they disagree; 0: all",
+       whole(s.first_light_samples, 0, kMostLightSamples)},
+      {"occlusion_rays", "--occlusion-rays", "", Group::rays, Effect::error_for_time,
+       "short rays of ambient occlusion per hit; 0: none", whole(s.occlusion_rays, 0, 64)},
+      {"occlusion_radius_m", "--occlusion-radius", "m", Group::rays, Effect::pictures,
+       "metres that they reach", real(s.occlusion_radius_m, 0.001, 1000)},
+      {"reflections", "--no-reflections", "", Group::rays, Effect::pictures, "trace no mirror rays",
+       on_off(s.reflections)},
+  };
+}
+
+std::vector<Setting> of_probes(ProbeSettings& p) {
+  return {
+      {"probes", "--probes", "", Group::probes, Effect::pictures,
+       "light that bounces between surfaces, gathered by probes", on_off(p.on)},
+      {"probe_rays", "--probe-rays", "", Group::probes, Effect::error_for_time, "rays of a probe and update",
+       whole(p.rays, kFewestProbeRays, kMostProbeRays)},
+      {"probe_budget", "--probe-budget", "", Group::probes, Effect::error_for_time,
+       "probes updated in a frame, in turn; 0: all", whole(p.budget, 0, kMostProbes)},
+      {"probe_hysteresis_tau_s", "", "s", Group::probes, Effect::pictures,
+       "time constant of what probes remember; 0: nothing", real(p.hysteresis_tau_s, 0, kLongestMemory_s)},
+      {"probe_reaction", "", "", Group::probes, Effect::pictures,
+       "probes forget faster where light changes by more than a quarter", on_off(p.react)},
+      {"probe_normal_bias", "", "", Group::probes, Effect::pictures,
+       "look-ups see from this share of the smallest spacing off the surface", real(p.normal_bias, 0, 1)},
+      {"probe_view_bias", "", "", Group::probes, Effect::pictures,
+       "and from this share of it towards the viewer", real(p.view_bias, 0, 1)},
+  };
+}
+
+std::vector<Setting> of_pictures(RenderSettings& s) {
+  return {
+      {"refraction", "--no-refraction", "", Group::rays, Effect::pictures,
+       "draw transparent materials opaque", on_off(s.refraction)},
+      {"camera", "--no-camera", "", Group::rays, Effect::pictures, "leave the camera feed out",
+       on_off(s.camera)},
+      {"gaze_marker", "--gaze-marker", "", Group::look, Effect::pictures, "red circle at the gaze",
+       on_off(s.gaze_marker)},
+      {"debug_tiles", "--debug-tiles", "", Group::look, Effect::pictures,
+       "colour the polar buffer in tiles of 15 degrees", on_off(s.debug_tiles)},
+      {"feed_distance_m", "", "m", Group::look, Effect::pictures,
+       "the camera feed is re-projected as if it lay on a sphere of this radius",
+       real(s.feed_distance_m, 0.01, kFarthestFeed_m)},
+  };
+}
+
+std::vector<Setting> of_machine(RenderSettings& s) {
+  return {
+      {"threads", "--threads", "", Group::machine, Effect::none, "render threads",
+       whole_or_zero(s.threads, 1, 512), "all this process may use"},
+      // Pictures differ in the last bits.
+      {"isa", "--isa", "", Group::machine, Effect::pictures, "instruction set: best, sse4, avx2 or avx512",
+       one_of(s.isa, {"best", "sse4", "avx2", "avx512"})},
+  };
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(RenderSettings& settings) {
+  std::vector<Setting> all;
+  for (const std::vector<Setting>& part :
+       {of_rays(settings), of_probes(settings.probes), of_pictures(settings), of_machine(settings)}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+void check_settings(const RenderSettings& settings) {
+  RenderSettings checked = settings;
+  for (const Setting& setting : settings_of(checked)) check_range(setting);
+}
+
+}  // namespace herr
