@@ -1,5 +1,6 @@
-// What `herr replay` is asked to do; one struct, each field with its default and a sentence.
-// Before: the command line fills it. After: replay_command, replay_session.
+// What `herr replay` is asked to do; one struct, each field with its default and a sentence. Ranges, flags
+// and names of settings stand in run_settings.cpp. Before: the command line fills it. After: replay_command,
+// replay_session.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,136 @@
+#include "server/settings/run_settings.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "renderer/settings_list.h"
+#include "sessions/files/plain_values.h"
+
+namespace herr {
+namespace {
+
+using Group = SettingGroup;
+using Effect = SettingEffect;
+
+constexpr double kLongestSeconds = 1e7;  // 115 days
+constexpr int kWidestPolarBuffer = 16384;
+constexpr std::array<QualityPolicy, 4> kPolicies{
+    QualityPolicy{false, false}, {true, false}, {false, true}, {true, true}};
+
+TextSetting profile_name(std::string& profile) {
+  const auto set = [&profile](const std::string& text) {
+    if (text.empty()) throw std::invalid_argument("the path is empty; give a file or folder");
+    profile = text;
+  };
+  return {[&profile] { return profile; }, set, "NAME|FILE", "xr1-half"};
+}
+
+WordSetting policy_name(QualityPolicy& policy) {
+  WordSetting setting;
+  setting.get = [&policy] {
+    return static_cast<std::size_t>(std::find(kPolicies.begin(), kPolicies.end(), policy) -
+                                    kPolicies.begin());
+  };
+  setting.set = [&policy](std::size_t index) { policy = kPolicies.at(index); };
+  for (const QualityPolicy& each : kPolicies) setting.words.emplace_back(name_of(each));
+  return setting;
+}
+
+// Of both eyes together, as --polar; the field has one eye.
+NumberSetting width_of_both_eyes(std::optional<int>& per_eye) {
+  NumberSetting setting;
+  setting.get = [&per_eye]() -> std::optional<double> {
+    if (!per_eye) return std::nullopt;
+    return 2.0 * *per_eye;
+  };
+  setting.set = [&per_eye](std::optional<double> both) {
+    per_eye.reset();
+    if (both) per_eye = static_cast<int>(*both / 2);
+  };
+  setting.lowest = setting.step = 2;
+  setting.highest = kWidestPolarBuffer;
+  setting.optional = true;
+  return setting;
+}
+
+// A word, or the number of a frame.
+TextSetting sheet_choice(ReplayOptions& options) {
+  constexpr std::size_t kWordCount = 3;  // before SheetChoice::one
+  static const std::vector<std::string> kWords{"none", "all", "middle"};
+  const auto get = [&options] {
+    const auto index = static_cast<std::size_t>(options.sheet);
+    return index < kWordCount ? kWords[index] : std::to_string(options.sheet_frame);
+  };
+  const auto set = [&options](const std::string& text) {
+    if (!text.empty() && text.front() >= '0' && text.front() <= '9') {
+      options.sheet_frame = whole_number_from(text, 0, kMostFrames);
+      options.sheet = SheetChoice::one;
+      return;
+    }
+    options.sheet = static_cast<SheetChoice>(word_from(text, kWords));
+  };
+  return {get, set, "WHICH", "all"};
+}
+
+// Rows: name, flag, unit, group, effect, sentence, value; then what holds where it has none.
+
+std::vector<Setting> of_reading(ReplayOptions& o) {
+  return {
+      {"profile", "--profile", "", Group::session, Effect::pictures,
+       "display profile: xr1, xr1-half or a file", profile_name(o.profile), "the session's"},
+      {"sampling", "--sampling", "", Group::session, Effect::pictures,
+       "headset state: latest, predict or interpolate",
+       one_of(o.session.sampling, {name_of(SamplingMode::latest), name_of(SamplingMode::predict),
+                                   name_of(SamplingMode::interpolate)})},
+      {"predict_cap_s", "", "s", Group::session, Effect::pictures,
+       "the sampling predict never extrapolates further than this", real(o.session.predict_cap_s, 0, 10)},
+      {"start_s", "--start", "s", Group::span, Effect::none, "begin this many seconds into the session",
+       real(o.start_s, 0, kLongestSeconds)},
+      {"duration_s", "--duration", "s", Group::span, Effect::none, "replay this many seconds",
+       real(o.duration_s, 0, kLongestSeconds), "to the end"},
+      {"frames", "--frames", "", Group::span, Effect::none, "replay at most this many frames",
+       whole(o.frames, 1, kMostFrames), "all"},
+  };
+}
+
+std::vector<Setting> of_time(ReplayOptions& o) {
+  return {
+      {"policy", "--policy", "", Group::time, Effect::error_for_time,
+       "quality of each frame: fixed; motion: less while the head moves fast; deadline: what holds "
+       "--target-ms; motion+deadline",
+       policy_name(o.policy)},
+      {"polar_floor", "--polar-floor", "", Group::time, Effect::error_for_time,
+       "least width of the polar buffers, both eyes together, that a policy may choose",
+       width_of_both_eyes(o.narrowest_width), "an eighth of that of --polar"},
+      {"clock", "--clock", "", Group::time, Effect::pictures,
+       "virtual: one display period per frame; realtime: late frames drop; max: as fast as it goes",
+       one_of(o.clock, {name_of(ReplayClock::virtual_time), name_of(ReplayClock::realtime),
+                        name_of(ReplayClock::max)})},
+      {"target_ms", "--target-ms", "ms", Group::time, Effect::error_for_time,
+       "display period of the clock realtime, time of a frame of the policy deadline",
+       real(o.target_ms, 1, 10000), "the profile's"},
+  };
+}
+
+std::vector<Setting> of_files(ReplayOptions& o) {
+  return {
+      {"format", "--format", "", Group::files, Effect::none, "pictures: png, exr or none",
+       one_of(o.format,
+              {name_of(PictureFormat::png), name_of(PictureFormat::exr), name_of(PictureFormat::none)})},
+      {"contact_sheet", "--contact-sheet", "", Group::files, Effect::none,
+       "all viewports in one picture: none, all, middle or a frame number", sheet_choice(o)},
+  };
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(ReplayOptions& options) {
+  std::vector<Setting> all = settings_of(options.render);
+  for (const std::vector<Setting>& part : {of_reading(options), of_time(options), of_files(options)}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace herr
