@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "server/cli/flags.h"
+#include "server/cli/setting_flags.h"
 #include "server/settings/flag_values.h"
+#include "server/settings/run_settings.h"
 
 namespace herr {
 namespace {
@@ -82,8 +84,8 @@ void add_check_flags(CLI::App& app, CheckOptions& options) {
   add_comparison_flags(app, options);
   add_report_flags(app, options);
   add_forced_flags(app);
-  add_look_flags(app, replay.render);
-  add_span_flags(app, replay);
+  add_setting_flags(app, settings_of(replay),
+                    {SettingGroup::session, SettingGroup::look, SettingGroup::span});
   add_render_flags(app, replay.render);
   add_hidden_flags(app, options);
 }

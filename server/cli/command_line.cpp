@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "renderer/settings_list.h"
 #include "server/cli/check_flags.h"
 #include "server/cli/flags.h"
+#include "server/cli/setting_flags.h"
 #include "server/cli/synth_flags.h"
 #include "server/process/version.h"
 #include "server/settings/flag_values.h"
@@ -66,8 +68,9 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
                options.probes.updates =
                    static_cast<int>(parse_whole_number("--probe-updates", text, 1, 100000));
              });
-  add_probe_ray_flag(app, options.render.probes);
-  add_machine_flags(app, options.render);
+  const std::vector<Setting> settings = settings_of(options.render);
+  add_setting_flag(app, setting_named(settings, "probe_rays"));
+  add_setting_flags(app, settings, {SettingGroup::machine});
   app.add_flag_callback(
       "--overwrite", [&] { options.probes.overwrite = true; }, "replace the folder of an earlier --probes");
 }
@@ -97,8 +100,8 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
-  add_look_flags(app, options.render);
-  add_plan_flags(app, options.render);
+  add_setting_flags(app, settings_of(options.render), {SettingGroup::look, SettingGroup::rays});
+  add_quality_flag(app, options.render);
   app.add_flag_callback(
       "--decode", [&] { options.decode = true; }, "read every picture whole, not only its header");
   add_probe_dump_flags(app, options);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLongestSeconds = 86400;
 constexpr double kFarthestM = 1e6;
+constexpr std::int64_t kLargestSeed = 1'000'000'000;
 
 // Adds a flag for a number; the help states its default.
 class NumberFlags {
@@ -98,7 +99,7 @@ void add_synth_flags(CLI::App& app, SynthOptions& options) {
   app.add_option("OUT", options.out, "folder of the new session")->required()->type_name("");
   value_flag(app, "--seed", "N", "same seed and flags, same session (default 1)",
              [&](const std::string& text) {
-               options.seed = static_cast<std::uint64_t>(parse_whole_number("--seed", text, 0, kMostFrames));
+               options.seed = static_cast<std::uint64_t>(parse_whole_number("--seed", text, 0, kLargestSeed));
              });
   value_flag(app, "--motion", "KIND", "of the head: " + joined(motion_names()) + " (default desk)",
              [&](const std::string& text) {

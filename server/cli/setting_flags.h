@@ -1,0 +1,29 @@
+// Flags made from lists of settings: name, help, range and default stand in the list's row. Before: the lists
+// (renderer/settings_list.h, server/settings/run_settings.h). After: the structs that hold the values.
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+#include "renderer/render_settings.h"
+#include "renderer/setting.h"
+
+namespace CLI {
+class App;
+}
+
+namespace herr {
+
+// The default that the help states is the present value. What the setting refers to must outlive `app`. When
+// the line is read, a value that the setting does not take is a UsageError that names the flag.
+void add_setting_flag(CLI::App& app, const Setting& setting);
+// Those of some groups that have a flag.
+void add_setting_flags(CLI::App& app, const std::vector<Setting>& settings,
+                       std::initializer_list<SettingGroup> groups);
+
+// --quality: light samples by name.
+void add_quality_flag(CLI::App& app, RenderSettings& render);
+// What every command that renders shares: rays, probes and the machine.
+void add_render_flags(CLI::App& app, RenderSettings& render);
+
+}  // namespace herr
