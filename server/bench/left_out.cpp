@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "server/process/version.h"
+#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"

@@ -3,6 +3,7 @@
 #include "server/inspect/time_plot.h"
 #include "server/process/exit_code.h"
 #include "server/process/version.h"
+#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "sessions/files/input_error.h"
 

@@ -4,6 +4,7 @@
 
 #include "server/inspect/scene_text.h"
 #include "server/inspect/session_text.h"
+#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/text/number_text.h"
 #include "sessions/inspect/number_words.h"

@@ -8,6 +8,7 @@
 #include "server/process/terminal.h"
 #include "server/replay/replay_session.h"
 #include "server/results/output_folder.h"
+#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
 #include "server/settings/quality_target.h"

@@ -24,6 +24,7 @@
 #include "server/results/frames_csv.h"
 #include "server/results/output_folder.h"
 #include "server/results/run_state.h"
+#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/settings/quality_target.h"
 #include "sessions/files/atomic_file.h"
@@ -211,7 +212,7 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
   config.metadata.scene = printable(report_.scene_name);
   config.metadata.program = program_with_version();
   config.metadata.isa = name_of(report_.settings.isa);
-  config.metadata.settings = settings_text(report_.settings);
+  config.metadata.settings = settings_text(resolved_options(options_, report_));
   pictures_ = std::make_unique<PictureOutput>(std::move(config), *files_, *opened_.renderer, *writer_);
 }
 

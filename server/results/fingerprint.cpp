@@ -10,7 +10,9 @@
 #include <system_error>
 
 #include "server/process/version.h"
+#include "server/results/settings_report.h"
 #include "server/settings/quality_target.h"
+#include "server/settings/run_settings.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
@@ -80,56 +82,40 @@ std::string profile_text(const DisplayProfile& profile) {
   return sum.text();
 }
 
-std::string sheet_text(const ReplayOptions& options) {
-  switch (options.sheet) {
-    case SheetChoice::none:
-      return "none";
-    case SheetChoice::all:
-      return "all";
-    case SheetChoice::middle:
-      return "middle";
-    case SheetChoice::one:
-      return std::to_string(options.sheet_frame);
+// By the flag that sets it; of a switch, whether the flag is given that changes it.
+std::string recorded_text(const Setting& setting, const ReplayOptions& options) {
+  const std::string text = text_of(setting);
+  if (setting.name == "polar_floor") return std::to_string(2 * narrowest_width(options, options.render));
+  if (setting.name == "probes" && options.render.probes.on) {  // as the first checkpoints told it
+    return std::to_string(options.render.probes.rays) + " rays, budget " +
+           std::to_string(options.render.probes.budget);
   }
-  return "unknown";
+  if (!is_switch(setting) || setting.flag.empty()) return text;
+  const bool given = (text == "on") != setting.flag.starts_with("--no-");
+  return given ? "given" : "not given";
 }
 
-std::string probes_text(const ProbeSettings& probes) {
-  if (!probes.on) return "not given";
-  return std::to_string(probes.rays) + " rays, budget " + std::to_string(probes.budget);
+// What shapes pictures, and which files a run leaves. Threads change no picture. Nor do --keep-going and
+// --strict: what they let pass or refuse is found by the check of the session, before the first frame, or
+// ends the run.
+Fingerprint::Entries entries_of(ReplayOptions options) {
+  Fingerprint::Entries entries;
+  for (const Setting& setting : settings_of(options)) {
+    if (!shapes_pictures(setting) && setting.group != SettingGroup::files) continue;
+    entries.emplace_back(setting.flag.empty() ? setting.name : setting.flag, recorded_text(setting, options));
+  }
+  return entries;
 }
 
-// Threads are left out: they change no picture. So are --keep-going and --strict: what they let pass or
-// refuse is found by the check of the session, before the first frame, or ends the run.
-Fingerprint::Entries settings_of(const SessionReport& report, const ReplayOptions& options) {
-  const RenderSettings& render = report.settings;
-  const auto given = [](bool flag) { return std::string(flag ? "given" : "not given"); };
-  return {
-      {"the program", program_with_version()},
-      {"--scene", printable(report.scene_file.filename().string())},
-      {"--profile", printable(report.profile.name)},
-      {"--format", name_of(options.format)},
-      {"--contact-sheet", sheet_text(options)},
-      {"--polar", std::to_string(2 * render.polar_width) + 'x' + std::to_string(render.polar_height)},
-      {"--light-samples", std::to_string(render.light_samples)},
-      {"--first-light-samples", std::to_string(render.first_light_samples)},
-      {"--occlusion-rays", std::to_string(render.occlusion_rays)},
-      {"--occlusion-radius", shortest_text(render.occlusion_radius_m)},
-      {"--probes", probes_text(render.probes)},
-      {"--no-reflections", given(!render.reflections)},
-      {"--no-refraction", given(!render.refraction)},
-      {"--no-camera", given(!render.camera)},
-      {"--foveation", render.foveation == Foveation::off ? "off" : "log-polar"},
-      {"--gaze-marker", given(render.gaze_marker)},
-      {"--debug-tiles", given(render.debug_tiles)},
-      {"--sampling", name_of(options.session.sampling)},
-      {"--policy", name_of(options.policy)},
-      {"--polar-floor", std::to_string(2 * narrowest_width(options, render))},
-      {"--clock", name_of(options.clock)},
-      {"--isa", name_of(render.isa)},
-      {"--start, --duration, --frames", "frames " + std::to_string(report.range.first) + " ... " +
-                                            std::to_string(report.range.first + report.range.count - 1)},
-  };
+Fingerprint::Entries settings_of_run(const SessionReport& report, const ReplayOptions& options) {
+  Fingerprint::Entries entries{{"the program", program_with_version()},
+                               {"--scene", printable(report.scene_file.filename().string())}};
+  const Fingerprint::Entries settings = entries_of(resolved_options(options, report));
+  entries.insert(entries.end(), settings.begin(), settings.end());
+  entries.emplace_back("--start, --duration, --frames",
+                       "frames " + std::to_string(report.range.first) + " ... " +
+                           std::to_string(report.range.first + report.range.count - 1));
+  return entries;
 }
 
 Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, PictureIdentity identity) {
@@ -162,13 +148,17 @@ const std::string* find(const Fingerprint::Entries& entries, const std::string& 
 
 Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
                            PictureIdentity identity) {
-  return {settings_of(report, options), inputs_of(report, scene, identity)};
+  return {settings_of_run(report, options), inputs_of(report, scene, identity)};
 }
 
 std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
+  const Fingerprint::Entries defaults = entries_of(ReplayOptions());
   for (const auto& [name, value] : now.settings) {
     const std::string* before = find(earlier.settings, name);
-    if (before == nullptr) return name + " is new";
+    // A program that did not know a setting had its default.
+    const std::string* unknown = before == nullptr ? find(defaults, name) : nullptr;
+    if (unknown != nullptr && *unknown == value) continue;
+    if (before == nullptr) return name + " was not known then, is " + value;
     if (*before != value) return name + " was " + *before + ", is " + value;
   }
   for (const auto& [name, value] : now.inputs) {

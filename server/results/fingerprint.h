@@ -14,7 +14,7 @@ namespace herr {
 
 struct Fingerprint {
   using Entries = std::vector<std::pair<std::string, std::string>>;
-  Entries settings;  // flag, value
+  Entries settings;  // flag, or name where there is none; value
   Entries inputs;    // file, its size and CRC-32; camera images by PictureIdentity
 };
 
@@ -26,7 +26,8 @@ enum class PictureIdentity { size_and_time, size };
 Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
                            PictureIdentity identity = PictureIdentity::size_and_time);
 
-// The first difference, "--light-samples was 64, is 1"; empty when there is none.
+// The first difference, "--light-samples was 64, is 1"; empty when there is none. A setting that the earlier
+// program did not know had its default.
 std::string difference(const Fingerprint& earlier, const Fingerprint& now);
 
 }  // namespace herr

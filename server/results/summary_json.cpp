@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "server/process/version.h"
+#include "server/results/settings_report.h"
 #include "server/settings/quality_target.h"
 #include "server/statistics/latency_json.h"
 #include "server/statistics/quality_json.h"
@@ -33,35 +34,6 @@ Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_picture
   json["meshes_rebuilt"] = counters.meshes_rebuilt;
   json["plan_changes"] = counters.plan_changes;
   return json;
-}
-
-Json settings_json(const RenderSettings& settings, const ReplayOptions& options) {
-  return {{"foveation", settings.foveation == Foveation::off ? "off" : "log-polar"},
-          {"polar_width_per_eye", settings.polar_width},
-          {"polar_height", settings.polar_height},
-          {"light_samples", settings.light_samples},
-          {"first_light_samples", settings.first_light_samples},
-          {"occlusion_rays", settings.occlusion_rays},
-          {"occlusion_radius_m", settings.occlusion_radius_m},
-          {"reflections", settings.reflections},
-          {"probes", settings.probes.on},
-          {"probe_rays", settings.probes.rays},
-          {"probe_budget", settings.probes.budget},
-          {"probe_hysteresis_tau_s", settings.probes.hysteresis_tau_s},
-          {"probe_reaction", settings.probes.react},
-          {"refraction", settings.refraction},
-          {"camera", settings.camera},
-          {"gaze_marker", settings.gaze_marker},
-          {"debug_tiles", settings.debug_tiles},
-          {"feed_distance_m", settings.feed_distance_m},
-          {"sampling", name_of(options.session.sampling)},
-          {"policy", name_of(options.policy)},
-          {"polar_floor_per_eye",
-           options.policy == QualityPolicy{} ? Json(nullptr) : Json(narrowest_width(options, settings))},
-          {"clock", name_of(options.clock)},
-          {"format", name_of(options.format)},
-          {"threads", settings.threads},
-          {"isa", name_of(settings.isa)}};
 }
 
 Json session_json(const SessionReport& report) {
@@ -148,7 +120,7 @@ Json subject_json(const SessionReport& report, const ReplayOptions& options) {
             {"file", report.scene_file.string()},
             {"triangles", report.scene_triangles}}},
           {"profile", profile_json(report.profile)},
-          {"settings", settings_json(report.settings, options)}};
+          {"settings", settings_json(resolved_options(options, report))}};
 }
 
 Json summary_json(const SessionReport& report, const ReplayOptions& options) {
@@ -207,26 +179,6 @@ Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& op
 
 std::string json_text(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string settings_text(const RenderSettings& settings) {
-  const std::string rays =
-      settings.foveation == Foveation::off
-          ? std::string("foveation off")
-          : "polar " + std::to_string(2 * settings.polar_width) + "x" + std::to_string(settings.polar_height);
-  return rays + ", light samples " + std::to_string(settings.light_samples) + ", " + features_text(settings);
-}
-
-std::string features_text(const RenderSettings& settings) {
-  std::string text = settings.reflections ? "reflections" : "no reflections";
-  text += settings.camera ? ", camera" : ", no camera";
-  if (settings.probes.on) text += ", probes with " + std::to_string(settings.probes.rays) + " rays";
-  if (settings.probes.on && settings.probes.budget > 0) {
-    text += ", " + std::to_string(settings.probes.budget) + " a frame";
-  }
-  if (settings.gaze_marker) text += ", gaze marker";
-  if (settings.debug_tiles) text += ", debug tiles";
-  return text;
 }
 
 }  // namespace herr

@@ -27,9 +27,4 @@ nlohmann::ordered_json run_json(const std::vector<SessionReport>& reports, const
 // Indented, with bytes that are not UTF-8 replaced, and a line break at the end.
 std::string json_text(const nlohmann::ordered_json& document);
 
-// One line with every setting that shapes the pictures, for file headers.
-std::string settings_text(const RenderSettings& settings);
-// The same without the size of the polar buffer and the number of light samples.
-std::string features_text(const RenderSettings& settings);
-
 }  // namespace herr

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/process/version.h"
+#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/serve/latest_picture.h"
 #include "server/serve/page_files.h"

@@ -1,0 +1,153 @@
+// What a run leaves about its settings: two runs that differ in one of those that shape pictures differ in
+// the text of file headers, in the fingerprint and in the summary.
+#include "server/results/settings_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "server/results/fingerprint.h"
+#include "server/results/summary_json.h"
+#include "server/settings/run_settings.h"
+
+namespace herr {
+namespace {
+
+struct Told {
+  std::string header, summary;
+  Fingerprint fingerprint;
+};
+
+// As open_session() fills the report of a session that names the profile xr1.
+SessionReport report_of(const ReplayOptions& options) {
+  SessionReport report;
+  report.settings = options.render;
+  report.profile.name = options.profile.empty() ? "xr1" : options.profile;
+  report.scene_file = "room.scene.json";
+  report.range.count = 9;
+  return report;
+}
+
+Told told_by(const ReplayOptions& options) {
+  const SessionReport report = report_of(options);
+  return {settings_text(resolved_options(options, report)), subject_json(report, options)["settings"].dump(),
+          fingerprint_of(report, options, Scene())};
+}
+
+// Probes and a policy, so that no setting of theirs is without effect.
+ReplayOptions base_options() {
+  ReplayOptions options;
+  options.render.probes.on = true;
+  options.policy.motion = true;
+  return options;
+}
+
+TEST(SettingsReport, EachSettingThatShapesPicturesIsToldEverywhere) {
+  ReplayOptions base = base_options();
+  const Told before = told_by(base);
+  const std::size_t count = settings_of(base).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    ReplayOptions options = base_options();
+    const std::vector<Setting> settings = settings_of(options);
+    const Setting& setting = settings[i];
+    set_text(setting, other_text(setting));
+    const Told now = told_by(options);
+    SCOPED_TRACE(setting.name);
+    EXPECT_NE(now.summary, before.summary);
+    const std::string what = difference(before.fingerprint, now.fingerprint);
+    if (shapes_pictures(setting)) {
+      EXPECT_NE(now.header, before.header) << now.header;
+      const std::string& flag = setting.group == SettingGroup::probes ? "" : setting.flag;
+      EXPECT_EQ(what.find((flag.empty() ? "" : flag + " was ")), 0u) << what;
+      EXPECT_NE(what, "");
+    } else {
+      EXPECT_EQ(now.header, before.header);
+      EXPECT_EQ(what.empty(), setting.group != SettingGroup::files) << what;
+    }
+  }
+}
+
+TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
+  ReplayOptions options;
+  options.profile = "xr1";
+  options.render.isa = Isa::avx2;
+  EXPECT_EQ(settings_text(options),
+            "polar 1576x768, light samples 1, reflections, camera, isa avx2, profile xr1");
+  options.render.first_light_samples = 4;
+  options.render.occlusion_rays = 8;
+  options.render.occlusion_radius_m = 0.5;
+  options.render.refraction = false;
+  options.render.camera = false;
+  options.policy.deadline = true;
+  options.target_ms = 20;
+  EXPECT_EQ(settings_text(options),
+            "polar 1576x768, light samples 1, reflections, no camera, first light samples 4, occlusion rays "
+            "8, occlusion radius 0.5 m, no refraction, isa avx2, profile xr1, policy deadline, target 20 ms");
+  EXPECT_EQ(features_text(options.render),
+            "reflections, no camera, first light samples 4, occlusion rays 8, occlusion radius 0.5 m, no "
+            "refraction");
+}
+
+// Keys and values that scripts and earlier programs know.
+TEST(SettingsReport, KeysAndValuesAreThoseOfEarlierPrograms) {
+  ReplayOptions options;
+  options.render.threads = 2;
+  options.render.isa = Isa::sse4;
+  options.render.camera = false;
+  const auto json = settings_json(resolved_options(options, report_of(options)));
+  const auto expected = nlohmann::ordered_json::parse(R"({
+    "foveation": "log-polar", "polar_width_per_eye": 788, "polar_height": 768, "light_samples": 1,
+    "first_light_samples": 0, "occlusion_rays": 0, "occlusion_radius_m": 0.3, "reflections": true,
+    "probes": false, "probe_rays": 64, "probe_budget": 0, "probe_hysteresis_tau_s": 0.365,
+    "probe_reaction": true, "refraction": true, "camera": false, "gaze_marker": false, "debug_tiles": false,
+    "feed_distance_m": 2.0, "sampling": "latest", "policy": "fixed", "polar_floor_per_eye": null,
+    "clock": "virtual", "format": "png", "threads": 2, "isa": "sse4"})");
+  for (const auto& [key, value] : expected.items()) {
+    ASSERT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json[key].dump(), value.dump()) << key;
+  }
+
+  const Fingerprint::Entries known{{"--scene", "room.scene.json"},
+                                   {"--profile", "xr1"},
+                                   {"--format", "png"},
+                                   {"--contact-sheet", "middle"},
+                                   {"--polar", "1576x768"},
+                                   {"--light-samples", "1"},
+                                   {"--first-light-samples", "0"},
+                                   {"--occlusion-rays", "0"},
+                                   {"--occlusion-radius", "0.3"},
+                                   {"--probes", "not given"},
+                                   {"--no-reflections", "not given"},
+                                   {"--no-refraction", "not given"},
+                                   {"--no-camera", "given"},
+                                   {"--foveation", "log-polar"},
+                                   {"--gaze-marker", "not given"},
+                                   {"--debug-tiles", "not given"},
+                                   {"--sampling", "latest"},
+                                   {"--policy", "fixed"},
+                                   {"--polar-floor", "196"},
+                                   {"--clock", "virtual"},
+                                   {"--isa", "sse4"},
+                                   {"--start, --duration, --frames", "frames 0 ... 8"}};
+  const Fingerprint::Entries now = told_by(options).fingerprint.settings;
+  for (const auto& entry : known) {
+    EXPECT_NE(std::find(now.begin(), now.end(), entry), now.end()) << entry.first;
+  }
+  options.render.probes.on = true;
+  const Fingerprint::Entries with_probes = told_by(options).fingerprint.settings;
+  const std::pair<std::string, std::string> probes{"--probes", "64 rays, budget 0"};
+  EXPECT_NE(std::find(with_probes.begin(), with_probes.end(), probes), with_probes.end());
+}
+
+TEST(SettingsReport, ASettingThatAnEarlierProgramDidNotKnowHadItsDefault) {
+  ReplayOptions options;
+  Fingerprint earlier = told_by(options).fingerprint;
+  std::erase_if(earlier.settings, [](const auto& entry) { return entry.first == "--occlusion-rays"; });
+  EXPECT_EQ(difference(earlier, told_by(options).fingerprint), "");
+  options.render.occlusion_rays = 4;
+  EXPECT_EQ(difference(earlier, told_by(options).fingerprint), "--occlusion-rays was not known then, is 4");
+}
+
+}  // namespace
+}  // namespace herr
