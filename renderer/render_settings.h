@@ -42,6 +42,7 @@ struct RenderSettings {
   bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
   double feed_distance_m = 2.0;     // the camera feed is re-projected as if it lay on a sphere of this radius
   ProbeSettings probes;
+  std::uint32_t seed = 0;  // of the random numbers, beside time, eye and sample
   // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the
   // same, bit for bit. To see what leaving them out saves.
   std::vector<std::string> insist_on;

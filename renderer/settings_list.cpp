@@ -9,6 +9,7 @@ using Group = SettingGroup;
 using Effect = SettingEffect;
 
 constexpr int kLargestPolar = 8192;
+constexpr double kLargestSeed = 4294967295;  // 32 bits
 constexpr double kLongestMemory_s = 1e6, kFarthestFeed_m = 1e9;
 
 // Rows: name, flag, unit, group, effect, sentence, value; then what holds where it has none.
@@ -30,6 +31,8 @@ std::vector<Setting> of_rays(RenderSettings& s) {
        "metres that they reach", real(s.occlusion_radius_m, 0.001, 1000)},
       {"reflections", "--no-reflections", "", Group::rays, Effect::pictures, "trace no mirror rays",
        on_off(s.reflections)},
+      {"seed", "--seed", "", Group::rays, Effect::pictures,
+       "of the random numbers: another one gives other noise", whole(s.seed, 0, kLargestSeed)},
   };
 }
 

@@ -33,8 +33,9 @@ bool is_covered(std::span<const Viewport> viewports, std::size_t index) {
 
 }  // namespace
 
-std::uint32_t frame_key(TimeNs t_ns, int eye) {
-  std::uint64_t h = static_cast<std::uint64_t>(t_ns) * 2 + static_cast<std::uint64_t>(eye);
+std::uint32_t frame_key(TimeNs t_ns, int eye, std::uint32_t seed) {
+  constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;  // odd: seeds stay apart, and 0 changes nothing
+  std::uint64_t h = static_cast<std::uint64_t>(t_ns) * 2 + static_cast<std::uint64_t>(eye) + seed * kGolden;
   h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;  // the finaliser of MurmurHash3
   h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
   return static_cast<std::uint32_t>(h ^ (h >> 33));

@@ -43,11 +43,11 @@ struct RayGrid {
   float finest_pixel_rad =
       0;  // polar: between pixels in the middle of the eye's finest viewport; planar: of this one
   TexelSink sink;
-  std::uint32_t key = 0;  // frame and eye
+  std::uint32_t key = 0;  // frame, eye and seed
 };
 
 // Random-number key of a frame and eye.
-std::uint32_t frame_key(TimeNs t_ns, int eye);
+std::uint32_t frame_key(TimeNs t_ns, int eye, std::uint32_t seed);
 
 // Fill `grid` for an eye's polar buffer, or for one viewport's pixels. `samples` and `buffer` must outlive
 // it; of the eye's viewports (kMaxFrusta at most) those that lie within another are left out.
