@@ -130,6 +130,25 @@ TEST_F(ReplaySession, ATargetThatIsEasilyReachedGivesTheWholeWidth) {
   EXPECT_EQ(quality["reasons"]["grow_limited"], 2) << "8, 16, 32, 64";
 }
 
+TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
+  options_.format = PictureFormat::exr;
+  options_.frames = 1;
+  options_.render.isa = Isa::sse4;
+  const auto header = [this] {
+    EXPECT_EQ(replay().exit_code, 0);
+    const auto file = OIIO::ImageInput::open((root() / "o/walk/frames/frame_000000.exr").string());
+    return file ? file->spec().get_string_attribute("herr.settings").string() : std::string("no picture");
+  };
+  EXPECT_EQ(header(), "polar 128x64, light samples 1, reflections, camera, isa sse4, profile small");
+  options_.render.light_samples = 16;
+  options_.render.first_light_samples = 4;
+  options_.render.seed = 7;
+  options_.session.sampling = SamplingMode::interpolate;
+  EXPECT_EQ(header(),
+            "polar 128x64, light samples 16, reflections, camera, first light samples 4, seed 7, isa sse4, "
+            "profile small, sampling interpolate");
+}
+
 TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
   ASSERT_EQ(replay().exit_code, 0);
   const nlohmann::json whole = summary();
