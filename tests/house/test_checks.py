@@ -253,23 +253,63 @@ class TextRules(Tree):
 
 
 class ReadmeRules(Tree):
-    README = "# X\n## Use\n### A\n```sh\nherr replay S --out DIR\n```\n| `--scene FILE` |\n## State\n`--resume` is not there\n"
+    HELPS = {None: "--help\n--version\nSubcommands:\n  replay   render\n  check    did frames become slower?\n",
+             "replay": "--out DIR\n--scene FILE\n", "check": "--only TIER\n"}
+    README = "# X\n```sh\nherr replay S --out DIR --scene F\n```\n`herr check`: `cmake --preset x`\n"
+
+    def option_findings(self, readme, **more):
+        self.write("README.md", readme)
+        for path, text in more.items():
+            self.write(path.replace("__", "/") + ".md", text)
+        return [*check_readme.option_findings(self.root, self.HELPS.get)]
 
     def test_a_link_to_nothing_is_found_and_others_are_not(self):
         self.write("a/b.h", HEADER)
         self.write("README.md", "[b](a/b.h) [b](a/b.h#l) [w](https://example.org/x) [here](#state)\n\n![p](gone.png)\n")
         self.expect_one(list(check_readme.link_findings(self.root)), "README.md:3", "gone.png")
 
-    def test_the_same_options_in_readme_and_help_are_no_finding(self):
-        text = "Usage: herr replay [OPTIONS]\n  --help\n  --out DIR\n  --scene FILE\n"
-        self.assertEqual(list(check_readme.option_findings(self.README, lambda command: text)), [])
+    def test_options_of_the_helps_are_no_finding(self):
+        self.assertEqual(self.option_findings(self.README, server__check__README="`--only`"), [])
 
-    def test_an_option_that_the_program_lacks_is_found(self):
-        self.expect_one(list(check_readme.option_findings(self.README, lambda command: "--out DIR")), "--scene", "not list")
+    def test_an_option_that_no_command_has_is_found(self):
+        self.expect_one(self.option_findings(self.README + "`--scenes`\n"), "--scenes", "not list")
 
-    def test_an_option_that_the_readme_leaves_out_is_found(self):
-        self.expect_one(list(check_readme.option_findings(self.README, lambda command: "--out --scene --threads")),
-                        "leaves out --threads")
+    def test_an_option_of_another_command_is_found_on_a_command_line(self):
+        readme = self.README.replace("--scene F", "--only times")
+        self.expect_one(self.option_findings(readme), "--only", "herr replay --help")
+
+    def test_a_command_line_that_goes_on_in_the_next_line_is_read_whole(self):
+        readme = self.README.replace("--scene F", "\\\n  --only times")
+        self.expect_one(self.option_findings(readme), "--only", "herr replay --help")
+
+    def test_an_option_of_another_command_is_found_in_the_room_of_a_command(self):
+        found = self.option_findings(self.README, server__check__measure__README="`--out`")
+        self.expect_one(found, "server/check/measure/README.md", "--out", "herr check --help")
+
+    def test_a_command_that_the_top_readme_leaves_out_is_found(self):
+        self.expect_one(self.option_findings("`herr replay`\n"), "leaves out `herr check`")
+
+    def test_a_help_without_commands_is_no_pass(self):
+        with unittest.mock.patch.dict(self.HELPS, {None: "Subcommands:\n"}):
+            self.expect_one(self.option_findings("# X\n"), "lists no commands")
+
+    def test_a_room_without_a_readme_is_found_and_one_that_is_not_built_is_not(self):
+        self.write("sessions/README.md", "# s\n")
+        self.write("sessions/files/a.h", HEADER)
+        self.expect_one([*check_readme.room_findings(self.root)], "sessions/files", "no README.md")
+        self.write("sessions/files/README.md", "# f\n")
+        self.assertEqual([*check_readme.room_findings(self.root)], [])
+
+    def test_a_top_readme_of_more_than_a_page_is_found(self):
+        self.write("README.md", "x\n" * check_readme.MOST_LINES)
+        self.assertEqual([*check_readme.length_findings(self.root)], [])
+        self.write("README.md", "x\n" * (check_readme.MOST_LINES + 1))
+        self.expect_one([*check_readme.length_findings(self.root)], "README.md", "151 lines")
+
+    def test_a_source_file_that_is_not_there_is_found_by_line(self):
+        self.write("server/http/a.h", HEADER)
+        self.write("server/http/README.md", "`a.h` `http/a.h` `server/http/a.h` `frames.csv` `-inl.h`\n`b.h`\n")
+        self.expect_one([*check_readme.name_findings(self.root)], "server/http/README.md:2", "names b.h")
 
 
 @unittest.skipUnless(shutil.which("clang-format"), "clang-format is missing; run scripts/install-packages")
