@@ -1,5 +1,5 @@
 // A recorded session, opened and checked, and what the headset knew at a frame's time.
-// Before: a folder in format version 1 (README.md of this folder). After: renderer/ and server/.
+// Before: a folder in format version 1 (format/README.md). After: renderer/ and server/.
 // Streams are read as they are needed: memory does not grow with the length of the recording.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Maps glTF materials to ours, and decodes the textures that they use, each once.
-// Before: read_gltf. After: load_gltf. The mapping is explained in scenes/README.md.
+// Before: read_gltf. After: load_gltf. The mapping is explained in README.md of this folder.
 #pragma once
 
 #include <array>

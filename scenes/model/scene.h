@@ -45,7 +45,7 @@ struct TextureSlot {
   int uv_set = 0;
 };
 
-// glTF metallic-roughness in linear light. Mapping to the paper's factors (see README.md of this folder):
+// glTF metallic-roughness in linear light. Mapping to the paper's factors (see scenes/gltf/README.md):
 // diffuse = base_colour * (1 - metallic), specular F0 = mix(0.04, base_colour, metallic) with GGX alpha =
 // roughness^2, reflection = mirror * F (Schlick from F0).
 struct Material {

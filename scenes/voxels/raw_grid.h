@@ -1,5 +1,5 @@
-// A raw grid: a small JSON header, *.voxels.json, that names a file of RGBA8 values beside it. See README.md
-// of scenes/ for the format. Before: scene_document_voxels. After: Scene::voxel_grids.
+// A raw grid: a small JSON header, *.voxels.json, that names a file of RGBA8 values beside it. README.md of
+// this folder has the format. Before: scene_document_voxels. After: Scene::voxel_grids.
 #pragma once
 
 #include <cstdint>

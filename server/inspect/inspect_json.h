@@ -1,5 +1,5 @@
 // The report of `herr inspect` for programs: one document with every number of the text.
-// The schema stands in server/README.md. Unknown values are null, never NaN.
+// The schema stands in README.md of this folder. Unknown values are null, never NaN.
 #pragma once
 
 #include <nlohmann/json.hpp>

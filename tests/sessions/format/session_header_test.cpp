@@ -15,9 +15,9 @@ namespace {
 
 using test::RecordedFolder;
 
-// The complete example of sessions/README.md: what users copy must work.
+// The complete example of sessions/format/README.md: what users copy must work.
 nlohmann::json example() {
-  std::ifstream file(std::filesystem::path(test::source_dir()) / "sessions" / "README.md");
+  std::ifstream file(std::filesystem::path(test::source_dir()) / "sessions" / "format" / "README.md");
   std::stringstream text;
   text << file.rdbuf();
   const std::string page = text.str(), fence = "```json\n";
