@@ -9,8 +9,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
+#include <cstdlib>
+#include <sstream>
 #include <string>
+
+#include "sessions/files/input_file.h"
 
 namespace herr {
 namespace {
@@ -20,7 +23,7 @@ constexpr unsigned kFlushDenormals =
 
 // cgroup v2 "cpu.max" holds "QUOTA PERIOD" in microseconds, or "max PERIOD".
 int cgroup_quota_threads() {
-  std::ifstream file("/sys/fs/cgroup/cpu.max");
+  std::istringstream file(read_kernel_text("/sys/fs/cgroup/cpu.max"));
   std::string quota;
   double period = 0;
   if (!(file >> quota >> period) || quota == "max" || period <= 0) return 1 << 20;

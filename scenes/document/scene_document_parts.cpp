@@ -1,6 +1,7 @@
 #include "scenes/document/scene_document_parts.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -12,6 +13,7 @@
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/model/transform_checks.h"
+#include "sessions/files/contained_folder.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -111,8 +113,13 @@ std::filesystem::path named_file(const JsonObject& entry, const char* key) {
                "write a path relative to the scene file, without \"..\"");
   }
   const std::filesystem::path file = (entry.file().parent_path() / relative).lexically_normal();
-  std::error_code ignored;  // a file that cannot even be looked up is reported as missing
-  if (std::filesystem::exists(file, ignored)) return file;
+  const int error = ContainedFolder(entry.file().parent_path()).open(name).error;
+  if (error == EXDEV) {
+    entry.fail(key, "is \"" + printable(name) + "\", a link that leads out of the folder of the scene",
+               "copy the file into that folder");
+  }
+  // What is there and does not open tells its loader why.
+  if (error != ENOENT && error != ENOTDIR && error != ELOOP && error != ENAMETOOLONG) return file;
   bool generated = false;
   for (const auto& part : relative) generated = generated || part == "generated";
   entry.fail(key, "names " + printable(file.string()) + ", which does not exist",

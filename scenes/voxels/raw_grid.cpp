@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/gltf/file/contained_folder.h"
 #include "scenes/voxels/voxel_limits.h"
+#include "sessions/files/contained_folder.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -61,7 +61,7 @@ RawGrid append_raw_grid(const std::filesystem::path& header, Scene& scene) {
   const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(counts.x) *
                             static_cast<std::size_t>(counts.y) * static_cast<std::size_t>(counts.z);
   const std::vector<unsigned char> rgba =
-      ContainedFolder(header).read(name, static_cast<std::int64_t>(kMaxRawVoxels) * 4);
+      read_named_file(header, name, static_cast<std::int64_t>(kMaxRawVoxels) * 4);
   if (rgba.size() != bytes) {
     root.fail("data",
               "names a file of " + std::to_string(rgba.size()) + " bytes, where the counts ask for " +

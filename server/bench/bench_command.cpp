@@ -17,6 +17,7 @@
 #include "server/process/terminal.h"
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -40,7 +41,7 @@ std::vector<BenchInput> choose_inputs(Session& session, const Scene& scene, int 
 
 std::filesystem::path session_of(const BenchOptions& options) {
   if (!options.session.empty()) return options.session;
-  if (!std::filesystem::exists(kDefaultSession)) {
+  if (!path_exists(kDefaultSession)) {
     throw UsageError(std::string("SESSION: missing, and there is no ") + kDefaultSession +
                      " here; name a session or run from the top folder of the source");
   }

@@ -1,14 +1,15 @@
 #include "server/bench/bench_subject.h"
 
 #include <cstddef>
-#include <fstream>
+#include <sstream>
 
 #include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
 
 namespace herr {
 
 std::string cpu_name() {
-  std::ifstream file("/proc/cpuinfo");
+  std::istringstream file(read_kernel_text("/proc/cpuinfo"));
   for (std::string row; std::getline(file, row);) {
     const std::size_t colon = row.find(": ");
     if (row.starts_with("model name") && colon != std::string::npos) return printable(row.substr(colon + 2));

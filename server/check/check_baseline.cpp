@@ -13,6 +13,7 @@
 #include "server/process/exit_code.h"
 #include "server/process/progress_bar.h"
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -77,7 +78,7 @@ void judge_times(const Baseline& baseline, const Runs& runs, CheckReport& report
 
 void save_baseline(const CheckOptions& options, CheckReport& report) {
   report.baseline = printable(options.save.string());
-  if (!options.overwrite && std::filesystem::exists(options.save)) {
+  if (!options.overwrite && path_exists(options.save)) {
     throw UsageError("--save: " + printable(options.save.string()) +
                      " is there already; give --overwrite to replace it");
   }

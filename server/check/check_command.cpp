@@ -20,6 +20,7 @@
 #include "server/settings/option_checks.h"
 #include "sessions/files/append_file.h"
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -48,9 +49,7 @@ void compare(const CheckOptions& options, CheckReport& report) {
 }
 
 void append(const std::filesystem::path& file, const std::string& text) {
-  std::error_code not_there_yet;
-  const auto bytes = std::filesystem::file_size(file, not_there_yet);
-  AppendFile appended(file, not_there_yet ? 0 : static_cast<std::int64_t>(bytes));
+  AppendFile appended(file, facts_of(file).size_bytes);  // 0 where it is not there yet
   appended.append(text);
   appended.finish();
 }

@@ -4,6 +4,7 @@
 
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -13,12 +14,11 @@ namespace {
 void check_place(const char* flag, const std::filesystem::path& file) {
   if (file.empty()) return;
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code unknown;
-  if (!std::filesystem::is_directory(folder, unknown)) {
+  if (!is_folder(folder)) {
     throw UsageError(std::string(flag) + ": there is no folder " + printable(folder.string()) +
                      "; make it first");
   }
-  if (::access(folder.c_str(), W_OK | X_OK) != 0 || std::filesystem::is_directory(file, unknown)) {
+  if (!may(W_OK | X_OK, folder) || is_folder(file)) {
     throw UsageError(std::string(flag) + ": " + printable(file.string()) +
                      " cannot be written; choose another place");
   }

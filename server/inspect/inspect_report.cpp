@@ -6,6 +6,7 @@
 #include "scenes/load_scene.h"
 #include "server/inspect/event_findings.h"
 #include "server/process/exit_code.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -64,9 +65,7 @@ bool is_header(const std::filesystem::path& path) {
 }
 
 bool is_scene(const std::filesystem::path& path) {
-  std::error_code ignored;  // whatever it is, opening it says what is wrong
-  return std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored) &&
-         !is_header(path);
+  return path_exists(path) && !is_folder(path) && !is_header(path);  // opening it says what else is wrong
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "server/process/exit_code.h"
-#include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -21,29 +21,25 @@ fs::path beside(const fs::path& out, const std::string& suffix) {
 }
 
 void rename_folder(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw WriteError(to, "rename", error.value());
+  if (const std::error_code error = rename_path(from, to)) throw WriteError(to, "rename", error.value());
 }
 
 // Folders above `path` that do not exist, innermost first.
 std::vector<fs::path> missing_folders(fs::path path) {
   std::vector<fs::path> missing;
-  std::error_code error;
-  for (; !path.empty() && !fs::exists(fs::symlink_status(path, error)); path = path.parent_path())
+  for (; !path.empty() && facts_of_name(path).kind == FileKind::missing; path = path.parent_path())
     missing.push_back(path);
   return missing;
 }
 
 void check_present(const NewFolder::Request& request) {
   const std::string shown = request.flag + ": " + printable(request.out.string());
-  std::error_code error;
-  if (fs::is_symlink(request.out, error))
+  if (facts_of_name(request.out).kind == FileKind::link)
     throw UsageError(shown + " is a link; name the folder that it leads to");
-  const fs::file_status status = fs::status(request.out, error);
-  if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) throw UsageError(shown + " exists and is no folder; choose another name");
-  const bool empty = fs::is_empty(request.out, error);
+  if (!path_exists(request.out)) return;
+  if (!is_folder(request.out)) throw UsageError(shown + " exists and is no folder; choose another name");
+  std::error_code error;
+  const bool empty = list_folder(request.out, error).empty();
   if (error)
     throw UsageError(request.flag + ": cannot look into " + printable(request.out.string()) + ": " +
                      error.message() + "; choose another folder");
@@ -63,40 +59,38 @@ NewFolder::NewFolder(Request request) : request_(std::move(request)) {
   const fs::path parent = out.has_parent_path() ? out.parent_path() : fs::path(".");
   made_parents_ = missing_folders(parent);
   temporary_ = beside(out, ".tmp.");
-  std::error_code error;
-  fs::create_directories(parent, error);
+  std::error_code error = make_folders(parent);
   const fs::path& wanted = error ? parent : temporary_;
-  if (!error && fs::create_directory(temporary_, error)) return;
+  if (!error) error = make_folder(temporary_);
+  if (!error) return;
   remove_made_parents();
-  throw UsageError(request_.flag + ": cannot make " + printable(wanted.string()) + ": " +
-                   (error ? error.message() : "it exists") + "; choose another folder");
+  const std::string reason = error == std::errc::file_exists ? "it exists" : error.message();
+  throw UsageError(request_.flag + ": cannot make " + printable(wanted.string()) + ": " + reason +
+                   "; choose another folder");
 }
 
 void NewFolder::remove_made_parents() const {
-  std::error_code ignored_because_the_first_error_counts;
-  for (const fs::path& folder : made_parents_)
-    fs::remove(folder, ignored_because_the_first_error_counts);  // only when it is empty
+  // Only those that are empty. The first error counts, and it was told.
+  for (const fs::path& folder : made_parents_) remove_path(folder);
 }
 
 NewFolder::~NewFolder() {
-  std::error_code ignored_because_the_first_error_counts;
   if (kept_) return;
-  fs::remove_all(temporary_, ignored_because_the_first_error_counts);
+  remove_tree(temporary_);
   remove_made_parents();
 }
 
 void NewFolder::keep() {
   const fs::path& out = request_.out;
   std::error_code error;
-  const bool replaces = fs::exists(out, error) && !fs::is_empty(out, error);
+  const bool replaces = path_exists(out) && !list_folder(out, error).empty();
   const fs::path old = beside(out, ".old.");
   if (replaces) rename_folder(out, old);
   rename_folder(temporary_, out);
   kept_ = true;
   sync_folder(out.has_parent_path() ? out.parent_path() : fs::path("."));
   if (!replaces) return;
-  fs::remove_all(old, error);
-  if (error) throw WriteError(old, "remove", error.value());
+  if (error = remove_tree(old); error) throw WriteError(old, "remove", error.value());
 }
 
 }  // namespace herr

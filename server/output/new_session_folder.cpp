@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "server/process/exit_code.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -21,31 +22,31 @@ constexpr std::array<std::string_view, 12> kSessionEntries{
     "session.json", "events.jsonl",  "pose",      "pose/data.csv", "gaze",          "gaze/data.csv",
     "cam0",         "cam0/data.csv", "cam0/data", "cam1",          "cam1/data.csv", "cam1/data"};
 
-// The first thing in a session's folder that is no part of the session.
-std::optional<fs::path> foreign_entry(const fs::path& session) {
-  for (auto entry = fs::recursive_directory_iterator(session); entry != fs::recursive_directory_iterator();
-       ++entry) {
-    const std::string name = entry->path().lexically_relative(session).generic_string();
-    if (std::find(kSessionEntries.begin(), kSessionEntries.end(), name) == kSessionEntries.end())
-      return entry->path();
-    if (entry->path().filename() == "data") entry.disable_recursion_pending();
+// The first thing in a session's folder that is no part of the session. `folder`: relative to the session.
+std::optional<fs::path> foreign_entry(const fs::path& session, const fs::path& folder,
+                                      std::error_code& error) {
+  for (const std::string& name : list_folder(session / folder, error)) {
+    const fs::path entry = folder / name;
+    if (std::find(kSessionEntries.begin(), kSessionEntries.end(), entry.generic_string()) ==
+        kSessionEntries.end())
+      return session / entry;
+    if (name == "data" || facts_of_name(session / entry).kind != FileKind::folder) continue;
+    if (auto found = foreign_entry(session, entry, error); found || error) return found;
   }
   return std::nullopt;
 }
 
 void check_overwritable(const fs::path& out) {
   const std::string shown = printable(out.string());
-  std::error_code error;
-  if (!fs::exists(out / "session.json", error))
+  if (!path_exists(out / "session.json"))
     throw UsageError("OUT: " + shown + " is not empty and no session; only a session is overwritten");
-  try {
-    if (const auto foreign = foreign_entry(out))
-      throw UsageError("OUT: " + printable(foreign->string()) +
-                       " is no part of the session and would be lost; move it away or choose another folder");
-  } catch (const fs::filesystem_error& problem) {
-    throw UsageError("OUT: cannot look into " + shown + ": " + problem.code().message() +
-                     "; choose another folder");
-  }
+  std::error_code error;
+  const auto foreign = foreign_entry(out, "", error);
+  if (error)
+    throw UsageError("OUT: cannot look into " + shown + ": " + error.message() + "; choose another folder");
+  if (foreign)
+    throw UsageError("OUT: " + printable(foreign->string()) +
+                     " is no part of the session and would be lost; move it away or choose another folder");
 }
 
 }  // namespace

@@ -7,28 +7,21 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sessions/files/atomic_file.h"
+#include "sessions/files/descriptor.h"
+#include "sessions/files/write_error.h"
 
 namespace herr {
 namespace {
 
-// Writes everything; returns the errno of the failure or 0.
-int write_all(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(fd, text.data(), text.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return errno;
-    }
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
+// Returns the errno of the failure or 0.
+int write_text(int descriptor, std::string_view text) {
+  return write_all(descriptor, text.data(), text.size());
 }
 
 }  // namespace
 
 void print_result(const std::string& text) {
-  const int error = write_all(STDOUT_FILENO, text);
+  const int error = write_text(STDOUT_FILENO, text);
   if (error != 0 && error != EPIPE) throw WriteError("standard output", "write", error);
 }
 
@@ -36,7 +29,7 @@ void print_message(const std::string& message) {
   std::string line = "herr: " + message;
   std::replace(line.begin(), line.end(), '\n', ' ');
   line += '\n';
-  write_all(STDERR_FILENO, line);
+  write_text(STDERR_FILENO, line);
 }
 
 bool stderr_is_terminal() {
@@ -46,7 +39,7 @@ bool stderr_is_terminal() {
 }
 
 void print_progress(const std::string& text) {
-  write_all(STDERR_FILENO, text);
+  write_text(STDERR_FILENO, text);
 }
 
 }  // namespace herr

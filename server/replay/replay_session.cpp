@@ -28,6 +28,7 @@
 #include "server/results/summary_json.h"
 #include "server/settings/quality_target.h"
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -126,7 +127,7 @@ void SessionReplay::note_failure() {
 }
 
 void SessionReplay::start_output() {
-  const bool resume = options_.resume && std::filesystem::exists(folder_.checkpoint_json());
+  const bool resume = options_.resume && path_exists(folder_.checkpoint_json());
   lock_.emplace(folder_.prepare(options_.format, resume ? EarlierResults::resume : EarlierResults::replace));
   files_.emplace(folder_, options_, report_.profile, report_.range);
   quality_.emplace(quality_controller(options_, report_, *opened_.renderer));
@@ -194,9 +195,8 @@ void SessionReplay::take_over(EarlierFrames earlier) {
 void SessionReplay::open_writer(const EarlierFrames& earlier) {
   AppendFile csv(folder_.frames_csv(), earlier.csv_bytes);
   // An earlier summary tells of the end of a run, and this one has not ended.
-  std::error_code error;
-  std::filesystem::remove(folder_.summary_json(), error);
-  if (error) throw WriteError(folder_.summary_json(), "remove", error.value());
+  if (const std::error_code error = remove_path(folder_.summary_json()))
+    throw WriteError(folder_.summary_json(), "remove", error.value());
   if (earlier.csv_bytes == 0) csv.append(frames_csv_header());
   csv.flush();
   // Two frames may wait: enough to even out the disk, little enough to hold in memory. One more place for a

@@ -1,9 +1,9 @@
 #include "server/results/earlier_frames.h"
 
 #include <optional>
-#include <system_error>
 
 #include "server/results/frames_csv.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/line_reader.h"
 
@@ -20,14 +20,13 @@ struct FoundFiles {
   std::optional<fs::path> sheet, missing;
 
   void look_for(const fs::path& file) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    if (error || size == 0) {
+    const FileFacts facts = facts_of(file);
+    if (facts.kind != FileKind::file || facts.size_bytes == 0) {
       if (!missing) missing = file;
       return;
     }
     ++count;
-    bytes += static_cast<std::int64_t>(size);
+    bytes += facts.size_bytes;
   }
 };
 
@@ -69,8 +68,7 @@ bool take(const TextLine& line, const fs::path& csv, const FrameFiles& files, co
 EarlierFrames read_earlier_frames(const fs::path& csv, const FrameFiles& files, const FrameRange& range) {
   EarlierFrames earlier;
   earlier.next_frame = range.first;
-  std::error_code ignored_because_opening_says_more;
-  if (!fs::exists(csv, ignored_because_opening_says_more)) return earlier;
+  if (!path_exists(csv)) return earlier;
   LineReader lines(csv, kLongestRow);
   TextLine line;
   if (!lines.next(line) || !line.whole) return earlier;

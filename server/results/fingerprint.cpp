@@ -14,6 +14,7 @@
 #include "server/settings/quality_target.h"
 #include "server/settings/run_settings.h"
 #include "server/text/number_text.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
 
@@ -49,16 +50,11 @@ std::string content_text(const fs::path& path) {
 std::string images_text(const fs::path& folder, PictureIdentity identity) {
   std::uint64_t count = 0, sum = 0;
   std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    std::error_code ignored_because_a_broken_link_has_no_size;
-    const auto size = entry->file_size(ignored_because_a_broken_link_has_no_size);
-    const auto changed = entry->last_write_time(ignored_because_a_broken_link_has_no_size);
-    if (ignored_because_a_broken_link_has_no_size) continue;
-    std::string text = entry->path().lexically_relative(folder).string() + ' ' + std::to_string(size);
-    if (identity == PictureIdentity::size_and_time) {
-      text += ' ' + std::to_string(changed.time_since_epoch().count());
-    }
+  for (const fs::path& file : list_tree(folder, error)) {
+    const FileFacts facts = facts_of(file);
+    if (facts.kind != FileKind::file) continue;  // a folder, or a broken link
+    std::string text = file.lexically_relative(folder).string() + ' ' + std::to_string(facts.size_bytes);
+    if (identity == PictureIdentity::size_and_time) text += ' ' + std::to_string(facts.changed_ns);
     Checksum checksum;
     checksum.add(text.data(), text.size());
     sum += checksum.crc();
@@ -127,10 +123,10 @@ Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, 
   const fs::path& session = report.session_folder;
   for (const char* name :
        {"session.json", "pose/data.csv", "gaze/data.csv", "cam0/data.csv", "cam1/data.csv", "events.jsonl"}) {
-    if (fs::exists(session / name)) add(session / name, session);
+    if (path_exists(session / name)) add(session / name, session);
   }
   for (const char* name : {"cam0/data", "cam1/data"}) {
-    if (fs::is_directory(session / name)) inputs.emplace_back(name, images_text(session / name, identity));
+    if (is_folder(session / name)) inputs.emplace_back(name, images_text(session / name, identity));
   }
   const std::set<fs::path> files(scene.files.begin(), scene.files.end());
   for (const fs::path& file : files) add(file, fs::absolute(report.scene_file).parent_path());

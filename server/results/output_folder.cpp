@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "server/process/exit_code.h"
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -77,20 +80,20 @@ void OutputFolder::check(EarlierResults earlier) const {
     throw UsageError("--out: " + shown(path_) +
                      " lies inside the session itself; choose a folder outside it");
   }
-  std::error_code error;
-  const fs::file_status status = fs::status(path_, error);
-  if (status.type() == fs::file_type::not_found) return;
-  if (!fs::is_directory(status)) {
+  const FileKind kind = facts_of(path_).kind;
+  if (kind == FileKind::missing) return;
+  if (kind != FileKind::folder) {
     throw UsageError("--out: " + shown(path_) + " exists and is not a folder; choose another folder");
   }
-  const bool empty = fs::is_empty(path_, error);
+  std::error_code error;
+  const bool empty = list_folder(path_, error).empty();
   if (error) refuse_folder(path_, error);
   if (!empty && earlier == EarlierResults::refuse) {
     throw UsageError("--out: " + shown(path_) +
                      " is not empty; give --resume to go on with an interrupted replay, or --overwrite to "
                      "replace the results in it");
   }
-  if (earlier != EarlierResults::resume || fs::exists(checkpoint_json(), error)) return;
+  if (earlier != EarlierResults::resume || path_exists(checkpoint_json())) return;
   for (const fs::path& file : earlier_results()) {
     if (is_replay_leftover(file.filename().string())) continue;
     throw UsageError("--resume: " + shown(path_) +
@@ -99,31 +102,29 @@ void OutputFolder::check(EarlierResults earlier) const {
 }
 
 FolderLock OutputFolder::prepare(PictureFormat format, EarlierResults earlier) const {
-  std::error_code error;
-  fs::create_directories(path_, error);
-  if (error) refuse_folder(path_, error);
-  FolderLock lock(path_);
+  if (const std::error_code error = make_folders(path_)) refuse_folder(path_, error);
+  std::optional<FolderLock> lock = FolderLock::take(path_);
+  if (!lock) {
+    throw TemporaryError("--out: another process is writing into " + shown(path_) +
+                         "; wait for its end or choose another folder");
+  }
   for (const fs::path& file : earlier_results()) {
     if (earlier == EarlierResults::resume && !is_replay_leftover(file.filename().string())) continue;
-    if (!fs::remove(file, error) && error) refuse_folder(file, error);
+    if (const std::error_code error = remove_path(file)) refuse_folder(file, error);
   }
   // Only when it is empty: whatever else lies there belongs to somebody.
-  std::error_code ignored_because_not_empty;
-  fs::remove(frames_folder(), ignored_because_not_empty);
-  if (format == PictureFormat::none) return lock;
-  fs::create_directories(frames_folder(), error);
-  if (error) refuse_folder(frames_folder(), error);
-  return lock;
+  remove_path(frames_folder());
+  if (format == PictureFormat::none) return std::move(*lock);
+  if (const std::error_code error = make_folders(frames_folder())) refuse_folder(frames_folder(), error);
+  return std::move(*lock);
 }
 
 std::vector<fs::path> OutputFolder::earlier_results() const {
   std::vector<fs::path> results;
   for (const fs::path& folder : {path_, frames_folder()}) {
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-      const bool is_file = !entry->is_directory(error);
-      if (is_file && is_replay_result(entry->path().filename().string())) results.push_back(entry->path());
-    }
+    for (const std::string& name : list_folder(folder, error))
+      if (is_replay_result(name) && !is_folder(folder / name)) results.push_back(folder / name);
     if (error && error != std::errc::no_such_file_or_directory) refuse_folder(folder, error);
   }
   return results;

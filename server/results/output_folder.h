@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "server/output/folder_lock.h"
 #include "server/settings/replay_options.h"
+#include "sessions/files/folder_lock.h"
 
 namespace herr {
 

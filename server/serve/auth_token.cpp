@@ -1,17 +1,14 @@
 #include "server/serve/auth_token.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
+#include <optional>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "server/process/exit_code.h"
 #include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
 
 namespace herr {
 namespace {
@@ -26,36 +23,31 @@ bool is_token_character(char c) {
   return word || std::string_view("-._~+/=").find(c) != std::string_view::npos;
 }
 
-std::string mode_text(mode_t mode) {
-  const unsigned bits = mode & 0777u;
+std::string mode_text(unsigned bits) {
   return {'0', static_cast<char>('0' + (bits >> 6)), static_cast<char>('0' + (bits >> 3 & 7u)),
           static_cast<char>('0' + (bits & 7u))};
 }
 
-struct Descriptor {
-  int fd;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
+InputFile open_token_file(const std::filesystem::path& file) {
+  OpenedFile opened = open_for_reading(file);
+  if (opened.error != 0)
+    refuse(file, "cannot be read: " + std::generic_category().message(opened.error), "check the path");
+  try {
+    return {file, std::move(opened)};
+  } catch (const InputError&) {
+    refuse(file, "is no regular file", "write the token into one");
   }
-};
+}
 
 }  // namespace
 
 std::string read_auth_token(const std::filesystem::path& file) {
-  // A pipe must not hold us up.
-  const Descriptor opened{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (opened.fd < 0) refuse(file, std::string("cannot be read: ") + std::strerror(errno), "check the path");
-  struct stat status {};
-  if (::fstat(opened.fd, &status) != 0 || !S_ISREG(status.st_mode))
-    refuse(file, "is no regular file", "write the token into one");
-  if ((status.st_mode & 077u) != 0)
-    refuse(file, "has mode " + mode_text(status.st_mode) + ", so others may read it", "chmod 600");
+  const InputFile opened = open_token_file(file);
+  if ((opened.mode() & 077u) != 0)
+    refuse(file, "has mode " + mode_text(opened.mode()) + ", so others may read it", "chmod 600");
 
-  std::array<char, kLongestToken + 3> buffer{};
-  std::string token;
-  for (ssize_t count = 0; token.size() < buffer.size() &&
-                          (count = ::read(opened.fd, buffer.data(), buffer.size() - token.size())) > 0;)
-    token.append(buffer.data(), static_cast<std::size_t>(count));
+  std::string token(kLongestToken + 3, '\0');
+  token.resize(opened.read_at(0, token.data(), token.size()));
   while (!token.empty() && (token.back() == '\n' || token.back() == '\r')) token.pop_back();
   // What is wrong is told without a piece of it.
   if (token.size() < kShortestToken || token.size() > kLongestToken ||

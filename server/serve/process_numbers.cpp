@@ -3,24 +3,19 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <system_error>
 
+#include "sessions/files/folders.h"
+#include "sessions/files/input_file.h"
+
 namespace herr {
 namespace {
 
-std::string text_of(const char* file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 // Seconds since 1970 at which the machine was started.
 std::optional<double> boot_time_seconds() {
-  std::istringstream lines(text_of("/proc/stat"));
+  std::istringstream lines(read_kernel_text("/proc/stat"));
   std::string word;
   double value = 0;
   while (lines >> word) {
@@ -33,7 +28,7 @@ std::optional<double> boot_time_seconds() {
 }  // namespace
 
 std::optional<ProcessNumbers> read_process_numbers() {
-  const std::string stat = text_of("/proc/self/stat");
+  const std::string stat = read_kernel_text("/proc/self/stat");
   // The second field is the program's name in parentheses and may hold anything.
   const std::size_t name_end = stat.rfind(')');
   const std::optional<double> boot_s = boot_time_seconds();
@@ -55,10 +50,7 @@ std::optional<ProcessNumbers> read_process_numbers() {
   numbers.virtual_bytes = virtual_bytes;
   numbers.resident_bytes = resident_pages * ::sysconf(_SC_PAGESIZE);
   std::error_code error;
-  std::filesystem::directory_iterator entry("/proc/self/fd", error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    ++numbers.open_descriptors;
-  }
+  numbers.open_descriptors = static_cast<std::int64_t>(list_folder("/proc/self/fd", error).size());
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) == 0) {
     numbers.most_descriptors = static_cast<std::int64_t>(limit.rlim_cur);

@@ -16,6 +16,7 @@
 #include "server/process/version.h"
 #include "server/synth/synth_report.h"
 #include "server/synth/synth_streams.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/format/session_header.h"
 
@@ -116,8 +117,7 @@ SessionHeader header_for(const SynthOptions& options, const NewSessionFolder& fo
 void check_replay_scene(const SynthOptions& options, const NewSessionFolder& folder) {
   if (options.scene.empty()) return;
   const fs::path file = folder.path() / options.scene;
-  std::error_code error;
-  if (!fs::is_regular_file(file, error))
+  if (!is_file(file))
     throw UsageError("--replay-scene: there is no file " + printable(folder.with_final_name(file.string())) +
                      "; write the path relative to OUT");
   try {

@@ -2,9 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -37,6 +35,25 @@ void limit_library() {
     OIIO::attribute("exr_threads", -1);
   });
 }
+
+// The bytes of a file for the library, which reads as many as the header takes.
+class FileBytes : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit FileBytes(const InputFile& file) : IOProxy(file.path().string(), Read), file_(file) {}
+  const char* proxytype() const override { return "herr"; }
+  std::size_t read(void* bytes, std::size_t count) override {
+    const std::size_t got = pread(bytes, count, m_pos);
+    m_pos += static_cast<std::int64_t>(got);
+    return got;
+  }
+  std::size_t pread(void* bytes, std::size_t count, std::int64_t offset) override {
+    return file_.read_at(offset, static_cast<char*>(bytes), count);
+  }
+  std::size_t size() const override { return static_cast<std::size_t>(file_.size_bytes()); }
+
+ private:
+  const InputFile& file_;
+};
 
 // A reader on bytes that it does not own: the proxy goes last.
 struct OpenedImage {
@@ -154,26 +171,29 @@ void check_jpeg_end(const std::filesystem::path& file, const std::string& bytes)
 }  // namespace
 
 ImageSize read_image_size(const std::filesystem::path& path) {
-  InputFile file(path);
+  return read_image_size(InputFile(path));
+}
+
+CameraImage read_camera_image(const std::filesystem::path& path) {
+  return read_camera_image(InputFile(path));
+}
+
+ImageSize read_image_size(const InputFile& from) {
+  const std::filesystem::path& path = from.path();
   std::string first_bytes(kPngHeaderBytes, '\0');
-  first_bytes.resize(file.read(first_bytes.data(), first_bytes.size()));
+  first_bytes.resize(from.read_at(0, first_bytes.data(), first_bytes.size()));
   if (recognised_format(path, first_bytes) == ImageFormat::png) {
     const ImageSize size = png_size(path, first_bytes);
     check_size(path, size);
     return size;
   }
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(::fdopen(file.release(), "rb"), &std::fclose);
-  if (!stream || std::fseek(stream.get(), 0, SEEK_SET) != 0)
-    throw InputError(path, 0, "cannot be read", "check the file");
-  // The proxy does not own the stream; `opened` is destroyed first.
-  const OpenedImage opened =
-      open_image(path, first_bytes,
-                 std::make_unique<OIIO::Filesystem::IOFile>(stream.get(), OIIO::Filesystem::IOProxy::Read));
+  const OpenedImage opened = open_image(path, first_bytes, std::make_unique<FileBytes>(from));
   return {opened.spec.width, opened.spec.height};
 }
 
-CameraImage read_camera_image(const std::filesystem::path& file) {
-  std::string bytes = read_whole_file(file, kMaxFileBytes);
+CameraImage read_camera_image(const InputFile& from) {
+  const std::filesystem::path& file = from.path();
+  std::string bytes = all_bytes<std::string>(from, {kMaxFileBytes});
   if (recognised_format(file, std::string_view(bytes).substr(0, kPngHeaderBytes)) == ImageFormat::png) {
     check_size(file, png_size(file, bytes));
     bytes = essential_png(file, bytes);

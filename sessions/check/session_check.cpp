@@ -1,9 +1,9 @@
 #include "sessions/check/session_check.h"
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/streams/camera_sampler.h"
 
@@ -15,8 +15,9 @@ constexpr TimeNs kClockSlackNs = 1'000'000'000;  // streams of one device start 
 
 // Exists, whatever it is: a folder in the place of a stream is then refused when it is opened.
 bool is_there(const std::filesystem::path& path) {
-  std::error_code ignored;  // an unreadable parent: opening the required streams says so
-  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+  const FileKind kind =
+      facts_of_name(path).kind;  // unknown, in an unreadable folder: opening the streams says so
+  return kind != FileKind::missing && kind != FileKind::unknown;
 }
 
 // A stream that never meets the poses was stamped by another clock.
@@ -186,16 +187,15 @@ class ReplayVisitor : public SessionVisitor {
 }  // namespace
 
 void check_session_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(folder, error);
-  if (status.type() == std::filesystem::file_type::not_found)
+  const FileFacts facts = facts_of(folder);
+  if (facts.kind == FileKind::missing)
     throw InputError(folder, 0, "there is no such session folder", "check the path");
-  if (status.type() == std::filesystem::file_type::none)
-    throw InputError(folder, 0, "cannot be examined: " + error.message(),
+  if (facts.kind == FileKind::unknown)
+    throw InputError(folder, 0, "cannot be examined: " + facts.error.message(),
                      "check the path and its permissions");
-  if (!std::filesystem::is_directory(status))
+  if (facts.kind != FileKind::folder)
     throw InputError(folder, 0, "is not a folder", "name the folder that holds session.json");
-  if (!std::filesystem::exists(folder / "session.json", error))
+  if (!path_exists(folder / "session.json"))
     throw InputError(folder, 0, "holds no session.json: it is not a session", "name a session folder");
 }
 
@@ -209,7 +209,7 @@ RowStream<CameraRow> open_camera_rows(const SessionFiles& files, std::size_t i, 
                                       RowPolicy policy) {
   const auto parse = [folder = files.camera_data(i), &model](const CsvRows& rows) {
     CameraRow row = parse_camera_row(rows);
-    (void)checked_image_path(rows, row, folder, model);
+    (void)checked_image(rows, row, folder, model);
     return row;
   };
   return {files.camera(i), camera_layout(), parse, std::move(policy)};

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "sessions/files/write_error.h"
+#include "sessions/files/output_file.h"
 
 namespace herr {
 
@@ -20,10 +20,7 @@ class AppendFile {
   // Goes on after the first `kept_bytes` of a file (a line end); what follows them is cut off. A file that is
   // not there is made, for kept_bytes 0.
   AppendFile(std::filesystem::path file, std::int64_t kept_bytes);
-  AppendFile(AppendFile&& other) noexcept;
-  AppendFile& operator=(AppendFile&&) = delete;
-  // Closes the file. Rows that were not flushed are lost: a destructor could not report a full disk.
-  ~AppendFile();
+  // Rows that were not flushed are lost with the object: a destructor could not report a full disk.
 
   // Takes whole rows, each with its line end; they reach the file at the next flush.
   void append(std::string_view rows);
@@ -39,8 +36,8 @@ class AppendFile {
 
  private:
   std::filesystem::path path_;
+  OutputFile file_;
   std::string rows_;
-  int descriptor_ = -1;
 };
 
 }  // namespace herr

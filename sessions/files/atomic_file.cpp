@@ -1,54 +1,48 @@
 #include "sessions/files/atomic_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
 #include <system_error>
 #include <utility>
 
+#include "sessions/files/file_system.h"
+
 namespace herr {
-AtomicFile::AtomicFile(std::filesystem::path final_name) : final_name_(std::move(final_name)) {
-  temporary_name_ = final_name_;
-  temporary_name_ += ".tmp." + std::to_string(::getpid());
-  fd_ = ::open(temporary_name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (fd_ < 0) throw WriteError(final_name_, "create", errno);
-  exists_ = true;
+namespace {
+
+std::filesystem::path temporary_name_for(const std::filesystem::path& final_name) {
+  std::filesystem::path name = final_name;
+  name += ".tmp." + std::to_string(::getpid());
+  return name;
 }
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path final_name)
+    : final_name_(std::move(final_name)),
+      temporary_name_(temporary_name_for(final_name_)),
+      file_(temporary_name_, final_name_, OutputFile::Opening::make) {}
 
 AtomicFile::~AtomicFile() {
-  remove_temporary();
-}
-
-void AtomicFile::remove_temporary() noexcept {
-  // Only reached when the write already failed (and threw) or was given up: no further error to report.
-  if (fd_ >= 0) ::close(std::exchange(fd_, -1));
-  if (std::exchange(exists_, false)) ::unlink(temporary_name_.c_str());
+  // Only where a step failed (and threw) or the file was given up: no further error to report.
+  if (!committed_) file_system().remove(temporary_name_.c_str());
 }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd_, bytes.data(), bytes.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      throw WriteError(final_name_, "write", errno);
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
+  file_.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 void AtomicFile::write(std::string_view text) {
-  write(std::span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  file_.write(text);
 }
 
 void AtomicFile::commit() {
-  sync_file(fd_, final_name_);
-  if (::close(std::exchange(fd_, -1)) != 0) throw WriteError(final_name_, "close", errno);
-  if (::rename(temporary_name_.c_str(), final_name_.c_str()) != 0) {
-    throw WriteError(final_name_, "rename", errno);
-  }
-  exists_ = false;
+  file_.sync();
+  file_.close();
+  const int result = file_system().rename(temporary_name_.c_str(), final_name_.c_str());
+  if (result < 0) throw WriteError(final_name_, "rename", -result);
+  committed_ = true;
 }
 
 void write_whole_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {

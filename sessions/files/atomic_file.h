@@ -3,15 +3,13 @@
 // does.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "sessions/files/durability.h"
-#include "sessions/files/write_error.h"
+#include "sessions/files/output_file.h"
 
 namespace herr {
 
@@ -30,11 +28,9 @@ class AtomicFile {
   void commit();
 
  private:
-  void remove_temporary() noexcept;
-
   std::filesystem::path final_name_, temporary_name_;
-  int fd_ = -1;
-  bool exists_ = false;  // the temporary name is in the folder
+  OutputFile file_;
+  bool committed_ = false;
 };
 
 void write_whole_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);

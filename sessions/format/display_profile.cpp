@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <set>
 
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -110,8 +111,8 @@ std::optional<DisplayProfile> builtin_display_profile(const std::string& name) {
 DisplayProfile load_display_profile(const std::string& name_or_path) {
   if (const auto builtin = builtin_display_profile(name_or_path)) return *builtin;
   const std::filesystem::path path(name_or_path);
-  std::error_code ignored;  // a path that cannot be examined does not exist for us: the error below says so
-  if (path.extension() != ".json" && !std::filesystem::exists(path, ignored))
+  // A path that cannot be examined does not exist for us: the error below says so.
+  if (path.extension() != ".json" && !path_exists(path))
     throw InputError(path, 0, "is neither a built-in display profile nor a file",
                      "use xr1, xr1-half or the path of a JSON file");
   return parse_display_profile(parse_json_file(path), path, "");

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -57,9 +58,8 @@ bool natural_less(const std::string& a, const std::string& b) {
 CameraPictures find_camera_pictures(const std::filesystem::path& folder) {
   CameraPictures pictures;
   std::error_code error;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-    if (is_picture(entry->path())) pictures.files.push_back(entry->path());
+  for (const std::string& name : list_folder(folder, error))
+    if (is_picture(name)) pictures.files.push_back(folder / name);
   if (error) throw InputError(folder, 0, "cannot be listed: " + error.message(), "name a folder of pictures");
   if (pictures.files.empty())
     throw InputError(folder, 0, "holds no pictures", "name a folder of .jpg, .png or .exr files");

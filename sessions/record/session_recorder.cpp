@@ -1,16 +1,13 @@
 #include "sessions/record/session_recorder.h"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <charconv>
 #include <set>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "sessions/files/durability.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/format/header_text.h"
 
 namespace herr {
@@ -32,9 +29,8 @@ void append_vector(std::string& row, const glm::dvec3& v) {
 }
 
 void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw WriteError(folder, "make the folder", error.value());
+  if (const std::error_code error = make_folders(folder))
+    throw WriteError(folder, "make the folder", error.value());
 }
 
 std::string camera_name(std::size_t camera) {
@@ -48,18 +44,8 @@ SessionRecorder::SessionRecorder(fs::path folder) : folder_(std::move(folder)) {
 }
 
 void SessionRecorder::write_header(const SessionHeader& header) {
-  // Under another name first: a reader finds the old header or the new one, never half of one.
-  const fs::path final_name = folder_ / "session.json";
-  const fs::path temporary = folder_ / ("session.json.tmp." + std::to_string(::getpid()));
-  AppendFile file(temporary);
-  try {
-    file.append(header_text(header));
-    file.finish();
-    if (::rename(temporary.c_str(), final_name.c_str()) != 0) throw WriteError(final_name, "rename", errno);
-  } catch (...) {
-    ::unlink(temporary.c_str());  // the first failure is the one to report
-    throw;
-  }
+  // A reader finds the old header or the new one, never half of one.
+  write_whole_file(folder_ / "session.json", header_text(header));
 }
 
 SessionRecorder::Stream& SessionRecorder::stream(const std::string& name, const std::string& first_line) {
@@ -137,7 +123,7 @@ void SessionRecorder::finish() {
     stream.file.finish();
     const fs::path folder = stream.file.path().parent_path();
     folders.insert(folder);
-    if (fs::exists(folder / "data")) folders.insert(folder / "data");
+    if (path_exists(folder / "data")) folders.insert(folder / "data");
   }
   for (const fs::path& folder : folders) sync_folder(folder);
 }

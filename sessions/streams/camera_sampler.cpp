@@ -1,10 +1,9 @@
 #include "sessions/streams/camera_sampler.h"
 
-#include <stdexcept>
 #include <utility>
 
-#include "sessions/files/contained_path.h"
 #include "sessions/files/input_error.h"
+#include "sessions/streams/recorded_name.h"
 
 namespace herr {
 namespace {
@@ -15,27 +14,22 @@ std::string pixels(int width_px, int height_px) {
 
 }  // namespace
 
-std::filesystem::path checked_image_path(const CsvRows& rows, const CameraRow& row,
-                                         const std::filesystem::path& data_folder, const CameraModel& model) {
-  std::filesystem::path file;
+InputFile checked_image(const CsvRows& rows, const CameraRow& row, const std::filesystem::path& data_folder,
+                        const CameraModel& model) {
+  const std::string image = "image '" + printable(row.filename) + "' ";
+  std::optional<InputFile> file;
+  ImageSize size;
   try {
-    file = contained_path(data_folder, row.filename);
-  } catch (const std::invalid_argument& error) {
-    rows.fail("image '" + printable(row.filename) + "' " + error.what(),
-              "name an image inside the camera's data folder");
+    file = open_recorded(data_folder, row.filename, "name an image inside the camera's data folder");
+    size = read_image_size(*file);
+  } catch (const InputError& error) {  // it knows the image, not the row that names it
+    rows.fail(image + error.problem(), error.remedy());
   }
-  const ImageSize size = [&] {
-    try {
-      return read_image_size(file);
-    } catch (const InputError& error) {  // it knows the image, not the row that names it
-      rows.fail("image '" + printable(row.filename) + "' " + error.problem(), error.remedy());
-    }
-  }();
   if (size.width_px != model.width_px || size.height_px != model.height_px)
-    rows.fail("image '" + printable(row.filename) + "' has " + pixels(size.width_px, size.height_px) +
+    rows.fail(image + "has " + pixels(size.width_px, size.height_px) +
                   " pixels where the intrinsics are for " + pixels(model.width_px, model.height_px),
               "correct session.json or convert the images");
-  return file;
+  return std::move(*file);
 }
 
 CameraSampler::CameraSampler(RowStream<CameraRow> rows, PoseSampler exposure_poses, Source source)
@@ -47,21 +41,16 @@ void CameraSampler::show(const CameraRow& row) {
   SampledCamera next;
   try {
     const CameraModel& model = source_.camera->model;
-    const std::filesystem::path file = contained_path(source_.data_folder, row.filename);
+    // Name and size were good when the session was opened.
+    const std::string remedy = "leave the session alone while it replays";
+    const InputFile file = open_recorded(source_.data_folder, row.filename, remedy);
     auto image = std::make_shared<CameraImage>(read_camera_image(file));
     if (image->width_px != model.width_px || image->height_px != model.height_px)
-      throw InputError(file, 0, "has changed its size since it was checked",
-                       "leave the session alone while it replays");
+      throw InputError(file.path(), 0, "has changed its size since it was checked", remedy);
     next.image = std::move(image);
   } catch (const InputError& error) {
     if (!source_.keep_going) throw;
     if (source_.on_skipped) source_.on_skipped(error);
-    return;
-  } catch (const std::invalid_argument& error) {  // the name was good when the session was opened
-    const InputError gone(source_.data_folder / row.filename, 0, error.what(),
-                          "leave the session alone while it replays");
-    if (!source_.keep_going) throw gone;
-    if (source_.on_skipped) source_.on_skipped(gone);
     return;
   }
   next.model = &source_.camera->model;

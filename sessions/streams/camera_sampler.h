@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "sessions/files/input_file.h"
 #include "sessions/format/session_header.h"
 #include "sessions/streams/frame_sample.h"
 #include "sessions/streams/pose_sampler.h"
@@ -15,10 +16,10 @@
 
 namespace herr {
 
-// The image of a camera row, checked: inside `data_folder`, readable header, the size of the intrinsics.
-// Throws InputError that names the row.
-std::filesystem::path checked_image_path(const CsvRows& rows, const CameraRow& row,
-                                         const std::filesystem::path& data_folder, const CameraModel& model);
+// The image of a camera row, opened and checked: inside `data_folder`, readable header, the size of the
+// intrinsics. Throws InputError that names the row.
+InputFile checked_image(const CsvRows& rows, const CameraRow& row, const std::filesystem::path& data_folder,
+                        const CameraModel& model);
 
 class CameraSampler {
  public:

@@ -9,14 +9,15 @@
 #include <string_view>
 #include <utility>
 
-#include "scenes/gltf/file/contained_folder.h"
 #include "scenes/gltf/file/gltf_checks.h"
 #include "scenes/gltf/file/gltf_lights.h"
 #include "scenes/gltf/file/gltf_limits.h"
 #include "scenes/gltf/file/gltf_materials.h"
 #include "scenes/gltf/file/gltf_motion.h"
 #include "scenes/gltf/file/gpu_instances.h"
+#include "sessions/files/contained_folder.h"
 #include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
@@ -27,11 +28,10 @@ std::string gltf_warning(const GltfModel& model, const std::string& text) {
 
 namespace {
 
-// What tinygltf's callbacks share: the folder, what is left of the byte budget, and why a read failed.
+// What tinygltf's callbacks share: the glTF file, what is left of the byte budget, and why a read failed.
 struct Reading {
-  explicit Reading(const std::filesystem::path& file) : gltf_file(file), folder(file) {}
+  explicit Reading(const std::filesystem::path& file) : gltf_file(file) {}
   std::filesystem::path gltf_file;
-  ContainedFolder folder;
   std::int64_t bytes_left = kMaxExternalBytes;
   std::set<std::filesystem::path> files;
   std::vector<std::exception_ptr>
@@ -48,8 +48,7 @@ std::string keep_path(const std::string& path, void*) {
   return path;
 }
 
-bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const std::string& path,
-                     void* user) {
+bool read_external(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* user) {
   auto& reading = *static_cast<Reading*>(user);
   // An exception must not cross tinygltf, which holds no guards: it is kept and thrown again afterwards.
   try {
@@ -58,8 +57,9 @@ bool read_whole_file(std::vector<unsigned char>* out, std::string* error, const 
                        "embed it as data:application/octet-stream;base64 or "
                        "data:image/png;base64");
     }
-    *out = reading.folder.read(path, reading.bytes_left);
-    reading.files.insert(reading.folder.path() / path);
+    *out = read_named_file(reading.gltf_file, path, reading.bytes_left);
+    reading.bytes_left -= static_cast<std::int64_t>(out->size());
+    reading.files.insert(reading.gltf_file.parent_path() / path);
     return true;
   } catch (const std::exception& failure) {
     reading.failures.push_back(std::current_exception());
@@ -79,20 +79,19 @@ bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*,
   return true;
 }
 
-bool is_binary(const std::vector<unsigned char>& bytes) {
-  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+bool is_binary(std::string_view bytes) {
+  return bytes.starts_with("glTF");
 }
 
-std::uint32_t word_at(const std::vector<unsigned char>& bytes, std::size_t offset) {
+std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
   std::uint32_t word = 0;  // little-endian, as is every machine that Embree runs on
   std::memcpy(&word, bytes.data() + offset, sizeof(word));
   return word;
 }
 
 // The JSON text of a file: all of a .gltf, the first chunk of a .glb.
-std::string_view json_text(const std::vector<unsigned char>& bytes, const std::filesystem::path& file) {
-  const char* text = reinterpret_cast<const char*>(bytes.data());
-  if (!is_binary(bytes)) return {text, bytes.size()};
+std::string_view json_text(std::string_view bytes, const std::filesystem::path& file) {
+  if (!is_binary(bytes)) return bytes;
   const auto broken = [&](const std::string& problem) {
     return InputError(file, 0, "is not a valid binary glTF: " + problem, "export or copy the model again");
   };
@@ -103,21 +102,21 @@ std::string_view json_text(const std::vector<unsigned char>& bytes, const std::f
   if (word_at(bytes, 16) != kJsonChunk) throw broken("its first chunk is not JSON");
   const std::size_t length = word_at(bytes, 12);
   if (length > bytes.size() - 20) throw broken("its JSON chunk is longer than the file");
-  return {text + 20, length};
+  return bytes.substr(20, length);
 }
 
-tinygltf::Model parse(const std::vector<unsigned char>& bytes, const std::filesystem::path& file,
-                      Reading& reading) {
+tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& file, Reading& reading) {
   tinygltf::TinyGLTF parser;
-  parser.SetFsCallbacks({file_exists, keep_path, read_whole_file, refuse_to_write, &reading});
+  parser.SetFsCallbacks({file_exists, keep_path, read_external, refuse_to_write, &reading});
   parser.SetImageLoader(keep_encoded, nullptr);
   tinygltf::Model model;
   std::string error, warning;
   const auto size = static_cast<unsigned int>(bytes.size());  // <= kMaxGltfBytes
-  const bool ok = is_binary(bytes)
-                      ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size, "")
-                      : parser.LoadASCIIFromString(&model, &error, &warning,
-                                                   reinterpret_cast<const char*>(bytes.data()), size, "");
+  const bool ok =
+      is_binary(bytes)
+          ? parser.LoadBinaryFromMemory(&model, &error, &warning,
+                                        reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
+          : parser.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
   // Buffers are required, so tinygltf stops at the one that could not be read; images go on without.
   if (!ok && !reading.failures.empty() && error.find("File read error") != std::string::npos) {
     std::rethrow_exception(reading.failures.back());
@@ -271,7 +270,7 @@ GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, con
 }  // namespace
 
 GltfModel read_gltf(const std::filesystem::path& file) {
-  const std::vector<unsigned char> bytes = read_regular_file(file, kMaxGltfBytes);
+  const std::string bytes = read_whole_file(file, {kMaxGltfBytes, "split or shrink the model"});
   // Everything that tinygltf trusts is proved on the same bytes first.
   const JsonLimits limits{kMaxGltfBytes, kMaxJsonDepth, kMaxJsonValues};
   const nlohmann::json document = parse_json_text(json_text(bytes, file), file, 1, limits);

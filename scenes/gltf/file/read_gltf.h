@@ -1,6 +1,6 @@
 // Reads one .gltf or .glb into GltfModel. The only door to tinygltf, and it opens after the checks.
-// Before: load_gltf. Uses: contained_folder for every file that the glTF names, gltf_checks. After: the
-// builders.
+// Before: load_gltf. Uses: sessions/files/contained_folder.h for every file that the glTF names, gltf_checks.
+// After: the builders.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,8 @@
 #include "server/check/measure/cpu_time.h"
 
-#include <fstream>
 #include <sstream>
+
+#include "sessions/files/input_file.h"
 
 namespace herr {
 
@@ -17,10 +18,7 @@ std::optional<CpuTicks> parse_cpu_ticks(const std::string& proc_stat) {
 }
 
 std::optional<CpuTicks> read_cpu_ticks() {
-  std::ifstream file("/proc/stat");
-  std::string line;
-  if (!std::getline(file, line)) return std::nullopt;
-  return parse_cpu_ticks(line);
+  return parse_cpu_ticks(read_kernel_text("/proc/stat"));
 }
 
 }  // namespace herr

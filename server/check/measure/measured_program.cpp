@@ -9,6 +9,7 @@
 #include "server/check/measure/not_comparable.h"
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -39,9 +40,7 @@ MeasuredProgram MeasuredProgram::this_one(std::vector<std::string> arguments) {
 
 MeasuredProgram MeasuredProgram::other(const std::filesystem::path& program,
                                        std::vector<std::string> arguments) {
-  std::error_code unreadable_is_no_file;
-  if (!std::filesystem::is_regular_file(program, unreadable_is_no_file) ||
-      ::access(program.c_str(), X_OK) != 0) {
+  if (!is_file(program) || !may(X_OK, program)) {
     throw UsageError("--against: " + printable(program.string()) +
                      " is no program; name another build of herr");
   }

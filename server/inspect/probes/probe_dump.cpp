@@ -13,6 +13,7 @@
 #include "server/process/stop_signal.h"
 #include "server/text/number_text.h"
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -35,10 +36,9 @@ bool is_dump_file(const std::string& name) {
 
 void check_overwritable(const fs::path& folder) {
   std::error_code error;
-  fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    if (is_dump_file(entry->path().filename().string())) continue;
-    throw UsageError("--probes: " + printable(entry->path().string()) +
+  for (const std::string& name : list_folder(folder, error)) {
+    if (is_dump_file(name)) continue;
+    throw UsageError("--probes: " + printable((folder / name).string()) +
                      " is no picture of probes and would be lost; move it away or choose another folder");
   }
   if (error)
