@@ -1,5 +1,6 @@
 #include "scenes/document/environment_image.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace herr {
 namespace {
 
 constexpr int kMaxWidth_px = 8192, kMaxHeight_px = 4096;
+constexpr std::int64_t kMaxEnvironmentBytes = std::int64_t{1} << 28;  // 8192 x 4096 pixels of 4 bytes, twice
 constexpr float kBrightestTexel = 65504.0f;  // what EXR's half holds, and far above any display
 
 bool is_radiance_picture(const std::filesystem::path& path) {
@@ -47,6 +49,9 @@ EnvironmentImage read_radiance_picture(const std::filesystem::path& file, std::i
   };
   const auto reader = OIIO::ImageInput::create("hdr");
   if (!reader) throw std::runtime_error("OpenImageIO has no reader for hdr: " + OIIO::geterror());
+  std::string bytes = read_whole_file(file, kMaxEnvironmentBytes);
+  OIIO::Filesystem::IOMemReader proxy(bytes.data(), bytes.size());
+  if (!reader->set_ioproxy(&proxy)) throw std::runtime_error("OpenImageIO reads hdr from no memory");
   OIIO::ImageSpec spec;
   if (!reader->open(file.string(), spec)) throw damaged(reader->geterror());
   check_size(file, spec.width, spec.height);

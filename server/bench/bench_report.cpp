@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 
 #include "server/process/version.h"
 #include "server/results/settings_report.h"

@@ -36,25 +36,6 @@ void limit_library() {
   });
 }
 
-// The bytes of a file for the library, which reads as many as the header takes.
-class FileBytes : public OIIO::Filesystem::IOProxy {
- public:
-  explicit FileBytes(const InputFile& file) : IOProxy(file.path().string(), Read), file_(file) {}
-  const char* proxytype() const override { return "herr"; }
-  std::size_t read(void* bytes, std::size_t count) override {
-    const std::size_t got = pread(bytes, count, m_pos);
-    m_pos += static_cast<std::int64_t>(got);
-    return got;
-  }
-  std::size_t pread(void* bytes, std::size_t count, std::int64_t offset) override {
-    return file_.read_at(offset, static_cast<char*>(bytes), count);
-  }
-  std::size_t size() const override { return static_cast<std::size_t>(file_.size_bytes()); }
-
- private:
-  const InputFile& file_;
-};
-
 // A reader on bytes that it does not own: the proxy goes last.
 struct OpenedImage {
   ImageFormat format = ImageFormat::jpeg;
@@ -171,14 +152,16 @@ void check_jpeg_end(const std::filesystem::path& file, const std::string& bytes)
 }  // namespace
 
 ImageSize read_image_size(const std::filesystem::path& path) {
-  return read_image_size(InputFile(path));
+  InputFile file(path);
+  return read_image_size(file);
 }
 
 CameraImage read_camera_image(const std::filesystem::path& path) {
-  return read_camera_image(InputFile(path));
+  InputFile file(path);
+  return read_camera_image(file);
 }
 
-ImageSize read_image_size(const InputFile& from) {
+ImageSize read_image_size(InputFile& from) {
   const std::filesystem::path& path = from.path();
   std::string first_bytes(kPngHeaderBytes, '\0');
   first_bytes.resize(from.read_at(0, first_bytes.data(), first_bytes.size()));
@@ -187,11 +170,13 @@ ImageSize read_image_size(const InputFile& from) {
     check_size(path, size);
     return size;
   }
-  const OpenedImage opened = open_image(path, first_bytes, std::make_unique<FileBytes>(from));
+  std::string bytes = all_bytes<std::string>(from, {kMaxFileBytes});
+  const OpenedImage opened = open_image(
+      path, first_bytes, std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()));
   return {opened.spec.width, opened.spec.height};
 }
 
-CameraImage read_camera_image(const InputFile& from) {
+CameraImage read_camera_image(InputFile& from) {
   const std::filesystem::path& file = from.path();
   std::string bytes = all_bytes<std::string>(from, {kMaxFileBytes});
   if (recognised_format(file, std::string_view(bytes).substr(0, kPngHeaderBytes)) == ImageFormat::png) {

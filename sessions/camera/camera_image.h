@@ -25,11 +25,11 @@ struct ImageSize {
 
 // Reads the header alone. Throws InputError: missing, unreadable, unknown format, extension that belies the
 // content, more than 16384 pixels on a side, unsupported layout.
-ImageSize read_image_size(const InputFile& file);
+ImageSize read_image_size(InputFile& file);  // from its beginning
 ImageSize read_image_size(const std::filesystem::path& file);
 // Decodes a frame; 8/16-bit files are sRGB (grey allowed), EXR is linear. Throws InputError, also on
 // truncated data.
-CameraImage read_camera_image(const InputFile& file);
+CameraImage read_camera_image(InputFile& file);  // whatever was read of it before
 CameraImage read_camera_image(const std::filesystem::path& file);
 
 }  // namespace herr

@@ -102,7 +102,7 @@ class InspectingVisitor : public SessionVisitor {
   void decode(std::size_t index, const CameraRow& row, const CsvRows& rows) {
     try {
       const CameraModel& model = parsed_.header.cameras[index].model;
-      const InputFile file = checked_image(rows, row, files_.camera_data(index), model);
+      InputFile file = checked_image(rows, row, files_.camera_data(index), model);
       inspection_.sanitised_values += read_camera_image(file).sanitised_values;
       ++inspection_.decoded_pictures;
     } catch (const InputError& error) {

@@ -28,7 +28,7 @@ void append_vector(std::string& row, const glm::dvec3& v) {
   for (const double value : {v.x, v.y, v.z}) append_number(row, value);
 }
 
-void make_folder(const fs::path& folder) {
+void ensure_folder(const fs::path& folder) {
   if (const std::error_code error = make_folders(folder))
     throw WriteError(folder, "make the folder", error.value());
 }
@@ -40,7 +40,7 @@ std::string camera_name(std::size_t camera) {
 }  // namespace
 
 SessionRecorder::SessionRecorder(fs::path folder) : folder_(std::move(folder)) {
-  make_folder(folder_);
+  ensure_folder(folder_);
 }
 
 void SessionRecorder::write_header(const SessionHeader& header) {
@@ -51,7 +51,7 @@ void SessionRecorder::write_header(const SessionHeader& header) {
 SessionRecorder::Stream& SessionRecorder::stream(const std::string& name, const std::string& first_line) {
   const auto found = streams_.find(name);
   if (found != streams_.end()) return found->second;
-  make_folder((folder_ / name).parent_path());
+  ensure_folder((folder_ / name).parent_path());
   Stream made{AppendFile(folder_ / name)};
   made.file.append(first_line);
   return streams_.emplace(name, std::move(made)).first->second;
@@ -103,7 +103,7 @@ void SessionRecorder::add_camera_frame(std::size_t camera, const CameraRow& row)
 void SessionRecorder::add_image(std::size_t camera, const std::string& filename,
                                 std::span<const std::uint8_t> bytes) {
   const fs::path data = folder_ / camera_name(camera) / "data";
-  make_folder(data);
+  ensure_folder(data);
   AppendFile file(data / filename);
   file.append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   file.finish();

@@ -43,7 +43,7 @@ void CameraSampler::show(const CameraRow& row) {
     const CameraModel& model = source_.camera->model;
     // Name and size were good when the session was opened.
     const std::string remedy = "leave the session alone while it replays";
-    const InputFile file = open_recorded(source_.data_folder, row.filename, remedy);
+    InputFile file = open_recorded(source_.data_folder, row.filename, remedy);
     auto image = std::make_shared<CameraImage>(read_camera_image(file));
     if (image->width_px != model.width_px || image->height_px != model.height_px)
       throw InputError(file.path(), 0, "has changed its size since it was checked", remedy);

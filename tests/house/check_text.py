@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Habits of the house that a line of text can break: headers guarded and introduced, files and lines of a size that
-one can read, no folder for leftovers, no printing or exiting below server/, no flags that change arithmetic.
+one can read, no folder for leftovers, no printing or exiting below server/, no file work past the one seam, no flags
+that change arithmetic.
 Prints one line for each finding, FILE:LINE: what is wrong; exit 1 if there is any."""
 
 import argparse
@@ -8,7 +9,7 @@ import pathlib
 import re
 import sys
 
-from source_tree import ROOTS, code_only, read, source_files
+from source_tree import LAYERS, ROOTS, code_only, read, source_files
 
 MAX_LINES = 400  # past that there are two concepts in one file
 LEFTOVER_FOLDERS = {"common", "util", "utils", "misc", "helpers"}
@@ -18,6 +19,23 @@ LIBRARY = ("sessions", "scenes", "renderer")
 PROGRAMS_IN_LIBRARY = ("scenes/samples/",)
 PRINT_OR_EXIT = re.compile(
     r"\bstd::(?:cout|cerr|clog)\b|(?<![\w.:>])(?:std::)?(?:printf|fprintf|puts|fputs|exit|_exit|quick_exit|abort)\s*\(")
+
+# All file work passes through sessions/files/file_system.h, where tests let it fail: elsewhere neither headers nor calls
+# of another way are used. What only resolves names (absolute, weakly_canonical, read_symlink ...) is not file work.
+FILE_HEADERS = re.compile(
+    r"^[ \t]*#[ \t]*include[ \t]*<(?:fstream|fcntl\.h|dirent\.h|ftw\.h|glob\.h|sys/(?:file|mman|sendfile|stat|uio)\.h)>",
+    re.MULTILINE)
+FILE_CALLS = re.compile(
+    r"(?<!<)\b(?:std::)?[io]?fstream\b|\bfilebuf\b|(?<![\w.:>])(?:std::|::)?(?:fopen|freopen|fdopen|tmpfile)\s*\("
+    r"|(?<![\w>])::(?:access|creat|fdatasync|flock|fstat|fsync|ftruncate|link|lockf|lstat|mkdir|mkdirat|mkdtemp|mkstemp|mmap"
+    r"|open|openat|opendir|pread|pwrite|readdir|realpath|remove|rename|renameat|rmdir|stat|symlink|syscall|truncate|unlink"
+    r"|unlinkat)\s*\("
+    r"|\b(?:filesystem|fs)::(?:copy\w*|create_\w+|directory_\w+|equivalent|exists|file_size|hard_link_count|is_\w+"
+    r"|last_write_time|permissions|recursive_directory_iterator|remove\w*|rename|resize_file|space|status|symlink_status)\b")
+# Calls on descriptors, which sockets and pipes need as well.
+DESCRIPTOR_CALLS = re.compile(r"(?<![\w>])::(?:close|read|readv|write|writev)\s*\(")
+FILE_ROOMS = ("sessions/files/", "scenes/samples/")  # the latter: a program of its own that makes the samples
+SOCKETS_AND_PIPES = ("server/http/", "server/check/measure/child_process.cpp")
 
 # -ffast-math assumes away the NaNs that the stages count; -march=native makes a build that fits one machine.
 BUILD_FLAGS = re.compile(r"-ffast-math|-Ofast|-march=native")
@@ -39,6 +57,20 @@ def library_findings(file, text):
     for match in PRINT_OR_EXIT.finditer(code):
         line = code.count("\n", 0, match.start()) + 1
         yield f"{file}:{line}: {match.group(0).rstrip('( ')}: only server/ prints or exits; throw instead"
+
+
+def file_work_findings(file, text):
+    path = file.as_posix()
+    if file.parts[0] not in LAYERS or path.startswith(FILE_ROOMS):
+        return
+    patterns = [FILE_CALLS]
+    if not path.startswith(SOCKETS_AND_PIPES):
+        patterns += [FILE_HEADERS, DESCRIPTOR_CALLS]
+    code = code_only(text)
+    for pattern in patterns:
+        for match in pattern.finditer(code):
+            line = code.count("\n", 0, match.start()) + 1
+            yield f"{file}:{line}: {match.group(0).strip().rstrip('( ')}: files are touched only by sessions/files/"
 
 
 def build_file_findings(root):
@@ -65,6 +97,7 @@ def findings(root):
         if file.suffix == ".h":
             found += header_findings(file, text)
         found += library_findings(file, text)
+        found += file_work_findings(file, text)
     return found + list(build_file_findings(root))
 
 

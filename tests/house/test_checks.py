@@ -247,6 +247,28 @@ class TextRules(Tree):
                 self.write("renderer/a.cpp", f"void f() {{\n  {call};\n}}\n")
                 self.expect_one(self.findings(), "renderer/a.cpp:2", "throw instead")
 
+    def test_each_way_past_the_seam_to_files_is_found(self):
+        for line in ("#include <fstream>", "#include <fcntl.h>", "#include  <sys/stat.h>", "std::ifstream f(p);",
+                     "std::ofstream f(p);", "int f = ::open(p, 0);", "::rename(a, b);", "if (::fsync(f) != 0) x();",
+                     "::unlink(p);", "::write(f, b, 1);", "std::FILE* f = std::fopen(p, m);", "auto f = fopen(p, m);",
+                     "std::filesystem::remove_all(p);", "fs::create_directories(p);", "for (auto e : fs::directory_iterator(p)) x();",
+                     "if (std::filesystem::exists(p)) x();", "fs::rename(a, b);"):
+            for file in ("sessions/a.cpp", "server/output/a.h"):
+                with self.subTest(line=line, file=file):
+                    self.setUp()
+                    self.write(file, f"// What.\n#pragma once\n{line}\n")
+                    self.expect_one(self.findings(), f"{file}:3", "sessions/files/")
+
+    def test_names_sockets_and_the_seam_itself_are_no_file_work(self):
+        self.write("sessions/files/kernel.cpp", "#include <fcntl.h>\nint f() { return ::open(p, 0) + ::rename(a, b); }\n")
+        self.write("server/http/socket.cpp", "#include <fcntl.h>\nvoid f() { ::read(s, b, 1); ::close(s); }\n")
+        self.write("server/a.cpp", "auto s = Session::open(p); auto q = std::filesystem::absolute(p); file.read(b, 1);\n"
+                                   "// std::ofstream and ::open() are not used\nfile_system().rename(a, b); store.remove(x);\n")
+        self.write("tests/a_test.cpp", "#include <fstream>\nstd::ofstream f(p);\n")
+        self.assertEqual(self.findings(), [])
+        self.write("server/http/page.cpp", "void f() { ::open(p, 0); }\n")
+        self.expect_one(self.findings(), "server/http/page.cpp:1", "::open")
+
     def test_flags_that_change_arithmetic_are_found(self):
         self.write("renderer/CMakeLists.txt", "add_compile_options(-O2\n  -ffast-math)  # fast\n")
         self.expect_one(self.findings(), "renderer/CMakeLists.txt:2", "-ffast-math")
