@@ -191,6 +191,25 @@ TEST(SceneDocument, AFileNamedTwiceIsLoadedOnce) {
   EXPECT_EQ(loaded.instances[2].material, loaded.instances[3].material);
 }
 
+TEST(SceneDocument, FollowsLinksThatStayBelowItsFolderAndNoOthers) {
+  const TemporaryFolder folder;
+  folder.write("elsewhere/model.gltf", triangle_document().dump());
+  folder.write("elsewhere/triangle.bin", triangle_bytes());
+  json scene = document();
+  scene["gltf"][0]["file"] = "models/link.gltf";
+  const auto file = folder.write("scene/room.scene.json", scene.dump());
+  folder.write("scene/models/triangle.bin", triangle_bytes());
+  folder.write("scene/models/model.gltf", triangle_document().dump());
+  const auto link = folder.path() / "scene/models/link.gltf";
+  std::filesystem::create_symlink("model.gltf", link);
+  EXPECT_EQ(load_scene(file).name, "room");
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink(folder.path() / "elsewhere/model.gltf", link);
+  const std::string refused =
+      "gltf[0].file is \"models/link.gltf\", a link that leads out of the folder of the scene";
+  EXPECT_NE(error_of(file).find(refused), std::string::npos) << error_of(file);
+}
+
 TEST(SceneDocument, AnOverrideChangesOneEntryAndTheMirrorFollowsTheSurface) {
   const TemporaryFolder folder;
   json scene = document();

@@ -85,7 +85,7 @@ const std::vector<Fault>& faults() {
       {"file URL", [](json& d) { set(d, "/buffers/0/uri", "file:///etc/hostname"); }, "cannot be opened"},
       {"web address", [](json& d) { set(d, "/buffers/0/uri", "http://example.com/a.bin"); },
        "cannot be opened"},
-      {"a folder as buffer", [](json& d) { set(d, "/buffers/0/uri", "."); }, "not a regular file"},
+      {"a folder as buffer", [](json& d) { set(d, "/buffers/0/uri", "."); }, "is a folder, not a file"},
       {"empty name", [](json& d) { set(d, "/buffers/0/uri", ""); }, "uri"},
       {"NUL byte in a name", [](json& d) { set(d, "/buffers/0/uri", "triangle.bin%00.png"); }, "NUL"},
       {"buffer shorter than declared", [](json& d) { set(d, "/buffers/0/byteLength", 48); },
@@ -297,7 +297,7 @@ TEST(GltfFaults, AFileThatIsMissingAFolderOrOfAnotherFormatIsSaidSo) {
   const TemporaryFolder folder;
   EXPECT_TRUE(contains(error_of(folder.path() / "absent.glb"), "No such file"));
   std::filesystem::create_directory(folder.path() / "folder.glb");
-  EXPECT_TRUE(contains(error_of(folder.path() / "folder.glb"), "not a regular file"));
+  EXPECT_TRUE(contains(error_of(folder.path() / "folder.glb"), "is a folder, not a file"));
   EXPECT_TRUE(contains(error_of(folder.write("bunny.obj", "v 0 0 0\n")), ".scene.json, .gltf, .glb or .vox"));
   EXPECT_TRUE(contains(error_of(folder.write("empty.gltf", "")), "empty.gltf"));
 }

@@ -1,5 +1,5 @@
-// A replay's files while the disk fails: whichever call it is, no half of a picture, a row or a checkpoint stands
-// under its name, no row names a picture that is not there, and the error told is the disk's.
+// A replay's files while the disk fails: whichever call it is, no half of a picture, a row or a checkpoint
+// stands under its name, no row names a picture that is not there, and the error told is the disk's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +72,8 @@ void expect_whole(const fs::path& folder, const std::vector<std::string>& names,
 
 TEST(FrameWriterFaults, LeaveWholeFilesAndTheRightErrorWhicheverCallFails) {
   int failures = 0;
-  for (const FileCall call : {FileCall::open, FileCall::write, FileCall::sync, FileCall::close, FileCall::rename}) {
+  for (const FileCall call :
+       {FileCall::open, FileCall::write, FileCall::sync, FileCall::close, FileCall::rename}) {
     for (const int error : {ENOSPC, EIO}) {
       for (int n = 0;; ++n) {
         const TemporaryFolder folder;

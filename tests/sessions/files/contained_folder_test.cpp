@@ -62,7 +62,8 @@ TEST(ContainedFolder, OpensWhatIsBeneathAndNothingElse) {
   for (const char* root : {"open", "link_to_open"}) {
     const ContainedFolder contained(folder.path() / root);
     ASSERT_EQ(contained.error(), 0);
-    for (const auto& [name, error] : kCases) EXPECT_EQ(contained.open(name).error, error) << root << " " << name;
+    for (const auto& [name, error] : kCases)
+      EXPECT_EQ(contained.open(name).error, error) << root << " " << name;
     EXPECT_EQ(contained.open("link_out_and_in").error, EXDEV) << "the kernel stops at the way out";
   }
 }
@@ -74,7 +75,8 @@ TEST(ContainedFolder, DoesSoOnAKernelWithoutOpenat2) {
   old_kernel.forget_open_beneath();
   for (const char* root : {"open", "link_to_open"}) {
     const ContainedFolder contained(folder.path() / root);
-    for (const auto& [name, error] : kCases) EXPECT_EQ(contained.open(name).error, error) << root << " " << name;
+    for (const auto& [name, error] : kCases)
+      EXPECT_EQ(contained.open(name).error, error) << root << " " << name;
   }
 }
 
@@ -133,7 +135,8 @@ TEST(ReadNamedFile, SaysWhoNamesWhatIsWrong) {
     std::string name, part;
     std::int64_t limit;
   } cases[] = {
-      {"../secret", "names \"../secret\", which lies outside the folder of the file that names it; copy it", 9},
+      {"../secret", "names \"../secret\", which lies outside the folder of the file that names it; copy it",
+       9},
       {"link_out", "lies outside the folder", 9},
       {"absent", "names \"absent\", which cannot be opened: No such file or directory", 9},
       {"inner", "which is a folder, not a file", 9},

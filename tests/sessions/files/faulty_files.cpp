@@ -7,8 +7,9 @@
 namespace herr::test {
 
 const char* name_of(FileCall call) {
-  static constexpr std::array<const char*, kFileCalls> kNames{
-      "open", "read", "write", "truncate", "sync", "close", "rename", "remove", "make_folder", "list", "lock"};
+  static constexpr std::array<const char*, kFileCalls> kNames{"open",        "read",  "write",  "truncate",
+                                                              "sync",        "close", "rename", "remove",
+                                                              "make_folder", "list",  "lock"};
   return kNames[static_cast<std::size_t>(call)];
 }
 
@@ -95,7 +96,8 @@ ssize_t FaultyFiles::write(int descriptor, const void* bytes, std::size_t count)
   if (error != 0 && (error == EINTR || had_failed || count < 2)) return -error;
   {
     const std::lock_guard lock(mutex_);
-    if (const auto path = open_paths_.find(descriptor); path != open_paths_.end()) unsynced_.insert(path->second);
+    if (const auto path = open_paths_.find(descriptor); path != open_paths_.end())
+      unsynced_.insert(path->second);
   }
   return FileSystem::write(descriptor, bytes, std::min(error != 0 ? count / 2 : count, most_bytes_));
 }
@@ -108,7 +110,8 @@ int FaultyFiles::truncate(int descriptor, off_t bytes) {
 int FaultyFiles::sync(int descriptor) {
   if (const int error = fault(FileCall::sync); error != 0) return -error;
   const std::lock_guard lock(mutex_);
-  if (const auto path = open_paths_.find(descriptor); path != open_paths_.end()) unsynced_.erase(path->second);
+  if (const auto path = open_paths_.find(descriptor); path != open_paths_.end())
+    unsynced_.erase(path->second);
   return 0;  // nobody pulls the plug of a test
 }
 

@@ -1,6 +1,6 @@
-// A file system that fails as disks do: any one call of a kind, or all from the n-th on; transfers that take only
-// a part; calls that a signal interrupts. It stands before the real one while it lives. The idea is LevelDB's
-// (db/fault_injection_test.cc): count the calls of an action, then let each of them fail in turn.
+// A file system that fails as disks do: any one call of a kind, or all from the n-th on; transfers that take
+// only a part; calls that a signal interrupts. It stands before the real one while it lives. The idea is
+// LevelDB's (db/fault_injection_test.cc): count the calls of an action, then let each of them fail in turn.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ class FaultyFiles : public FileSystem {
   FaultyFiles();
   ~FaultyFiles() override;
 
-  // The n-th call of that kind from now on, counted from 0, and all later ones fail with `error`. A write that
-  // fails takes the first half of its bytes before, as a disk does that fills up.
+  // The n-th call of that kind from now on, counted from 0, and all later ones fail with `error`. A write
+  // that fails takes the first half of its bytes before, as a disk does that fills up.
   void fail_from(FileCall call, int n, int error);
   // Reads and writes take at most so many bytes at once.
   void transfer_at_most(std::size_t bytes);
@@ -37,7 +37,8 @@ class FaultyFiles : public FileSystem {
 
   bool has_failed() const;
   int calls(FileCall call) const;
-  // Names under which a file appeared while some of its bytes were not synced: a power cut could leave half of it.
+  // Names under which a file appeared while some of its bytes were not synced: a power cut could leave half
+  // of it.
   std::vector<std::string> renamed_before_sync() const;
 
   int open(const char* path, int flags) override;

@@ -1,5 +1,5 @@
-// Every call that a write makes fails once, with every error that disks give: what stands under a final name is
-// whole, and the error is the one that the disk gave.
+// Every call that a write makes fails once, with every error that disks give: what stands under a final name
+// is whole, and the error is the one that the disk gave.
 #include <gtest/gtest.h>
 
 #include <cerrno>
