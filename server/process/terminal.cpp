@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sessions/files/descriptor.h"
+#include "sessions/files/system/descriptor.h"
 #include "sessions/files/write_error.h"
 
 namespace herr {

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr {
 namespace {

@@ -7,9 +7,9 @@
 #include <system_error>
 #include <utility>
 
-#include "sessions/files/file_system.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr {
 namespace {

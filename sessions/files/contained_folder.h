@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sessions/files/descriptor.h"
+#include "sessions/files/system/descriptor.h"
 
 namespace herr {
 

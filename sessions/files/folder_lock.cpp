@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/file_system.h"
 #include "sessions/files/write_error.h"
 
 namespace herr {

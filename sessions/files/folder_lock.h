@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "sessions/files/descriptor.h"
+#include "sessions/files/system/descriptor.h"
 
 namespace herr {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "sessions/files/descriptor.h"
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/descriptor.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "sessions/files/file_system.h"
 #include "sessions/files/input_error.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr {
 namespace {

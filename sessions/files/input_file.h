@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sessions/files/descriptor.h"
+#include "sessions/files/system/descriptor.h"
 
 namespace herr {
 

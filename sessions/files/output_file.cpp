@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "sessions/camera/recorded_name.h"
 #include "sessions/files/input_error.h"
-#include "sessions/streams/recorded_name.h"
 
 namespace herr {
 namespace {

@@ -20,7 +20,7 @@ PROGRAMS_IN_LIBRARY = ("scenes/samples/",)
 PRINT_OR_EXIT = re.compile(
     r"\bstd::(?:cout|cerr|clog)\b|(?<![\w.:>])(?:std::)?(?:printf|fprintf|puts|fputs|exit|_exit|quick_exit|abort)\s*\(")
 
-# All file work passes through sessions/files/file_system.h, where tests let it fail: elsewhere neither headers nor calls
+# All file work passes through sessions/files/system/file_system.h, where tests let it fail: elsewhere neither headers nor calls
 # of another way are used. What only resolves names (absolute, weakly_canonical, read_symlink ...) is not file work.
 FILE_HEADERS = re.compile(
     r"^[ \t]*#[ \t]*include[ \t]*<(?:fstream|fcntl\.h|dirent\.h|ftw\.h|glob\.h|sys/(?:file|mman|sendfile|stat|uio)\.h)>",

@@ -2,7 +2,7 @@
 A file includes only its own room and rooms below it; the root of a module is its roof, in renderer/ its ground."""
 
 ROOMS = {
-    "sessions": ("files", "camera", "format", "streams", "check", "inspect", "record", "import"),
+    "sessions": ("files/system", "files", "camera", "format", "streams", "check", "inspect", "record", "import"),
     "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
@@ -19,9 +19,10 @@ FACE = {
     "sessions": (
         "sessions/session.h",
         "sessions/camera/camera_image.h", "sessions/camera/camera_model.h",
-        "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/input_error.h",
+        "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/contained_folder.h",
+        "sessions/files/folder_lock.h", "sessions/files/folders.h", "sessions/files/input_error.h",
         "sessions/files/input_file.h", "sessions/files/line_reader.h", "sessions/files/plain_values.h",
-        "sessions/files/strict_json.h", "sessions/files/write_error.h",
+        "sessions/files/strict_json.h", "sessions/files/system/descriptor.h", "sessions/files/write_error.h",
         "sessions/format/display_profile.h", "sessions/format/pose.h", "sessions/format/session_header.h",
         "sessions/import/aria_calibration.h", "sessions/import/built_in_maps.h", "sessions/import/camera_pictures.h",
         "sessions/import/import_report.h", "sessions/import/import_rows.h",

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr::test {
 

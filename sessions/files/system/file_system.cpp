@@ -1,4 +1,4 @@
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/file_system.h"
 
 #include <dirent.h>
 #include <fcntl.h>

@@ -1,9 +1,9 @@
-#include "sessions/files/descriptor.h"
+#include "sessions/files/system/descriptor.h"
 
 #include <cerrno>
 #include <utility>
 
-#include "sessions/files/file_system.h"
+#include "sessions/files/system/file_system.h"
 
 namespace herr {
 namespace {

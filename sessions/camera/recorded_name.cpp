@@ -1,4 +1,4 @@
-#include "sessions/streams/recorded_name.h"
+#include "sessions/camera/recorded_name.h"
 
 #include <algorithm>
 #include <cerrno>
