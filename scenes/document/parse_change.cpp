@@ -127,8 +127,8 @@ std::vector<SceneChange> parse_timeline(const JsonObject& document) {
 
 SceneChange parse_event(const std::string& json, const std::filesystem::path& file, std::int64_t line,
                         TimeNs start_ns) {
-  const nlohmann::json document = parse_json_text(json, file, line);
-  const JsonObject object(document, file, "");
+  const JsonDocument document(json, file, line);
+  const JsonObject object = document.root();
   try {
     SceneChange change = parse_change(object, "t_ns");
     change.time_s =

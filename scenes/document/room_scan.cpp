@@ -106,8 +106,8 @@ PlacedCatcher mesh_of(const ScanPart& part) {
 
 void append_room_scan(const std::filesystem::path& file, const glm::dmat4x3& world_from_scan,
                       const Material& material, Scene& scene) {
-  const nlohmann::json document = parse_json_file(file);
-  const JsonObject root(document, file, "");
+  const JsonDocument document(file);
+  const JsonObject root = document.root();
   if (root.text("type") != "scene") root.fail("type", "is not \"scene\"", "name a room scan");
   root.integer("version", 1, 1);
   const std::vector<ScanPart> parts = parse_parts(root);

@@ -125,8 +125,8 @@ void read_environment(const JsonObject& entry, Scene& scene) {
 }  // namespace
 
 Scene read_scene_document(const std::filesystem::path& file) {
-  const nlohmann::json document = parse_json_file(file);
-  const JsonObject root(document, file, "");
+  const JsonDocument document(file);
+  const JsonObject root = document.root();
   root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "room_scan", "lights",
                    "ambient", "environment", "environment_map", "world_from_session", "probes", "timeline"});
   root.integer("format_version", 1, 1);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "scenes/document/catcher_meshes.h"
@@ -25,7 +26,7 @@ constexpr double kLargestRefractiveIndex = 100;  // glTF sets no limit; diamond 
 glm::dvec3 parse_scale(const JsonObject& entry) {
   if (!entry.has("scale")) return glm::dvec3(1.0);
   glm::dvec3 scale(0.0);
-  if (entry.value("scale").is_number()) {
+  if (entry.is_number("scale")) {
     scale = glm::dvec3(entry.number("scale", -kLargestScale, kLargestScale));
   } else {
     scale = entry.vec3("scale", -kLargestScale, kLargestScale);
@@ -270,7 +271,7 @@ PlaybackRequest parse_playback(const JsonObject& object) {
   PlaybackRequest playback;
   playback.play = object.boolean_or("play", true);
   if (object.has("clip")) {
-    if (object.value("clip").is_string())
+    if (object.is_text("clip"))
       playback.name = object.text("clip");
     else
       playback.number = static_cast<int>(object.integer("clip", 0, 1'000'000));

@@ -49,8 +49,8 @@ void fill(const std::vector<unsigned char>& rgba, VoxelGrid& grid) {
 }  // namespace
 
 RawGrid append_raw_grid(const std::filesystem::path& header, Scene& scene) {
-  const nlohmann::json document = parse_json_file(header);
-  const JsonObject root(document, header, "");
+  const JsonDocument document(header);
+  const JsonObject root = document.root();
   root.allow_only({"format_version", "counts", "voxel_size_m", "data"});
   root.integer("format_version", 1, 1);
   const glm::ivec3 counts = counts_of(root);

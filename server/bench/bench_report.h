@@ -1,7 +1,7 @@
 // The result of `herr bench` as a table for people and as JSON for programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "renderer/bench_frame.h"

@@ -1,6 +1,7 @@
 #include "server/bench/bench_subject.h"
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "sessions/files/input_error.h"

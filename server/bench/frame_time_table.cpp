@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <nlohmann/json.hpp>
 
 #include "renderer/lighting/light_records.h"
 #include "server/process/version.h"

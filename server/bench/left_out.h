@@ -3,7 +3,7 @@
 // bench_command opened session and scene. After: printed, for people or as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

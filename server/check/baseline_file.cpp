@@ -1,5 +1,6 @@
 #include "server/check/baseline_file.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "renderer/bench/calibration_rays.h"

@@ -1,5 +1,7 @@
 #include "server/inspect/inspect_command.h"
 
+#include <nlohmann/json.hpp>
+
 #include "server/inspect/inspect_json.h"
 #include "server/inspect/inspect_report.h"
 #include "server/inspect/inspect_text.h"

@@ -1,5 +1,7 @@
 #include "server/inspect/inspect_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "server/inspect/time_plot.h"
 #include "server/process/exit_code.h"
 #include "server/process/version.h"

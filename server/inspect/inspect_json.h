@@ -2,7 +2,7 @@
 // The schema stands in README.md of this folder. Unknown values are null, never NaN.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "server/inspect/inspect_report.h"
 

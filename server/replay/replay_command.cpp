@@ -1,6 +1,7 @@
 #include "server/replay/replay_command.h"
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "server/frames/frame_quality.h"

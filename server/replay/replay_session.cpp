@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -38,8 +39,7 @@ namespace {
 // Of an earlier run, in the folder that it wrote to; a damaged one says nothing.
 bool summary_says_done(const std::filesystem::path& summary_json) {
   try {
-    const nlohmann::json summary = parse_json_file(summary_json);
-    return JsonObject(summary, summary_json, "").text("state") == name_of(ReplayState::done);
+    return JsonDocument(summary_json).root().text("state") == name_of(ReplayState::done);
   } catch (const InputError&) {
     return false;
   }

@@ -1,7 +1,7 @@
 // summary.json: what was replayed, with which settings, and how long it took. Also what --json prints.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

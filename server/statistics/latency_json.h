@@ -2,7 +2,7 @@
 // Before: RunStatistics of a run or of a window. After: summary.json, GET /v1/latency.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "server/settings/replay_clock.h"
 #include "server/statistics/run_statistics.h"

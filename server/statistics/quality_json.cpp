@@ -1,6 +1,7 @@
 #include "server/statistics/quality_json.h"
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 
 #include "server/statistics/latency_json.h"
 #include "server/text/number_text.h"

@@ -2,7 +2,7 @@
 // Before: RunStatistics of a run or of a window. After: summary.json, GET /v1/latency, GET /v1/status.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "server/statistics/run_statistics.h"
 

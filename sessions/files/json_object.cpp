@@ -1,6 +1,7 @@
-// JsonObject of strict_json.h: typed, bounded reads of the fields of one object.
+// JsonObject and JsonDocument of strict_json.h: typed, bounded reads of the fields of one object.
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
@@ -165,6 +166,14 @@ glm::dvec3 JsonObject::vec3_or(const char* key, double lowest, double highest,
   return has(key) ? vec3(key, lowest, highest) : fallback;
 }
 
+bool JsonObject::is_number(const char* key) const {
+  return value(key).is_number();
+}
+
+bool JsonObject::is_text(const char* key) const {
+  return value(key).is_string();
+}
+
 JsonObject JsonObject::object(const char* key) const {
   return {value(key), file_, (where_.empty() ? "" : where_ + ".") + key};
 }
@@ -179,6 +188,23 @@ std::vector<JsonObject> JsonObject::objects(const char* key) const {
   for (std::size_t i = 0; i < found.size(); ++i)
     views.emplace_back(found[i], file_, prefix + "[" + std::to_string(i) + "]");
   return views;
+}
+
+JsonDocument::JsonDocument(std::filesystem::path file, const JsonLimits& limits)
+    : file_(std::move(file)), value_(std::make_unique<const json>(parse_json_file(file_, limits))) {}
+
+JsonDocument::JsonDocument(std::string_view text, std::filesystem::path file, std::int64_t line)
+    : file_(std::move(file)), value_(std::make_unique<const json>(parse_json_text(text, file_, line))) {}
+
+JsonDocument::JsonDocument(JsonDocument&&) noexcept = default;
+JsonDocument::~JsonDocument() = default;
+
+bool JsonDocument::is_object() const {
+  return value_->is_object();
+}
+
+JsonObject JsonDocument::root() const {
+  return {*value_, file_, ""};
 }
 
 }  // namespace herr

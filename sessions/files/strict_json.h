@@ -1,14 +1,14 @@
 // JSON with the strictness that a tool needs on untrusted files: sizes and depth are bounded, duplicate keys,
 // NUL bytes and numbers out of range are errors, and an unknown key names its nearest known neighbour.
+// Who only reads fields needs JsonDocument and JsonObject, and not the library's header.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +38,8 @@ class JsonObject {
   // Throws if a key is present that is not listed here; names the nearest listed key.
   void allow_only(std::initializer_list<const char*> keys) const;
   bool has(const char* key) const;
+  bool is_number(const char* key) const;  // throws when it is missing
+  bool is_text(const char* key) const;
 
   double number(const char* key, double lowest, double highest) const;
   double number_or(const char* key, double lowest, double highest, double fallback) const;
@@ -63,6 +65,24 @@ class JsonObject {
   const nlohmann::json* value_;
   std::filesystem::path file_;
   std::string where_;
+};
+
+// A parsed document, which its views look into.
+class JsonDocument {
+ public:
+  // Parses a whole file / one text, as parse_json_file and parse_json_text do.
+  explicit JsonDocument(std::filesystem::path file, const JsonLimits& limits = {});
+  JsonDocument(std::string_view text, std::filesystem::path file, std::int64_t line);
+  JsonDocument(JsonDocument&&) noexcept;
+  JsonDocument& operator=(JsonDocument&&) = delete;
+  ~JsonDocument();
+
+  bool is_object() const;
+  JsonObject root() const;  // throws InputError unless it is an object
+
+ private:
+  std::filesystem::path file_;
+  std::unique_ptr<const nlohmann::json> value_;
 };
 
 }  // namespace herr

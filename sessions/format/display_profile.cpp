@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "sessions/files/folders.h"

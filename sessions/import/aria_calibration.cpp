@@ -1,6 +1,7 @@
 #include "sessions/import/aria_calibration.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "sessions/files/input_error.h"
 #include "sessions/files/line_reader.h"

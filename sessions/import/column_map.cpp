@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"

@@ -16,12 +16,12 @@ EventStream::EventStream(const std::filesystem::path& file, RowPolicy policy)
 
 SceneEvent EventStream::parse(const TextLine& line) const {
   if (line.too_long) throw InputError(path(), line.number, "the line is longer than 1 MiB", "remove it");
-  const nlohmann::json document = parse_json_text(line.text, path(), line.number);
+  const JsonDocument document(line.text, path(), line.number);
   if (!document.is_object())
     throw InputError(path(), line.number, "is not an object", "write {\"t_ns\": ..., \"op\": ...}");
   SceneEvent event{0, std::string(line.text), line.number};
   try {
-    event.t_ns = JsonObject(document, path(), "").integer("t_ns", 0, kLastStampNs);
+    event.t_ns = document.root().integer("t_ns", 0, kLastStampNs);
   } catch (const InputError& error) {  // JsonObject knows fields, not lines
     const std::string text = error.what();
     const std::string prefix = path().string() + ": ";

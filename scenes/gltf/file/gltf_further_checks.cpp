@@ -2,6 +2,7 @@
 // cameras, extensions that are ignored: a file in which they lead nowhere is damaged, so it is refused all
 // the same.
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #include "scenes/gltf/file/gltf_lights.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sessions/files/input_error.h"

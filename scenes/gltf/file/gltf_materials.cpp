@@ -1,5 +1,6 @@
 #include "scenes/gltf/file/gltf_materials.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 

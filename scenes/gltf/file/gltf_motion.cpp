@@ -1,6 +1,7 @@
 #include "scenes/gltf/file/gltf_motion.h"
 
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 

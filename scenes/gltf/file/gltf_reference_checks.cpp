@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "scenes/gltf/file/gltf_checks.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "scenes/gltf/file/accessor_reader.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "server/check/measure/measurement.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "renderer/bench/calibration_rays.h"
 #include "server/check/measure/not_comparable.h"

@@ -1,6 +1,7 @@
 #include "server/check/report/text_report.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "server/check/statistics/pair_design.h"

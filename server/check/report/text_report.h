@@ -1,7 +1,7 @@
 // The report of a check as text for people, as JSON for programs. Before: CheckReport. After: stdout.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "server/check/report/check_report.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "sessions/files/input_error.h"
 #include "tests/sessions/recorded_folder.h"
 
