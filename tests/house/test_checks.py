@@ -7,6 +7,7 @@ import tempfile
 import unittest
 import unittest.mock
 
+import check_build_graph
 import check_format
 import check_layers
 import check_readme
@@ -352,6 +353,31 @@ class FormatRules(Tree):
         self.write(".clang-format", "BasedOnStyle: Nobody\n")
         self.write("sessions/good.cpp", "int f() { return 1; }\n")
         self.assertNotEqual(self.findings(), [])
+
+
+class BuildGraphRule(Tree):
+    OBJECT = "server/CMakeFiles/herr_server.dir/a.cpp.o"
+    LIBRARY = "renderer/libherr_renderer.a"
+
+    def findings(self, text):
+        self.write("build.ninja", text)
+        return check_build_graph.findings(self.root)[1]
+
+    def test_an_object_that_waits_for_a_generated_file_alone_is_good(self):
+        self.assertEqual(self.findings(
+            f"build {self.OBJECT}: CXX_COMPILER__herr_server_ a.cpp || order\n"
+            "build order: phony || page.cpp\n"
+            "build page.cpp | ${cmake_ninja_workdir}page.cpp: CUSTOM_COMMAND page.html\n"
+            f"build {self.LIBRARY}: CXX_STATIC_LIBRARY_LINKER__r_ b.cpp.o || {self.OBJECT}\n"), [])
+
+    def test_a_library_behind_a_generated_file_or_behind_a_phony_is_found(self):
+        library = f"build {self.LIBRARY}: CXX_STATIC_LIBRARY_LINKER__r_ b.cpp.o\n"
+        for between in (f"build order: phony || page.cpp\nbuild page.cpp: CUSTOM_COMMAND html || {self.LIBRARY}\n",
+                        f"build order: phony || $\n    {self.LIBRARY}\n"):
+            with self.subTest(between=between):
+                self.expect_one(self.findings(
+                    f"build {self.OBJECT}: CXX_COMPILER__herr_server_ a.cpp || order\n" + between + library),
+                    "1 objects of server/CMakeFiles/herr_server.dir/", self.LIBRARY, self.OBJECT)
 
 
 if __name__ == "__main__":
