@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "sessions/camera/half_from_samples.h"
-#include "sessions/camera/image_format.h"
-#include "sessions/camera/png_chunks.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/pictures/image_format.h"
+#include "sessions/pictures/png_chunks.h"
 
 namespace herr {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sessions/files/input_file.h"
+#include "sessions/pictures/image_size.h"
 
 namespace herr {
 
@@ -17,10 +18,6 @@ struct CameraImage {
   std::vector<std::uint16_t> rgba_half;  // 4 * width_px * height_px
   std::int64_t sanitised_values =
       0;  // NaN, Inf or negative values of the file that were replaced by 0 or 65504
-};
-
-struct ImageSize {
-  int width_px = 0, height_px = 0;
 };
 
 // Reads the header alone. Throws InputError: missing, unreadable, unknown format, extension that belies the

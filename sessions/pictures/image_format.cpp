@@ -1,4 +1,4 @@
-#include "sessions/camera/image_format.h"
+#include "sessions/pictures/image_format.h"
 
 #include <algorithm>
 #include <cctype>

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "sessions/camera/camera_image.h"
+#include "sessions/pictures/image_size.h"
 
 namespace herr {
 

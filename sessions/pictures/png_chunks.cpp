@@ -1,4 +1,4 @@
-#include "sessions/camera/png_chunks.h"
+#include "sessions/pictures/png_chunks.h"
 
 #include <zlib.h>
 
