@@ -1,24 +1,21 @@
 #include "scenes/document/environment_image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
-#include <memory>
 #include <string>
 
 #include "sessions/camera/camera_image.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/pictures/picture_reader.h"
 
 namespace herr {
 namespace {
 
 constexpr int kMaxWidth_px = 8192, kMaxHeight_px = 4096;
-constexpr std::int64_t kMaxEnvironmentBytes = std::int64_t{1} << 28;  // 8192 x 4096 pixels of 4 bytes, twice
+constexpr std::int64_t kMaxRadianceBytes = std::int64_t{1} << 28;  // 8192 x 4096 pixels of 4 bytes, twice
 constexpr float kBrightestTexel = 65504.0f;  // what EXR's half holds, and far above any display
 
 bool is_radiance_picture(const std::filesystem::path& path) {
@@ -47,21 +44,17 @@ EnvironmentImage read_radiance_picture(const std::filesystem::path& file, std::i
     return InputError(file, 0, "does not decode as Radiance HDR (" + printable(message) + ")",
                       "copy or export the picture again");
   };
-  const auto reader = OIIO::ImageInput::create("hdr");
-  if (!reader) throw std::runtime_error("OpenImageIO has no reader for hdr: " + OIIO::geterror());
-  std::string bytes = read_whole_file(file, kMaxEnvironmentBytes);
-  OIIO::Filesystem::IOMemReader proxy(bytes.data(), bytes.size());
-  if (!reader->set_ioproxy(&proxy)) throw std::runtime_error("OpenImageIO reads hdr from no memory");
-  OIIO::ImageSpec spec;
-  if (!reader->open(file.string(), spec)) throw damaged(reader->geterror());
-  check_size(file, spec.width, spec.height);
-  if (spec.nchannels != 3) throw damaged("it has " + std::to_string(spec.nchannels) + " channels");
-  const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  const std::string bytes = read_whole_file(file, kMaxRadianceBytes);
+  PictureReader reader("hdr", bytes);
+  if (!reader.problem().empty()) throw damaged(reader.problem());
+  const PictureHeader& header = reader.header();
+  check_size(file, header.width_px, header.height_px);
+  if (header.channels != 3) throw damaged("it has " + std::to_string(header.channels) + " channels");
+  const std::size_t pixels =
+      static_cast<std::size_t>(header.width_px) * static_cast<std::size_t>(header.height_px);
   std::vector<float> rgb(3 * pixels);
-  const bool read = reader->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, rgb.data());
-  const std::string message = reader->geterror();
-  if (!read || !message.empty()) throw damaged(message.empty() ? "it was cut off" : message);
-  EnvironmentImage image{spec.width, spec.height, 0, std::vector<float>(4 * pixels)};
+  if (!reader.read(SampleType::f32, rgb.data(), rgb.size() * sizeof(float))) throw damaged(reader.problem());
+  EnvironmentImage image{header.width_px, header.height_px, 0, std::vector<float>(4 * pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {
     for (std::size_t c = 0; c < 3; ++c) image.rgba[4 * i + c] = usable(rgb[3 * i + c], sanitised);
   }

@@ -1,18 +1,16 @@
 #include "scenes/gltf/texture_decoder.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <cstring>
+#include <string_view>
 
 #include "scenes/gltf/file/gltf_limits.h"
 #include "sessions/files/input_error.h"
+#include "sessions/pictures/picture_reader.h"
 
 namespace herr {
 namespace {
 
-// The reader is chosen by the file's first bytes, never by its name: OpenImageIO would otherwise try every
-// plugin.
+// The reader is chosen by the file's first bytes, never by its name.
 const char* format_of(const unsigned char* bytes, std::size_t size) {
   if (size >= 8 && std::memcmp(bytes, "\x89PNG\r\n\x1a\n", 8) == 0) return "png";
   if (size >= 3 && std::memcmp(bytes, "\xff\xd8\xff", 3) == 0) return "jpeg";
@@ -58,38 +56,27 @@ DecodedImage decode_image(const unsigned char* bytes, std::size_t size, std::int
   const char* format = format_of(bytes, size);
   if (format == nullptr) throw fail("is neither PNG nor JPEG", "convert it to PNG");
 
-  // Declared before the reader: it must outlive it.
-  OIIO::Filesystem::IOMemReader memory(bytes, size);
-  const auto reader = OIIO::ImageInput::create(format);
-  if (!reader || !reader->set_ioproxy(&memory)) {
-    throw std::runtime_error(std::string("OpenImageIO has no in-memory reader for ") + format);
-  }
-  OIIO::ImageSpec wish, spec;
-  wish["oiio:UnassociatedAlpha"] = 1;
-  if (!reader->open(std::string("texture.") + format, spec, wish)) {
-    throw fail("cannot be decoded (" + printable(reader->geterror()) + ")", "export it again");
-  }
-  const std::int64_t pixels = static_cast<std::int64_t>(spec.width) * spec.height;
-  const std::string dimensions = std::to_string(spec.width) + "x" + std::to_string(spec.height);
-  if (spec.width < 1 || spec.height < 1 || spec.width > kMaxImageSide_px || spec.height > kMaxImageSide_px ||
-      pixels > kMaxImagePixels || 4 * pixels > max_bytes) {
+  PictureReader reader(format, {reinterpret_cast<const char*>(bytes), size});
+  if (!reader.problem().empty())
+    throw fail("cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
+  const PictureHeader& header = reader.header();
+  const std::int64_t pixels = static_cast<std::int64_t>(header.width_px) * header.height_px;
+  const std::string dimensions = std::to_string(header.width_px) + "x" + std::to_string(header.height_px);
+  if (header.width_px < 1 || header.height_px < 1 || header.width_px > kMaxImageSide_px ||
+      header.height_px > kMaxImageSide_px || pixels > kMaxImagePixels || 4 * pixels > max_bytes) {
     throw fail("of " + dimensions + " pixels is too big", "shrink the textures of the model");
   }
-  if (spec.nchannels < 1 || spec.nchannels > 4)
+  if (header.channels < 1 || header.channels > 4)
     throw fail("has an unusual number of channels", "convert it to RGBA");
 
   if (std::strcmp(format, "png") == 0 && !png_is_whole(bytes, size)) {
     throw fail("cannot be decoded (it was cut off)", "copy or export it again");
   }
-  DecodedImage image{spec.width, spec.height, {}};
+  DecodedImage image{header.width_px, header.height_px, {}};
   image.rgba.resize(static_cast<std::size_t>(4 * pixels));
-  const bool read = reader->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.rgba.data());
-  // A file that was cut off may still return pixels; the message tells.
-  const std::string message = reader->geterror();
-  if (!read || !message.empty())
-    throw fail("cannot be decoded (" + printable(message) + ")", "export it again");
-  reader->close();
-  expand_to_rgba(image.rgba, static_cast<std::size_t>(pixels), spec.nchannels);
+  if (!reader.read(SampleType::u8, image.rgba.data(), static_cast<std::size_t>(pixels * header.channels)))
+    throw fail("cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
+  expand_to_rgba(image.rgba, static_cast<std::size_t>(pixels), header.channels);
   return image;
 }
 

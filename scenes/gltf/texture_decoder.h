@@ -1,5 +1,5 @@
 // Decodes a PNG or JPEG from memory to 8-bit RGBA, as glTF textures need it: no colour management, alpha not
-// multiplied in. Before: material_builder. The only file here that knows OpenImageIO.
+// multiplied in. Before: material_builder. After: Scene::textures.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct DecodedImage {
 };
 
 // The header is checked against kMaxImageSide_px, kMaxImagePixels and `max_bytes` before pixels are decoded.
-// Throws InputError; `file` and `name` say which image of which file it is.
+// Throws InputError, ModuleError; `file` and `name` say which image of which file it is.
 DecodedImage decode_image(const unsigned char* bytes, std::size_t size, std::int64_t max_bytes,
                           const std::filesystem::path& file, const std::string& name);
 

@@ -1,34 +1,35 @@
 #include "server/output/png_encoder.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
+#include <new>
 #include <stdexcept>
 #include <string>
+
+#include "sessions/pictures/loaded_module.h"
+#include "sessions/pictures/picture_reader.h"
 
 namespace herr {
 namespace {
 
-[[noreturn]] void refuse(const std::string& reason) {
-  throw std::runtime_error("PNG encoder: " + (reason.empty() ? "unknown failure" : reason));
+// The module's way to hand over bytes: nothing may be thrown through it.
+bool append(void* user, const void* bytes, std::size_t count) noexcept try {
+  auto& out = *static_cast<std::vector<std::uint8_t>*>(user);
+  const auto* begin = static_cast<const std::uint8_t*>(bytes);
+  out.insert(out.end(), begin, begin + count);
+  return true;
+} catch (const std::exception&) {
+  return false;
 }
 
 }  // namespace
 
 void encode_png(const Srgb8Image& image, std::vector<std::uint8_t>& out, int level) {
   out.clear();
-  // The proxy must outlive the output: it is declared first.
-  OIIO::Filesystem::IOVecOutput proxy(out);
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png", &proxy);
-  if (!output) refuse(OIIO::geterror());
-  OIIO::ImageSpec spec(image.width_px, image.height_px, image.channels, OIIO::TypeDesc::UINT8);
-  spec.attribute("png:compressionLevel", level);
-  spec.attribute("oiio:ColorSpace", std::string("sRGB"));
-  spec.attribute("oiio:UnassociatedAlpha", 1);
-  const bool written = output->open("memory.png", spec) &&
-                       output->write_image(OIIO::TypeDesc::UINT8, image.values.data()) && output->close();
-  const std::string problem = output->geterror();
-  if (!written || !problem.empty()) refuse(problem);
+  PictureProblem problem;
+  const PngRequest request{image.width_px, image.height_px, image.channels, level, image.values.data(),
+                           &out,           append};
+  if (picture_module().encode_png(&request, &problem)) return;
+  throw_unless_bad_picture(problem);
+  throw std::runtime_error("PNG encoder: " + std::string(problem.text));
 }
 
 }  // namespace herr

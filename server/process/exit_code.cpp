@@ -9,6 +9,7 @@
 #include "server/process/terminal.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
+#include "sessions/pictures/loaded_module.h"
 
 namespace herr {
 
@@ -45,6 +46,10 @@ int exit_code_of_current_exception(std::string& message) {
   } catch (const WriteError& error) {
     message = error.what();
     return may_not_write(error.error_number()) ? kExitUsage : kExitTemporary;
+  } catch (const ModuleError& error) {
+    // Not temporary: job engines start what ends with that code again, and it would end so every time.
+    message = error.what();
+    return kExitInternal;
   } catch (const TemporaryError& error) {
     message = error.what();
     return kExitTemporary;

@@ -15,7 +15,7 @@ inline constexpr int kExitUsage = 2;         // the command line is wrong
 inline constexpr int kExitBadInput = 3;      // session, scene or image is wrong; trying again will not help
 inline constexpr int kExitInconclusive = 4;  // a check cannot tell, or the two do not compare
 inline constexpr int kExitPartial = 5;       // something was skipped because --keep-going asked for it
-inline constexpr int kExitInternal = 70;     // a fault of this program
+inline constexpr int kExitInternal = 70;     // a fault of this program or its installation
 inline constexpr int kExitTemporary = 75;    // disk full, out of memory, port in use; trying again may help
 inline constexpr int kExitSignalBase = 128;
 

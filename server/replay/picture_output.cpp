@@ -6,13 +6,16 @@
 
 #include "server/output/contact_sheet.h"
 #include "server/output/png_encoder.h"
+#include "sessions/pictures/loaded_module.h"
 
 namespace herr {
 
 PictureOutput::PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer)
     : config_(std::move(config)), names_(files), renderer_(renderer), writer_(writer) {
   files_.resize(files.pictures_per_frame());
-  if (config_.format == PictureFormat::png) pictures_.resize(files_.size());
+  if (config_.format != PictureFormat::png) return;
+  pictures_.resize(files_.size());
+  picture_module();  // loaded here, so that no frame takes that time
 }
 
 ParallelFor PictureOutput::parallel_for() {

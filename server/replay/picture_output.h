@@ -22,7 +22,7 @@ class PictureOutput {
     DisplayProfile profile;
     PictureMetadata metadata;  // `frame` is filled in for each frame
   };
-  // All three must outlive this object.
+  // All three must outlive this object. Loads the picture module for PNG; throws ModuleError.
   PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer);
 
   struct Cost {

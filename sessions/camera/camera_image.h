@@ -1,5 +1,7 @@
 // One decoded camera frame in linear light, and the checks that come before decoding.
-// Formats: JPEG, PNG, OpenEXR (single part, flat), recognised by their first bytes, read by OpenImageIO.
+// Formats: JPEG, PNG, OpenEXR (single part, flat), recognised by their first bytes.
+// Headers are read here, by small libraries; pixels by the picture module (pictures/), which costs time to
+// load.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +27,7 @@ struct CameraImage {
 ImageSize read_image_size(InputFile& file);  // from its beginning
 ImageSize read_image_size(const std::filesystem::path& file);
 // Decodes a frame; 8/16-bit files are sRGB (grey allowed), EXR is linear. Throws InputError, also on
-// truncated data.
+// truncated data; ModuleError.
 CameraImage read_camera_image(InputFile& file);  // whatever was read of it before
 CameraImage read_camera_image(const std::filesystem::path& file);
 

@@ -29,7 +29,8 @@ class CameraSampler {
     bool keep_going = false;                        // hold the previous frame when one does not decode
     std::function<void(const InputError&)> on_skipped;
   };
-  // `exposure_poses` interpolates; it must not be shared.
+  // `exposure_poses` interpolates; it must not be shared. Loads the picture module where there are rows;
+  // throws ModuleError.
   CameraSampler(RowStream<CameraRow> rows, PoseSampler exposure_poses, Source source);
 
   // The newest frame with a stamp at or before t_ns, or none yet. Times must not decrease.
