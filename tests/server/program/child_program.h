@@ -27,8 +27,8 @@ class ChildProgram {
           ::execv(words[0], words.data());
           return 99;
         }) {}
-  // A process of its own for `body`, whose answer is the exit code. The program takes a third of a second to
-  // be loaded; a copy of the test has it in memory. The test must have no threads in work.
+  // A process of its own for `body`, whose answer is the exit code. A copy of the test need not load what the
+  // test has loaded. The test must have no threads in work.
   ChildProgram(const std::filesystem::path& folder, const std::function<int()>& body) {
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");

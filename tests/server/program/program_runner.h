@@ -19,14 +19,18 @@ struct Outcome {
   std::string out, err;
 };
 
+// What a line of the shell leaves behind, run in `folder`.
+inline Outcome run_line(const std::filesystem::path& folder, const std::string& line) {
+  const int status =
+      std::system(("cd '" + folder.string() + "' && " + line + " >stdout.txt 2>stderr.txt").c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder / "stdout.txt"),
+          content_of(folder / "stderr.txt")};
+}
+
 // `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
 inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments,
                            const std::string& before = "") {
-  const std::string line = "cd '" + folder.string() + "' && " + before + " " + test::program_path() + " " +
-                           arguments + " >stdout.txt 2>stderr.txt";
-  const int status = std::system(line.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(folder / "stdout.txt"),
-          content_of(folder / "stderr.txt")};
+  return run_line(folder, before + " " + test::program_path() + " " + arguments);
 }
 
 inline long lines_in(const std::string& text) {
