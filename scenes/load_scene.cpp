@@ -32,10 +32,10 @@ AreaLight light_above(const Bounds& bounds) {
   return light;
 }
 
-Scene load_bare_gltf(const std::filesystem::path& file) {
+Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels) {
   Scene scene;
   scene.name = file.stem().string();
-  GltfContent content = append_gltf(file, scene);
+  GltfContent content = append_gltf(file, scene, {}, pixels);
   scene.instances = std::move(content.instances);
   if (!scene.instances.empty())
     scene.objects.push_back({scene.name, {}, 0, static_cast<std::uint32_t>(scene.instances.size()), true});
@@ -72,15 +72,15 @@ void check_bounds(const Scene& scene, const std::filesystem::path& file) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file) {
+Scene load_scene(const std::filesystem::path& file, TexturePixels pixels) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   Scene scene;
   if (extension == ".json") {
-    scene = read_scene_document(file);
+    scene = read_scene_document(file, pixels);
   } else if (extension == ".gltf" || extension == ".glb") {
-    scene = load_bare_gltf(file);
+    scene = load_bare_gltf(file, pixels);
   } else if (extension == ".vox") {
     scene = load_bare_vox(file);
   } else {

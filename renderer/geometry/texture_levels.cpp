@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace herr {
 namespace {
@@ -121,7 +122,10 @@ TextureLevels build_levels(const TextureImage& image) {
   record.wrap_u = static_cast<std::uint8_t>(image.wrap_u);
   record.wrap_v = static_cast<std::uint8_t>(image.wrap_v);
   record.nearest = image.nearest;
-  const std::size_t pixels = image.rgba.size() / 4;
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
+  if (image.rgba.size() != 4 * pixels)
+    throw std::logic_error("a texture whose pixels were left out cannot be rendered");
   built.texels.reserve(pixels + pixels / 3 + 16);
   built.texels.resize(pixels);
   std::memcpy(built.texels.data(), image.rgba.data(), image.rgba.size());

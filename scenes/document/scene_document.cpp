@@ -29,7 +29,10 @@ struct LoadedFile {
   PlaybackRequest playback;
   GltfContent content;
 };
-using LoadedFiles = std::vector<LoadedFile>;
+struct LoadedFiles {
+  TexturePixels pixels = TexturePixels::decoded;
+  std::vector<LoadedFile> files;
+};
 
 // The material of an instance with the entry's changes; made once per entry and material.
 std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& change, Scene& scene,
@@ -57,9 +60,10 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   const PlaybackRequest playback =
       entry.has("animation") ? parse_playback(entry.object("animation")) : PlaybackRequest{};
   const auto same = [&](const LoadedFile& other) { return other.file == file && other.playback == playback; };
-  auto known = std::find_if(loaded.begin(), loaded.end(), same);
-  if (known == loaded.end())
-    known = loaded.insert(loaded.end(), {file, playback, append_gltf(file, scene, playback)});
+  auto known = std::find_if(loaded.files.begin(), loaded.files.end(), same);
+  if (known == loaded.files.end())
+    known = loaded.files.insert(loaded.files.end(),
+                                {file, playback, append_gltf(file, scene, playback, loaded.pixels)});
 
   const bool detail_levels = entry.boolean_or("detail_levels", false);
   PlacedObject object{name,
@@ -124,7 +128,7 @@ void read_environment(const JsonObject& entry, Scene& scene) {
 
 }  // namespace
 
-Scene read_scene_document(const std::filesystem::path& file) {
+Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixels) {
   const JsonDocument document(file);
   const JsonObject root = document.root();
   root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "room_scan", "lights",
@@ -149,7 +153,7 @@ Scene read_scene_document(const std::filesystem::path& file) {
   for (const JsonObject& shape : root.objects("shapes")) append_shape(shape, scene);
   if (root.has("room_scan")) read_room_scan(root.object("room_scan"), scene);
 
-  LoadedFiles loaded;
+  LoadedFiles loaded{pixels, {}};
   for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);
   append_voxel_entries(root.objects("voxels"), scene);
   scene.timeline = parse_timeline(root);

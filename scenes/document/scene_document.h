@@ -5,10 +5,11 @@
 #include <filesystem>
 
 #include "scenes/model/scene.h"
+#include "scenes/model/texture_pixels.h"
 
 namespace herr {
 
 // Throws InputError that names the field.
-Scene read_scene_document(const std::filesystem::path& file);
+Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixels);
 
 }  // namespace herr

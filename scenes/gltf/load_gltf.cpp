@@ -20,6 +20,7 @@
 #include "scenes/gltf/vertex_tangents.h"
 #include "scenes/model/transform_checks.h"
 #include "sessions/files/input_error.h"
+#include "sessions/pictures/loaded_module.h"
 
 namespace herr {
 namespace {
@@ -35,8 +36,8 @@ bool reads_coordinates(const Material& material) {
 // Builds the meshes of a file when the first instance asks for them.
 class PrimitiveCache {
  public:
-  PrimitiveCache(const GltfModel& model, Scene& scene, MeshBudget& budget)
-      : model_(model), scene_(scene), budget_(budget), materials_(model, scene) {}
+  PrimitiveCache(const GltfModel& model, Scene& scene, MeshBudget& budget, TexturePixels pixels)
+      : model_(model), scene_(scene), budget_(budget), materials_(model, scene, pixels) {}
 
   bool has(int mesh) const { return built_.count(mesh) != 0; }
 
@@ -186,13 +187,14 @@ class ModelBuilder {
   std::map<std::uint32_t, TriangleMesh> rest_;
 };
 
-GltfContent append(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback) {
+GltfContent append(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback,
+                   TexturePixels pixels) {
   const GltfModel model = read_gltf(file);
   scene.files.insert(scene.files.end(), model.files.begin(), model.files.end());
   scene.warnings.insert(scene.warnings.end(), model.warnings.begin(), model.warnings.end());
 
   MeshBudget budget;
-  PrimitiveCache cache(model, scene, budget);
+  PrimitiveCache cache(model, scene, budget, pixels);
   ModelBuilder builder(model, playback, scene, budget);
   FlattenedNodes nodes = flatten_nodes(model);
   GltfContent content{{}, std::move(nodes.lights)};
@@ -214,12 +216,15 @@ GltfContent append(const std::filesystem::path& file, Scene& scene, const Playba
 
 }  // namespace
 
-GltfContent append_gltf(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback) {
+GltfContent append_gltf(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback,
+                        TexturePixels pixels) {
   // Whatever a library throws over this file is the file's fault, except a lack of memory within our own
-  // limits.
+  // limits and of the module that decodes pictures.
   try {
-    return append(file, scene, playback);
+    return append(file, scene, playback, pixels);
   } catch (const InputError&) {
+    throw;
+  } catch (const ModuleError&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;

@@ -8,6 +8,7 @@
 
 #include "scenes/gltf/animated_models.h"
 #include "scenes/model/scene.h"
+#include "scenes/model/texture_pixels.h"
 
 namespace herr {
 
@@ -18,8 +19,9 @@ struct GltfContent {
 };
 
 // `playback`: which animation plays; the instances stand as it has them at time 0. Throws InputError for
-// anything that is wrong with the file; other exceptions of the libraries become InputErrors.
-GltfContent append_gltf(const std::filesystem::path& file, Scene& scene,
-                        const PlaybackRequest& playback = {});
+// anything that is wrong with the file; other exceptions of the libraries become InputErrors, but for
+// ModuleError.
+GltfContent append_gltf(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback = {},
+                        TexturePixels pixels = TexturePixels::decoded);
 
 }  // namespace herr

@@ -23,12 +23,8 @@ std::array<const GltfTextureUse*, 7> texture_uses(const GltfMaterial& material) 
           &material.transmission_texture};
 }
 
-// Mean of one channel, 0 ... 1.
-float channel_mean(const TextureImage& texture, std::size_t channel) {
-  std::uint64_t sum = 0;
-  for (std::size_t i = channel; i < texture.rgba.size(); i += 4) sum += texture.rgba[i];
-  return static_cast<float>(static_cast<double>(sum) /
-                            (255.0 * 0.25 * static_cast<double>(texture.rgba.size())));
+std::int64_t texture_bytes(const ImageSize& size) {
+  return std::int64_t{4} * size.width_px * size.height_px;
 }
 
 }  // namespace
@@ -121,12 +117,23 @@ Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSo
   if (to.transmission > 0) to.transmission_texture = get(from.transmission_texture, Values::linear);
 
   // The mirror share is one number per material: textures count with their mean.
-  const auto mean = [&](int index, std::size_t channel) {
-    return index < 0 ? 1.0f : channel_mean(scene_.textures[static_cast<std::size_t>(index)], channel);
+  if (to.metallic <= 0 && to.transmission <= 0) return to;  // no mirror, whatever the textures hold
+  const auto mean = [&](const TextureSlot& read, const GltfTextureUse& use, std::size_t channel) {
+    return read.texture < 0 ? 1.0f : channel_mean(use, channel);
   };
-  to.mirror = mirror_of(to.metallic * mean(rough.texture, 2), to.roughness * mean(rough.texture, 1),
-                        to.transmission * mean(to.transmission_texture.texture, 0));
+  const GltfTextureUse& roughness = from.metallic_roughness_texture;
+  to.mirror = mirror_of(to.metallic * mean(rough, roughness, 2), to.roughness * mean(rough, roughness, 1),
+                        to.transmission * mean(to.transmission_texture, from.transmission_texture, 0));
   return to;
+}
+
+// Mean of one channel of a texture, 0 ... 1.
+float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t channel) {
+  const DecodedImage& image = decoded(model_.textures[static_cast<std::size_t>(use.texture)].image);
+  std::uint64_t sum = 0;
+  for (std::size_t i = channel; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+  return static_cast<float>(static_cast<double>(sum) /
+                            (255.0 * 0.25 * static_cast<double>(image.rgba.size())));
 }
 
 TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values,
@@ -150,28 +157,38 @@ int MaterialBuilder::texture(const GltfTexture& from, Values values) {
                              static_cast<int>(from.wrap_v), from.nearest ? 1 : 0},
                             -1);
   if (!added) return entry->second;
-  const DecodedImage& image = decoded(from.image);
-  if (static_cast<std::int64_t>(image.rgba.size()) > texture_bytes_left()) {
+  const ImageSize size = size_of(from.image);
+  if (texture_bytes(size) > texture_bytes_left()) {
     throw InputError(model_.file, 0, "has more than 1 GiB of textures", "shrink the textures of the model");
   }
   TextureImage to;
   to.name = model_.images[static_cast<std::size_t>(from.image)].name;
-  to.width_px = image.width_px;
-  to.height_px = image.height_px;
+  to.width_px = size.width_px;
+  to.height_px = size.height_px;
   to.srgb = values != Values::linear;
   to.covers = values == Values::covering_colour;
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
   to.nearest = from.nearest;
-  to.rgba = image.rgba;
+  if (pixels_ == TexturePixels::decoded) to.rgba = decoded(from.image).rgba;
   entry->second = static_cast<int>(scene_.textures.size());
   scene_.textures.push_back(std::move(to));
   return entry->second;
 }
 
+ImageSize MaterialBuilder::size_of(int index) {
+  if (pixels_ == TexturePixels::left_out) return texture_size(encoded(index), texture_bytes_left());
+  const DecodedImage& image = decoded(index);
+  return {image.width_px, image.height_px};
+}
+
 const DecodedImage& MaterialBuilder::decoded(int index) {
   const auto [entry, added] = decoded_.try_emplace(index);
-  if (!added) return entry->second;
+  if (added) entry->second = decode_image(encoded(index), texture_bytes_left());
+  return entry->second;
+}
+
+EncodedImage MaterialBuilder::encoded(int index) const {
   const GltfImage& image = model_.images[static_cast<std::size_t>(index)];
   if (image.failure) std::rethrow_exception(image.failure);
   const unsigned char* bytes = image.encoded.data();
@@ -181,13 +198,13 @@ const DecodedImage& MaterialBuilder::decoded(int index) {
     bytes = model_.buffers[static_cast<std::size_t>(view.buffer)].data() + view.offset;
     size = view.length;
   }
-  entry->second = decode_image(bytes, size, texture_bytes_left(), model_.file, image.name);
-  return entry->second;
+  return {bytes, size, model_.file, image.name};
 }
 
 std::int64_t MaterialBuilder::texture_bytes_left() const {
   std::int64_t left = kMaxTextureBytes;
-  for (const TextureImage& texture : scene_.textures) left -= static_cast<std::int64_t>(texture.rgba.size());
+  for (const TextureImage& texture : scene_.textures)
+    left -= texture_bytes({texture.width_px, texture.height_px});
   return left;
 }
 

@@ -11,6 +11,7 @@
 
 #include "scenes/gltf/file/gltf_model.h"
 #include "scenes/gltf/texture_decoder.h"
+#include "scenes/model/texture_pixels.h"
 
 namespace herr {
 
@@ -18,10 +19,12 @@ namespace herr {
 // other dielectrics do not.
 float mirror_of(float metallic, float roughness, float transmission);
 
-// Appends to scene.materials and scene.textures as materials are asked for. One per glTF file.
+// Appends to scene.materials and scene.textures as materials are asked for. One per glTF file. Where
+// pixels are left out, only those that say how much a material mirrors are decoded.
 class MaterialBuilder {
  public:
-  MaterialBuilder(const GltfModel& model, Scene& scene) : model_(model), scene_(scene) {}
+  MaterialBuilder(const GltfModel& model, Scene& scene, TexturePixels pixels)
+      : model_(model), scene_(scene), pixels_(pixels) {}
 
   // The coordinates that the textures of a glTF material (-1 = the default one) read, each once, without
   // those of sets that `primitive` lacks. A mesh has them in this order.
@@ -46,12 +49,16 @@ class MaterialBuilder {
   TextureSlot slot(const GltfTextureUse& use, Values values, const std::vector<UvSource>& sources,
                    const std::string& material);
   int texture(const GltfTexture& from, Values values);
+  ImageSize size_of(int image);
   const DecodedImage& decoded(int image);
+  float channel_mean(const GltfTextureUse& use, std::size_t channel);
+  EncodedImage encoded(int image) const;
   std::int64_t texture_bytes_left() const;
   void warn(const std::string& text);
 
   const GltfModel& model_;
   Scene& scene_;
+  TexturePixels pixels_;
   std::map<Key, std::uint32_t> materials_;
   std::map<std::array<int, 5>, int> textures_;  // image, values, wrap u, wrap v, nearest
   std::map<int, DecodedImage> decoded_;

@@ -5,7 +5,10 @@
 
 #include "scenes/gltf/file/gltf_limits.h"
 #include "sessions/files/input_error.h"
+#include "sessions/pictures/header_bytes.h"
+#include "sessions/pictures/jpeg_header.h"
 #include "sessions/pictures/picture_reader.h"
+#include "sessions/pictures/png_chunks.h"
 
 namespace herr {
 namespace {
@@ -46,36 +49,70 @@ void expand_to_rgba(std::vector<std::uint8_t>& rgba, std::size_t pixels, int cha
   }
 }
 
+[[noreturn]] void fail(const EncodedImage& image, const std::string& problem, const char* remedy) {
+  throw InputError(image.file, 0, "image \"" + printable(image.name) + "\" " + problem, remedy);
+}
+
+const char* known_format_of(const EncodedImage& image) {
+  const char* format = format_of(image.bytes, image.size);
+  if (format == nullptr) fail(image, "is neither PNG nor JPEG", "convert it to PNG");
+  return format;
+}
+
+void check_texture_size(const EncodedImage& image, int width_px, int height_px, std::int64_t max_bytes) {
+  const std::int64_t pixels = static_cast<std::int64_t>(width_px) * height_px;
+  if (width_px < 1 || height_px < 1 || width_px > kMaxImageSide_px || height_px > kMaxImageSide_px ||
+      pixels > kMaxImagePixels || 4 * pixels > max_bytes) {
+    fail(image, "of " + std::to_string(width_px) + "x" + std::to_string(height_px) + " pixels is too big",
+         "shrink the textures of the model");
+  }
+}
+
+void check_png_end(const EncodedImage& image, const char* format) {
+  if (std::strcmp(format, "png") == 0 && !png_is_whole(image.bytes, image.size))
+    fail(image, "cannot be decoded (it was cut off)", "copy or export it again");
+}
+
+std::string_view bytes_of(const EncodedImage& image) {
+  return {reinterpret_cast<const char*>(image.bytes), image.size};
+}
+
 }  // namespace
 
-DecodedImage decode_image(const unsigned char* bytes, std::size_t size, std::int64_t max_bytes,
-                          const std::filesystem::path& file, const std::string& name) {
-  const auto fail = [&](const std::string& problem, const char* remedy) {
-    return InputError(file, 0, "image \"" + printable(name) + "\" " + problem, remedy);
-  };
-  const char* format = format_of(bytes, size);
-  if (format == nullptr) throw fail("is neither PNG nor JPEG", "convert it to PNG");
+ImageSize texture_size(const EncodedImage& image, std::int64_t max_bytes) {
+  const char* format = known_format_of(image);
+  ImageSize size;
+  try {
+    HeaderBytes bytes(image.file, bytes_of(image));
+    if (std::strcmp(format, "png") == 0) {
+      size = png_size(image.file, bytes.first(kPngHeaderBytes));
+    } else {
+      const PictureHeader header = read_jpeg_header(bytes).picture;
+      size = {header.width_px, header.height_px};
+    }
+  } catch (const InputError& error) {  // it knows the file, not the image within
+    fail(image, "cannot be decoded (" + error.problem() + ")", "export it again");
+  }
+  check_texture_size(image, size.width_px, size.height_px, max_bytes);
+  check_png_end(image, format);
+  return size;
+}
 
-  PictureReader reader(format, {reinterpret_cast<const char*>(bytes), size});
+DecodedImage decode_image(const EncodedImage& from, std::int64_t max_bytes) {
+  const char* format = known_format_of(from);
+  PictureReader reader(format, bytes_of(from));
   if (!reader.problem().empty())
-    throw fail("cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
+    fail(from, "cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
   const PictureHeader& header = reader.header();
-  const std::int64_t pixels = static_cast<std::int64_t>(header.width_px) * header.height_px;
-  const std::string dimensions = std::to_string(header.width_px) + "x" + std::to_string(header.height_px);
-  if (header.width_px < 1 || header.height_px < 1 || header.width_px > kMaxImageSide_px ||
-      header.height_px > kMaxImageSide_px || pixels > kMaxImagePixels || 4 * pixels > max_bytes) {
-    throw fail("of " + dimensions + " pixels is too big", "shrink the textures of the model");
-  }
+  check_texture_size(from, header.width_px, header.height_px, max_bytes);
   if (header.channels < 1 || header.channels > 4)
-    throw fail("has an unusual number of channels", "convert it to RGBA");
-
-  if (std::strcmp(format, "png") == 0 && !png_is_whole(bytes, size)) {
-    throw fail("cannot be decoded (it was cut off)", "copy or export it again");
-  }
+    fail(from, "has an unusual number of channels", "convert it to RGBA");
+  check_png_end(from, format);
+  const std::int64_t pixels = static_cast<std::int64_t>(header.width_px) * header.height_px;
   DecodedImage image{header.width_px, header.height_px, {}};
   image.rgba.resize(static_cast<std::size_t>(4 * pixels));
   if (!reader.read(SampleType::u8, image.rgba.data(), static_cast<std::size_t>(pixels * header.channels)))
-    throw fail("cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
+    fail(from, "cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
   expand_to_rgba(image.rgba, static_cast<std::size_t>(pixels), header.channels);
   return image;
 }

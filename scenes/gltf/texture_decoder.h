@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sessions/pictures/image_size.h"
+
 namespace herr {
 
 struct DecodedImage {
@@ -14,9 +16,19 @@ struct DecodedImage {
   std::vector<std::uint8_t> rgba;  // 4 * width * height, rows from the top
 };
 
-// The header is checked against kMaxImageSide_px, kMaxImagePixels and `max_bytes` before pixels are decoded.
-// Throws InputError, ModuleError; `file` and `name` say which image of which file it is.
-DecodedImage decode_image(const unsigned char* bytes, std::size_t size, std::int64_t max_bytes,
-                          const std::filesystem::path& file, const std::string& name);
+// A picture inside a glTF file or beside it. `file` and `name` say in errors which one it is.
+struct EncodedImage {
+  const unsigned char* bytes = nullptr;
+  std::size_t size = 0;
+  const std::filesystem::path& file;
+  const std::string& name;
+};
+
+// From the header alone; it is checked against kMaxImageSide_px, kMaxImagePixels and `max_bytes`. Throws
+// InputError.
+ImageSize texture_size(const EncodedImage& image, std::int64_t max_bytes);
+
+// The same checks come before the pixels are decoded. Throws InputError, ModuleError.
+DecodedImage decode_image(const EncodedImage& image, std::int64_t max_bytes);
 
 }  // namespace herr

@@ -76,8 +76,9 @@ SceneFacts facts_of(const Scene& scene) {
   }
   facts.textures = static_cast<std::int64_t>(scene.textures.size());
   for (const TextureImage& texture : scene.textures) {
-    facts.texture_pixels += static_cast<std::int64_t>(texture.width_px) * texture.height_px;
-    facts.texture_bytes += static_cast<std::int64_t>(texture.rgba.size());
+    const std::int64_t pixels = static_cast<std::int64_t>(texture.width_px) * texture.height_px;
+    facts.texture_pixels += pixels;
+    facts.texture_bytes += 4 * pixels;
   }
   facts.lights = static_cast<std::int64_t>(scene.lights.size());
   for (const AreaLight& light : scene.lights)

@@ -44,6 +44,12 @@ void check_channels(const std::filesystem::path& file, int channels) {
                      "use grey or RGB, with or without alpha");
 }
 
+PictureHeader header_of_rgb_jpeg(HeaderBytes& bytes) {
+  const JpegHeader header = read_jpeg_header(bytes);
+  if (header.cmyk) throw InputError(bytes.path(), 0, "is a CMYK image", "convert it to RGB");
+  return header.picture;
+}
+
 struct CheckedHeader {
   ImageFormat format = ImageFormat::jpeg;
   ImageSize size;
@@ -60,7 +66,7 @@ CheckedHeader checked_header(HeaderBytes& bytes) {
     return checked;
   }
   const PictureHeader header =
-      checked.format == ImageFormat::jpeg ? read_jpeg_header(bytes) : read_exr_header(bytes);
+      checked.format == ImageFormat::jpeg ? header_of_rgb_jpeg(bytes) : read_exr_header(bytes);
   checked.size = {header.width_px, header.height_px};
   check_size(file, checked.size);
   check_channels(file, header.channels);

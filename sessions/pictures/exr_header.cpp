@@ -43,7 +43,7 @@ std::int64_t size_of(exr_const_context_t, void* user) {
   return static_cast<std::int64_t>(static_cast<Source*>(user)->bytes.size_bytes());
 }
 
-void stay_silent(exr_const_context_t, exr_result_t, const char*) {}
+void ignore_message(exr_const_context_t, exr_result_t, const char*) {}
 
 struct ExrFacts {
   exr_compression_t compression = EXR_COMPRESSION_LAST_TYPE;
@@ -109,7 +109,7 @@ PictureHeader read_exr_header(HeaderBytes& bytes) {
   const std::filesystem::path& file = bytes.path();
   Source source{bytes, nullptr};
   exr_context_initializer_t wishes = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  wishes.error_handler_fn = stay_silent;
+  wishes.error_handler_fn = ignore_message;
   wishes.user_data = &source;
   wishes.read_fn = read_bytes;
   wishes.size_fn = size_of;

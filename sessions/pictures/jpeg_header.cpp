@@ -24,20 +24,15 @@ struct Failure {
   std::longjmp(failure->jump, 1);
 }
 
-void stay_silent(j_common_ptr) {}
-
-struct JpegFacts {
-  PictureHeader header;
-  bool cmyk = false;
-};
+void ignore_warning(j_common_ptr) {}
 
 // False: failure.message says why. Nothing with a destructor lives here: longjmp would pass over it.
-bool parse(const unsigned char* bytes, unsigned long count, JpegFacts& facts, Failure& failure) {
+bool parse(const unsigned char* bytes, unsigned long count, JpegHeader& header, Failure& failure) {
   jpeg_decompress_struct info;
   info.err = jpeg_std_error(&failure.manager);
   failure.manager.error_exit = leave;
-  failure.manager.output_message = stay_silent;  // warnings: decoding judges them
-  info.mem = nullptr;                            // destroying what was never created is allowed then
+  failure.manager.output_message = ignore_warning;  // warnings: decoding judges them
+  info.mem = nullptr;                               // destroying what was never created is allowed then
   if (setjmp(failure.jump) != 0) {
     jpeg_destroy_decompress(&info);
     return false;
@@ -45,26 +40,24 @@ bool parse(const unsigned char* bytes, unsigned long count, JpegFacts& facts, Fa
   jpeg_create_decompress(&info);
   jpeg_mem_src(&info, bytes, count);
   jpeg_read_header(&info, TRUE);
-  facts.header = {static_cast<std::int32_t>(info.image_width), static_cast<std::int32_t>(info.image_height),
-                  info.num_components, SampleType::u8};
-  facts.cmyk = info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK;
+  header.picture = {static_cast<std::int32_t>(info.image_width), static_cast<std::int32_t>(info.image_height),
+                    info.num_components, SampleType::u8};
+  header.cmyk = info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK;
   jpeg_destroy_decompress(&info);
   return true;
 }
 
 }  // namespace
 
-PictureHeader read_jpeg_header(HeaderBytes& bytes) {
+JpegHeader read_jpeg_header(HeaderBytes& bytes) {
   // Metadata stands before the size and may be long; nearly always the first step is enough.
   constexpr std::size_t kSteps[] = {std::size_t{64} << 10, std::size_t{16} << 20};
-  JpegFacts facts;
+  JpegHeader header;
   Failure failure;
   for (const std::size_t step : kSteps) {
     const std::string_view first = bytes.first(step);
-    if (parse(reinterpret_cast<const unsigned char*>(first.data()), first.size(), facts, failure)) {
-      if (facts.cmyk) throw InputError(bytes.path(), 0, "is a CMYK image", "convert it to RGB");
-      return facts.header;
-    }
+    if (parse(reinterpret_cast<const unsigned char*>(first.data()), first.size(), header, failure))
+      return header;
     if (first.size() == bytes.size_bytes()) break;
   }
   throw InputError(bytes.path(), 0, "cannot be read as an image (" + printable(failure.message) + ")",

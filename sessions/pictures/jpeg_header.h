@@ -1,4 +1,5 @@
-// What a JPEG says of itself before its pixels, read by libjpeg. Before: HeaderBytes. After: camera_image.
+// What a JPEG says of itself before its pixels, read by libjpeg. Before: HeaderBytes. After: camera_image,
+// texture_decoder.
 #pragma once
 
 #include "sessions/pictures/header_bytes.h"
@@ -6,7 +7,12 @@
 
 namespace herr {
 
-// Throws InputError: no header that libjpeg can read within 16 MiB, a CMYK picture.
-PictureHeader read_jpeg_header(HeaderBytes& bytes);
+struct JpegHeader {
+  PictureHeader picture;
+  bool cmyk = false;  // colours are amounts of ink
+};
+
+// Throws InputError: no header that libjpeg can read within 16 MiB.
+JpegHeader read_jpeg_header(HeaderBytes& bytes);
 
 }  // namespace herr

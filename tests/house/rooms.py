@@ -2,7 +2,8 @@
 A file includes only its own room and rooms below it; the root of a module is its roof, in renderer/ its ground."""
 
 ROOMS = {
-    "sessions": ("files/system", "files", "camera", "format", "streams", "check", "inspect", "record", "import"),
+    "sessions": ("files/system", "files", "pictures", "pictures/openimageio", "camera", "format", "streams", "check",
+                 "inspect", "record", "import"),
     "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
@@ -28,6 +29,8 @@ FACE = {
         "sessions/import/import_report.h", "sessions/import/import_rows.h",
         "sessions/inspect/findings.h", "sessions/inspect/number_words.h", "sessions/inspect/session_inspection.h",
         "sessions/inspect/time_profile.h",
+        "sessions/pictures/header_bytes.h", "sessions/pictures/image_size.h", "sessions/pictures/jpeg_header.h",
+        "sessions/pictures/loaded_module.h", "sessions/pictures/picture_reader.h", "sessions/pictures/png_chunks.h",
         "sessions/record/session_recorder.h",
         "sessions/streams/event_stream.h", "sessions/streams/frame_sample.h", "sessions/streams/session_options.h",
     ),

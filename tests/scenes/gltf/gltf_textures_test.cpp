@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/load_scene.h"
+#include "sessions/files/input_error.h"
 #include "tests/scenes/scene_files.h"
 
 namespace herr::test {
@@ -74,6 +75,30 @@ TEST(GltfTextures, AnImageUsedForColourAndForRoughnessIsTwoTextures) {
   EXPECT_FALSE(scene.textures[1].srgb);
   EXPECT_EQ(scene.materials.at(0).metallic_roughness_texture, 1);
   EXPECT_EQ(scene.materials.at(0).mirror, 1.0f);
+}
+
+TEST(GltfTextures, WithoutPixelsASceneHasTheSameSizesMirrorsAndRefusals) {
+  for (const char* name : {"a picture.png", "a picture.jpg"}) {
+    const TemporaryFolder folder;
+    json document = textured_document();
+    document["images"][0]["uri"] = name;
+    document["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+    const auto file = write_model(folder, document);
+    write_picture(folder.path() / name, 3, 2, 3,
+                  {7, 0, 255, 7, 0, 255, 7, 0, 255, 7, 0, 255, 7, 0, 255, 7, 0, 255});
+    const Scene whole = load_scene(file), described = load_scene(file, TexturePixels::left_out);
+    ASSERT_EQ(described.textures.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(described.textures[i].width_px, 3);
+      EXPECT_EQ(described.textures[i].height_px, 2);
+      EXPECT_EQ(whole.textures[i].rgba.size(), 24u);
+      EXPECT_TRUE(described.textures[i].rgba.empty());
+    }
+    EXPECT_EQ(described.materials.at(0).mirror, whole.materials.at(0).mirror);
+    std::filesystem::resize_file(folder.path() / name, 40);
+    for (const TexturePixels pixels : {TexturePixels::decoded, TexturePixels::left_out})
+      EXPECT_THROW((void)load_scene(file, pixels), InputError) << name;
+  }
 }
 
 TEST(GltfTextures, WithoutCoordinatesTheTextureIsLeftOutWithAWarning) {

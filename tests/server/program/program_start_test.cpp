@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "server/process/exit_code.h"
@@ -84,6 +85,18 @@ TEST_F(Start, NeedsNoPictureLibraryForWhatDecodesNothing) {
   }
   const std::string loads = loads_of("inspect session --decode", 0);
   EXPECT_NE(loads.find("libOpenImageIO"), std::string::npos);
+}
+
+TEST_F(Start, ReadsHeadersOfTexturesAloneToDescribeAScene) {
+  if (!fs::exists(test::source_dir() + "/scenes/samples/generated/room.glb"))
+    GTEST_SKIP() << "the sample scenes are not generated";
+  const std::string sample = "'" + test::source_dir() + "/sessions/samples/desk-walk'";
+  EXPECT_EQ(loads_of("inspect " + sample, 0).find("libOpenImageIO"), std::string::npos);
+  const Outcome described = run_program(root(), "inspect " + sample + " --json");
+  const Outcome decoded = run_program(root(), "inspect " + sample + " --json --decode");
+  EXPECT_EQ(decoded.exit_code, 0) << decoded.err;
+  const auto facts = [](const Outcome& outcome) { return nlohmann::json::parse(outcome.out).at("scene"); };
+  EXPECT_EQ(facts(described), facts(decoded));
 }
 
 TEST_F(Start, FindsTheModuleBesideItself) {
