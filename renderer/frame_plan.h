@@ -17,6 +17,13 @@ inline constexpr int kMostInterfaces = 8;
 // Blended surfaces that eyes look through at most, one behind another.
 inline constexpr int kMostLayers = 8;
 
+// How the lights of one frame are sampled.
+struct LightSampling {
+  int samples = 1;  // per light and hit
+  int first = 1;    // of these, traced for every hit; the others only where the first ones disagree
+  bool adaptive() const { return first < samples; }
+};
+
 struct PlanEntry {
   std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
@@ -45,15 +52,18 @@ struct FramePlan {
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
   bool coloured_ratio = false;  // some light is coloured: the catcher ratio needs three channels
-  bool many_light_samples = false;
-  bool adaptive_light_samples = false;
-  bool probes = false;          // light that came by other surfaces
+  int first_light_samples =
+      0;                // where samples are adaptive, how many are traced for every hit; 0: they never are
+  bool probes = false;  // light that came by other surfaces
   bool catcher_probes = false;  // a second set of probes that sees catchers alone
   bool specular = false;        // some material has a specular lobe
   bool detail_levels = false;   // some mesh has coarser forms
   bool camera = false;
   bool gaze_marker = false;
   std::vector<PlanEntry> entries;  // all of the above, for people
+
+  // Of a frame that takes `samples` of each light: the settings' number, or the frame's own.
+  LightSampling light_sampling(int samples) const;
 };
 
 // Of the instances that are there now; what needs memory for the whole run (probes) counts those that may

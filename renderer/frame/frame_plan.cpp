@@ -89,6 +89,12 @@ std::string share(std::size_t count, std::size_t all, const char* what) {
 
 }  // namespace
 
+LightSampling FramePlan::light_sampling(int samples) const {
+  const bool adaptive =
+      first_light_samples > 0 && first_light_samples < samples && samples <= kMostOrderedSamples;
+  return {samples, adaptive ? first_light_samples : samples};
+}
+
 FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera) {
   const Traits t = traits_of(scene);
   FramePlan plan;
@@ -136,15 +142,13 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   bool several_lights = false;
   decide(several_lights, scene.lights.size() > 1, "several lights",
          std::to_string(scene.lights.size()) + " lights", scene.lights.empty() ? "no light" : "one light");
-  decide(plan.many_light_samples, settings.light_samples > 1, "light samples",
+  bool many = false, adaptive = false;
+  decide(many, settings.light_samples > 1, "light samples",
          std::to_string(settings.light_samples) + " jittered strata per light",
          "one sample: the light's centre");
-  const bool many = plan.many_light_samples;
-  decide(plan.adaptive_light_samples,
-         many && !plan.alpha_blend && settings.first_light_samples > 0 &&
-             settings.first_light_samples < settings.light_samples &&
-             settings.light_samples <= kMostOrderedSamples,
-         "adaptive light samples",
+  // Where surfaces blend, what is seen of a sample is no yes or no that its neighbours could predict.
+  plan.first_light_samples = plan.alpha_blend ? 0 : settings.first_light_samples;
+  decide(adaptive, plan.light_sampling(settings.light_samples).adaptive(), "adaptive light samples",
          std::to_string(settings.first_light_samples) + " strata first, the rest where they disagree",
          settings.first_light_samples > 0 && settings.light_samples > kMostOrderedSamples
              ? "more than " + std::to_string(kMostOrderedSamples) + " samples are all traced"

@@ -173,12 +173,12 @@ void Renderer::Impl::choose_details() {
 }
 
 void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
-  light_records(state.lights, geometry->anchor(), quality.light_samples, reach_m, lights);
+  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), reach_m,
+                lights);
   shading.plan = &plan;
   shading.scene = geometry->top();
   shading.instances = geometry->instances();
   shading.lights = lights;
-  shading.first_light_samples = settings.first_light_samples;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
   const EnvironmentImage& outside = scene.environment_map;

@@ -41,19 +41,18 @@ void Renderer::Impl::build_probes() {
 void Renderer::Impl::plan_probes() {
   probe_plan = plan;
   probe_plan.catchers = probe_plan.catchers_occlude = probe_plan.catcher_mirrors = false;
-  probe_plan.many_light_samples = probe_plan.adaptive_light_samples = probe_plan.occlusion = false;
+  probe_plan.occlusion = false;
 }
 
 void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state, int most) {
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns, kProbeKey, settings.seed), probes->node_directions);
-  light_records(state.lights, geometry->anchor(), 1, reach_m, probe_lights);
+  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), reach_m, probe_lights);
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
     probe_views[set] = probes->view(static_cast<int>(set), geometry->anchor());
     ShadingInputs& by_probes = probe_shading[set] = shading;
     by_probes.plan = &probe_plan;
     by_probes.lights = probe_lights;
-    by_probes.first_light_samples = 0;
     by_probes.probes = &probe_views[set];
     by_probes.catcher_probes = nullptr;
   }

@@ -101,6 +101,7 @@ struct LightRecord {
   float reach = 0;                        // of a sun: metres that leave the scene from anywhere in it
   std::uint32_t key = 0;                  // random numbers: which light
   int samples = 1;                        // the product of the strata
+  int first_samples = 1;                  // of these, traced for every hit (LightSampling::first)
   int strata[3] = {1, 1, 1};              // per axis
   // Which stratum each sample takes, and its inverse; in use where samples <= kMostOrderedSamples. A sample
   // comes after those strata around it that lie on a coarser lattice.

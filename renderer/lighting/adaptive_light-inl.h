@@ -210,24 +210,24 @@ HWY_NOINLINE inline void decide(const HitBatch& hits, int count, AdaptiveLight& 
   }
 }
 
-// One light at hits [0, count) of a batch. `first` samples are traced for every hit.
+// One light at hits [0, count) of a batch.
 template <Lobe kLobe>
-HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, int first, HitBatch& hits,
-                                 int count, RayKind kind) {
+HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, HitBatch& hits, int count,
+                                 RayKind kind) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
   for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
   find_pairs(hits, count, adaptive);
   for (int s = 0; s < light.samples; ++s) {
-    if (s < first) {
+    if (s < light.first_samples) {
       first_visibility(job, light, s, hits, count, kind);
     } else {
-      if (s == first) decide(hits, count, adaptive);
+      if (s == light.first_samples) decide(hits, count, adaptive);
       foretell(job, light, s, count);
       later_visibility(job, light, s, hits, count, kind);
     }
     note_seen(job, light, s, hits, count);
     for (int slot = 0; slot < count; slot += kLanes) {
-      if (s < first) count_seen(job, light, s, hits, slot);
+      if (s < light.first_samples) count_seen(job, light, s, hits, slot);
       add_sample<kLobe>(job, light, s, hits, slot);
     }
   }

@@ -15,12 +15,9 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
   if (job.shading->plan->catchers) {
     for (Lane<float>* lane : {&hits.wr, &hits.wg, &hits.wb}) clear(*lane, count);
   }
-  const int first = job.shading->first_light_samples;
   for (const LightRecord& light : job.shading->lights) {
-    // Where surfaces blend, what is seen of a sample is no yes or no that neighbours could foretell.
-    const bool decidable = !job.shading->plan->alpha_blend;
-    if (decidable && first > 0 && first < light.samples && light.samples <= kMostOrderedSamples) {
-      adaptive_light<kLobe>(job, light, first, hits, count, kind);
+    if (light.first_samples < light.samples) {
+      adaptive_light<kLobe>(job, light, hits, count, kind);
       continue;
     }
     for (int s = 0; s < light.samples; ++s) {

@@ -53,8 +53,8 @@ void order_strata(LightRecord& light) {
   }
 }
 
-void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples, double reach_m,
-                   std::vector<LightRecord>& out) {
+void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
+                   double reach_m, std::vector<LightRecord>& out) {
   out.clear();
   for (const AreaLight& light : lights) {
     if (light.intensity_w_sr == glm::vec3{0.0f}) continue;
@@ -81,7 +81,8 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     record.reach = static_cast<float>(reach_m);
     // All samples of a light without extent would be the same.
     const bool extended = light.size.x > 0 || light.size.y > 0 || light.size.z > 0;
-    record.samples = extended ? samples : 1;
+    record.samples = extended ? sampling.samples : 1;
+    record.first_samples = extended ? sampling.first : 1;
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
     if (record.samples <= kMostOrderedSamples) order_strata(record);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/frame_plan.h"
 #include "renderer/geometry/shading_scene.h"
 #include "scenes/model/scene.h"
 
@@ -23,8 +24,8 @@ void order_strata(LightRecord& light);
 
 // Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`. `reach_m`: a distance
 // that leaves the scene from any place in it.
-void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, int samples, double reach_m,
-                   std::vector<LightRecord>& out);
+void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
+                   double reach_m, std::vector<LightRecord>& out);
 
 // Irradiance that these lights would give, unblocked and head on, at the point of `boxes` (world space)
 // farthest from each, per channel: a scale of what catchers receive that no light near one of them can blow

@@ -134,7 +134,6 @@ struct ShadingInputs {
   RTCScene scene = nullptr;
   std::span<const InstanceRecord> instances;
   std::span<const LightRecord> lights;
-  int first_light_samples = 0;                // adaptive: strata traced for every hit; 0: all of them
   const ProbeView* probes = nullptr;          // null without probes
   const ProbeView* catcher_probes = nullptr;  // what catchers alone send to one another; null without
   float ambient[3] = {};

@@ -181,7 +181,7 @@ TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
   EXPECT_FALSE(plain.mirror_rays);
   EXPECT_FALSE(plain.catchers);
   EXPECT_FALSE(plain.camera);
-  EXPECT_FALSE(plain.many_light_samples);
+  EXPECT_FALSE(runs(plain, "light samples"));
 
   Scene scene = plain_scene();
   scene.materials[1].mirror = 0.5f;
@@ -193,7 +193,7 @@ TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
   const FramePlan rich = plan_frame(scene, settings, true);
   EXPECT_FALSE(rich.polar);
   EXPECT_TRUE(rich.mirror_rays);
-  EXPECT_TRUE(rich.many_light_samples);
+  EXPECT_TRUE(runs(rich, "light samples"));
   EXPECT_TRUE(rich.camera);
   EXPECT_TRUE(rich.gaze_marker);
   EXPECT_TRUE(runs(rich, "mirror rays"));

@@ -223,9 +223,9 @@ TEST(AdaptiveLightTest, ThePlanSaysWhenTooManySamplesAreAllTraced) {
   RenderSettings settings = test::small_settings();
   settings.first_light_samples = 8;
   settings.light_samples = 256;
-  EXPECT_TRUE(plan_frame(scene, settings, false).adaptive_light_samples);
+  EXPECT_TRUE(plan_frame(scene, settings, false).light_sampling(256).adaptive());
   settings.light_samples = 257;
-  EXPECT_FALSE(plan_frame(scene, settings, false).adaptive_light_samples);
+  EXPECT_FALSE(plan_frame(scene, settings, false).light_sampling(257).adaptive());
 }
 
 TEST(LightSamplesTest, MayChangeFromFrameToFrame) {
