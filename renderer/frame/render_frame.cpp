@@ -1,7 +1,7 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
-// sample of the session -> acceleration structures follow the head -> lights -> probes -> polar rays -> first
-// hits, light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No I/O, no
-// allocation, no lock.
+// sample of the session -> gaze -> acceleration structures follow the head -> lights -> probes -> polar rays
+// -> first hits, light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No
+// I/O, no allocation, no lock.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -88,6 +88,7 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   std::fill(frame.counters.begin(), frame.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
 
+  timed(out.times, Stage::polar_rays, [&] { frame.follow_gaze(sample); });
   const SceneUpdate update =
       timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample, state); });
   count(update, out.counters);
@@ -114,6 +115,7 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
 
 void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   require_usable(sample.head.world_from_head);
+  impl_->follow_gaze(sample);
   const SceneUpdate update = impl_->update_acceleration(sample, state);
   if (update.anything()) impl_->follow(update, state);
   if (!impl_->plan.probes) return;
@@ -123,24 +125,33 @@ void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   impl_->update_probes(sample, state, nobodys);
 }
 
-SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const SceneState& state) {
+// Where each eye looks, in its own space, and how far from there its viewports reach.
+void Renderer::Impl::follow_gaze(const FrameSample& sample) {
+  for (const Eye eye : kEyes) {
+    const auto e = static_cast<std::size_t>(eye);
+    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
+    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
+    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
+  }
+}
+
+void Renderer::Impl::place_eyes(const FrameSample& sample) {
   const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
-  SceneUpdate update;
   geometry->follow(world_from_head.position);
+  for (std::size_t e = 0; e < eyes.size(); ++e) {
+    eyes[e].anchored_from_eye = world_from_head * sample.head_from_eye[e];
+    eyes[e].anchored_from_eye.position -= geometry->anchor();
+  }
+}
+
+SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const SceneState& state) {
+  SceneUpdate update;
+  place_eyes(sample);
   geometry->take_up(state, update);
   if (update.other_traits()) show_full_details();
   geometry->bend(state, threads);
   update.relit = state.lit != lit;
   lit = state.lit;
-  for (const Eye eye : kEyes) {
-    const auto e = static_cast<std::size_t>(eye);
-    Pose pose = world_from_head * sample.head_from_eye[e];
-    pose.position -= geometry->anchor();
-    eyes[e].anchored_from_eye = pose;
-    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
-    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
-    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
-  }
   if (plan.detail_levels) choose_details();
   const auto commit = [&] {
     const auto start = SteadyClock::now();

@@ -65,10 +65,12 @@ struct Renderer::Impl {
   std::vector<StageCycles> cycles;
 
   // The stages of a frame, in order (render_frame.cpp).
-  void update_scene(const SceneState& state, const FrameQuality& quality);
+  void follow_gaze(const FrameSample& sample);
   SceneUpdate update_acceleration(const FrameSample& sample, const SceneState& state);
-  void choose_details();
+  void place_eyes(const FrameSample& sample);  // parts of update_acceleration: these three
   void show_full_details();
+  void choose_details();
+  void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
   void aim_rays(const FrameSample& sample, int polar_width);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
