@@ -34,24 +34,24 @@ double wall_ms(Work&& work) {
 // One frame's own rays and pixels, recorded from its last render.
 class RawSide {
  public:
-  RawSide(Renderer::Impl& frame, const FrameCounters& counters) : frame_(frame), totals_(counters.rays) {
-    const int stride = frame.settings.light_samples >= 64 ? 256 : 16;
+  RawSide(Renderer::Impl& impl, const FrameCounters& counters) : impl_(impl), totals_(counters.rays) {
+    const int stride = impl.settings.light_samples >= 64 ? 256 : 16;
     // One tile of each run of `stride`, each time at another place in it: a fixed one would be the same
     // column of tiles where the buffer is a power of two wide, and all at the pole or none.
-    for (int run = 0; run * stride < frame.tile_count(); ++run) {
+    for (int run = 0; run * stride < impl.tile_count(); ++run) {
       const int tile = run * stride + (stride / 2 + run * spreading_stride(stride)) % stride;
-      if (tile < frame.tile_count()) frame.run_tile(tile, 0, &recorder_);
+      if (tile < impl.tile_count()) impl.run_tile(tile, 0, &recorder_);
     }
     // Traced only: what the probes have gathered stays as it was.
-    for (int job = 0; frame.plan.probes && job < frame.probe_job_count(); job += kProbeJobStride) {
-      frame.probe_kernels.trace(frame.probe_job(job, 0, &recorder_));
+    for (int job = 0; impl.plan.probes && job < impl.probe_job_count(); job += kProbeJobStride) {
+      impl.probe_kernels.trace(impl.probe_job(job, 0, &recorder_));
     }
     for (std::size_t k = 0; k < kRayKinds; ++k) dense_[k] = recorder_.rays[k].dense();
     constexpr int kStripStride = 16;
-    const PrecomputePixels precompute = precompute_pixels_for(frame.settings.isa);
-    pixels_.resize(frame.viewport_jobs.size());
-    for (std::size_t v = 0; v < frame.viewport_jobs.size(); ++v) {
-      const ViewportJob& job = frame.viewport_jobs[v];
+    const PrecomputePixels precompute = precompute_pixels_for(impl.settings.isa);
+    pixels_.resize(impl.viewport_jobs.size());
+    for (std::size_t v = 0; v < impl.viewport_jobs.size(); ++v) {
+      const ViewportJob& job = impl.viewport_jobs[v];
       for (int strip = kStripStride / 2; strip * kStripRows < job.viewport->height_px;
            strip += kStripStride) {
         const int bottom = std::min((strip + 1) * kStripRows, job.viewport->height_px);
@@ -77,15 +77,15 @@ class RawSide {
 
   double pixels_ms() {
     if (recorded_pixels_ == 0) return 0;
-    const CompositePrecomputed composite = composite_precomputed_for(frame_.settings.isa);
+    const CompositePrecomputed composite = composite_precomputed_for(impl_.settings.isa);
     constexpr std::size_t kChunk = 4096;
     double ms = 0;
     for (std::size_t v = 0; v < pixels_.size(); ++v) {
       const int jobs = static_cast<int>((pixels_[v].count() + kChunk - 1) / kChunk);
       ms += wall_ms([&] {
-        frame_.threads.run(jobs, [&](int job, int) {
+        impl_.threads.run(jobs, [&](int job, int) {
           const std::size_t first = static_cast<std::size_t>(job) * kChunk;
-          composite(frame_.viewport_jobs[v], pixels_[v], first, std::min(kChunk, pixels_[v].count() - first));
+          composite(impl_.viewport_jobs[v], pixels_[v], first, std::min(kChunk, pixels_[v].count() - first));
         });
       });
     }
@@ -98,15 +98,15 @@ class RawSide {
     const int jobs = static_cast<int>((rays.size() + kChunk - 1) / kChunk);
     std::atomic<std::size_t> hits{0};
     return wall_ms([&] {
-      frame_.threads.run(jobs, [&](int job, int) {
+      impl_.threads.run(jobs, [&](int job, int) {
         const std::size_t first = static_cast<std::size_t>(job) * kChunk;
-        hits += trace_bare(frame_.settings.isa, frame_.geometry->top(), static_cast<RayKind>(k), rays, first,
+        hits += trace_bare(impl_.settings.isa, impl_.geometry->top(), static_cast<RayKind>(k), rays, first,
                            std::min(kChunk, rays.size() - first));
       });
     });
   }
 
-  Renderer::Impl& frame_;
+  Renderer::Impl& impl_;
   RayCounts totals_;
   RayRecorder recorder_;
   std::array<RecordedRays, kRayKinds> dense_;
@@ -188,7 +188,7 @@ Stage stage_of(std::size_t kind) {
 }  // namespace
 
 BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& input, double seconds) {
-  Renderer::Impl& frame = renderer.internals();
+  Renderer::Impl& impl = renderer.internals();
   BenchRun run;
   double frames_ms = 0, raw_ms = 0, probes_ms = 0;
   RenderedFrame out;
@@ -199,7 +199,7 @@ BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& inp
     renderer.render_frame(next.sample, next.state, out);
     frames_ms += out.times.frame_ms;
     probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
-    RawSide raw(frame, out.counters);
+    RawSide raw(impl, out.counters);
     const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
     raw_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), raw.pixels_ms());
   }
@@ -209,14 +209,14 @@ BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& inp
 }
 
 BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats) {
-  Renderer::Impl& frame = renderer.internals();
+  Renderer::Impl& impl = renderer.internals();
   Measurements measured;
   std::array<double, kRayKinds> rays{};
   double samples = 0, pixels = 0;
   RenderedFrame out;
   for (const BenchInput& input : inputs) {
     renderer.render_frame(input.sample, input.state, out);
-    RawSide raw(frame, out.counters);
+    RawSide raw(impl, out.counters);
     for (int repeat = 0; repeat < repeats; ++repeat) {
       // Another moment, or probes would take it for the same frame once more.
       FrameSample sample = input.sample;
@@ -251,7 +251,7 @@ BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inpu
                             millions_per_second(per_frame, result.median_times[stage_of(k)])});
   }
   result.counters = out.counters;
-  if (frame.probes) result.most_probe_rays = frame.probes->most_rays();
+  if (impl.probes) result.most_probe_rays = impl.probes->most_rays();
   return result;
 }
 

@@ -43,24 +43,24 @@ void Renderer::Impl::allocate_scratch() {
 }
 
 MemoryUse Renderer::memory() const {
-  const Impl& frame = *impl_;
-  const GeometryMemory geometry = frame.geometry->memory();
+  const Impl& impl = *impl_;
+  const GeometryMemory geometry = impl.geometry->memory();
   std::int64_t buffers = 0, tiles = 0, second = 0, blocked = 0, layers = 0, adaptive = 0, strips = 0;
-  for (const RadianceBuffer& buffer : frame.buffers) buffers += buffer.bytes();
-  for (const auto& samples : frame.samples) buffers += samples ? samples->bytes() : 0;
-  for (const std::unique_ptr<TileScratch>& scratch : frame.tile_scratch) {
+  for (const RadianceBuffer& buffer : impl.buffers) buffers += buffer.bytes();
+  for (const auto& samples : impl.samples) buffers += samples ? samples->bytes() : 0;
+  for (const std::unique_ptr<TileScratch>& scratch : impl.tile_scratch) {
     tiles += static_cast<std::int64_t>(sizeof(TileScratch));
     second += bytes_if(scratch->second);
     blocked += bytes_if(scratch->blocked);
     layers += bytes_if(scratch->layers);
     adaptive += bytes_if(scratch->adaptive);
   }
-  for (const std::unique_ptr<StripScratch>& scratch : frame.strip_scratch) strips += scratch->bytes();
+  for (const std::unique_ptr<StripScratch>& scratch : impl.strip_scratch) strips += scratch->bytes();
   return {{"acceleration structures", geometry.acceleration},
           {"surfaces", geometry.surfaces},
           {"textures", geometry.textures},
           {"voxels", geometry.voxels},
-          {"probes", frame.probe_bytes()},
+          {"probes", impl.probe_bytes()},
           {"radiance buffers", buffers},
           {"tiles in work", tiles},
           {"second rays", second},

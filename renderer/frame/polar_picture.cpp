@@ -8,14 +8,14 @@
 namespace herr {
 
 bool thin_polar_buffer(Renderer& renderer, Eye eye, int longest_px, ViewportImage& out) {
-  const Renderer::Impl& frame = renderer.internals();
-  if (!frame.plan.polar) return false;
+  const Renderer::Impl& impl = renderer.internals();
+  if (!impl.plan.polar) return false;
   const auto e = static_cast<std::size_t>(eye);
-  const int width = frame.samples[e]->width(), height = frame.samples[e]->height();
+  const int width = impl.samples[e]->width(), height = impl.samples[e]->height();
   const int step = (std::max(width, height) + longest_px - 1) / longest_px;
   const int columns = (width + step - 1) / step, rows = (height + step - 1) / step;
   if (out.width_px != columns || out.height_px != rows) out.resize(columns, rows);
-  const RadianceBuffer& buffer = frame.buffers[e];
+  const RadianceBuffer& buffer = impl.buffers[e];
   for (int y = 0; y < rows; ++y) {
     // Column 0 of the buffer lies across the pole.
     const std::uint16_t* from =

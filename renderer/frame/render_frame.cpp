@@ -1,7 +1,8 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
-// sample of the session -> gaze -> acceleration structures follow the head -> lights -> probes -> polar rays
-// -> first hits, light rays, second rays (tile by tile) -> viewports over the camera feed -> overlays. No
-// I/O, no allocation, no lock.
+// sample of the session -> gaze -> acceleration structures follow the head ->
+// lights -> probes -> polar rays -> first hits, light rays, second rays (tile
+// by tile) -> viewports over the camera feed -> overlays. No I/O, no
+// allocation, no lock.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -80,36 +81,36 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
                             RenderedFrame& out, const std::atomic<bool>* abandon) {
-  Impl& frame = *impl_;
+  Impl& impl = *impl_;
   require_usable(sample.head.world_from_head);
-  out.quality = resolved(quality, frame.settings, frame.most_probes());
+  out.quality = resolved(quality, impl.settings, impl.most_probes());
   out.times = {};
   out.counters = {};
-  std::fill(frame.counters.begin(), frame.counters.end(), TileCounters{});
+  std::fill(impl.counters.begin(), impl.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
 
-  timed(out.times, Stage::polar_rays, [&] { frame.follow_gaze(sample); });
+  timed(out.times, Stage::polar_rays, [&] { impl.follow_gaze(sample); });
   const SceneUpdate update =
-      timed(out.times, Stage::acceleration, [&] { return frame.update_acceleration(sample, state); });
+      timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
   out.times.commit_ms = update.commit_ms;
   if (update.anything() &&
-      timed(out.times, Stage::scene_update, [&] { return frame.follow(update, state); })) {
+      timed(out.times, Stage::scene_update, [&] { return impl.follow(update, state); })) {
     out.counters.plan_changes = 1;
   }
-  timed(out.times, Stage::scene_update, [&] { frame.update_scene(state, out.quality); });
-  if (frame.plan.probes) frame.update_probes(sample, state, out);
-  timed(out.times, Stage::polar_rays, [&] { frame.aim_rays(sample, out.quality.polar_width); });
-  if (!frame.trace_tiles(out.times, abandon)) return false;
-  timed(out.times, Stage::viewports, [&] { frame.aim_viewports(sample, out); });
-  if (!frame.composite_viewports(out.times, abandon)) return false;
-  if (frame.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { frame.draw_overlays(out); });
+  timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
+  if (impl.plan.probes) impl.update_probes(sample, state, out);
+  timed(out.times, Stage::polar_rays, [&] { impl.aim_rays(sample, out.quality.polar_width); });
+  if (!impl.trace_tiles(out.times, abandon)) return false;
+  timed(out.times, Stage::viewports, [&] { impl.aim_viewports(sample, out); });
+  if (!impl.composite_viewports(out.times, abandon)) return false;
+  if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
   out.times.frame_ms = milliseconds_since(start);
   double booked = 0;
   for (const double ms : out.times.ms) booked += ms;
   out.times[Stage::other] = std::max(0.0, out.times.frame_ms - booked);
-  frame.collect_counters(out);
+  impl.collect_counters(out);
   return true;
 }
 
@@ -125,7 +126,8 @@ void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   impl_->update_probes(sample, state, nobodys);
 }
 
-// Where each eye looks, in its own space, and how far from there its viewports reach.
+// Where each eye looks, in its own space, and how far from there its viewports
+// reach.
 void Renderer::Impl::follow_gaze(const FrameSample& sample) {
   for (const Eye eye : kEyes) {
     const auto e = static_cast<std::size_t>(eye);
@@ -162,7 +164,8 @@ SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const
   return update;
 }
 
-// Which instances have a choice is measured anew; the full mesh stands there until the next choice.
+// Which instances have a choice is measured anew; the full mesh stands there
+// until the next choice.
 void Renderer::Impl::show_full_details() {
   details.measure_anew([this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
