@@ -37,13 +37,13 @@ DESCRIPTOR_CALLS = re.compile(r"(?<![\w>])::(?:close|read|readv|write|writev)\s*
 FILE_ROOMS = ("sessions/files/", "scenes/samples/")  # the latter: a program of its own that makes the samples
 SOCKETS_AND_PIPES = ("server/http/", "server/check/measure/child_process.cpp")
 
-# -ffast-math assumes away the NaNs that the stages count; -march=native makes a build that fits one machine.
-BUILD_FLAGS = re.compile(r"-ffast-math|-Ofast|-march=native")
+# -ffast-math assumes away the NaNs that the stages count; -march=native makes a build that fits one machine; flags for
+# newer processors would let inline functions of one file leak to older ones (check_symbols.py).
+BUILD_FLAGS = re.compile(r"-ffast-math|-Ofast|-march=native|-m(?:avx|fma|bmi|f16c)\w*")
 
 
 def header_findings(file, text):
-    # Highway compiles an "-inl.h" file once for each instruction set: it has a guard of its own kind.
-    if "#pragma once" not in code_only(text) and not file.name.endswith("-inl.h"):
+    if "#pragma once" not in code_only(text):
         yield f"{file}:1: no #pragma once"
     if not text.startswith("//"):
         yield f"{file}:1: a header opens with 2-6 comment lines: what it is, what comes before and after, source"

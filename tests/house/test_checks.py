@@ -3,6 +3,7 @@
 
 import pathlib
 import shutil
+import subprocess
 import tempfile
 import unittest
 import unittest.mock
@@ -11,6 +12,7 @@ import check_build_graph
 import check_format
 import check_layers
 import check_readme
+import check_symbols
 import check_text
 
 HEADER = "// What it is.\n#pragma once\n"
@@ -45,7 +47,7 @@ class LayerRules(Tree):
         self.write("renderer/renderer.h",
                    HEADER + '#include "scenes/model/scene.h"\n#include "sessions/format/pose.h"\n')
         self.write("renderer/embree/embree_api.h", HEADER + "#include <embree3/rtcore.h>\n")
-        self.write("renderer/simd/kernel.cpp", '#include "hwy/foreach_target.h"\n#include HWY_TARGET_INCLUDE\n')
+        self.write("renderer/simd/kernel.cpp", "#include <hwy/highway.h>\n")
         self.write("renderer/frame/renderer.cpp",
                    '#include "renderer/renderer.h"\n#include "renderer/embree/embree_api.h"\n')
         self.write("server/main.cpp", '#include "renderer/renderer.h"\n')
@@ -213,7 +215,6 @@ class TextRules(Tree):
     def test_a_good_tree_has_no_findings(self):
         self.write("sessions/pose.h", HEADER)
         self.write("sessions/pose.cpp", 'int f() { return std::snprintf(b, 9, "exit(1)"); }  // never exit()\n')
-        self.write("renderer/kernel-inl.h", "// What it is.\n")
         self.write("server/main.cpp", "int main() { std::cout << 1; std::exit(0); }\n")
         self.write("scenes/samples/generator/main.cpp", "int main() { std::cerr << 1; }\n")
         self.write("CMakeLists.txt", "# no -march=native here\n")
@@ -378,6 +379,38 @@ class BuildGraphRule(Tree):
                 self.expect_one(self.findings(
                     f"build {self.OBJECT}: CXX_COMPILER__herr_server_ a.cpp || order\n" + between + library),
                     "1 objects of server/CMakeFiles/herr_server.dir/", self.LIBRARY, self.OBJECT)
+
+
+@unittest.skipUnless(shutil.which("c++") and shutil.which("objdump"), "c++ or objdump is missing")
+class SymbolRules(Tree):
+    """Units like those of kernels: a function for AVX2, and an inline one that may or may not be compiled for it."""
+    UNIT = """
+inline __attribute__((noinline)) float before(const float* x) {{ return x[0] * x[1]; }}
+#pragma GCC push_options
+#pragma GCC target("{target}")
+namespace herr::{space} {{ float kernel(const float* x) {{ return before(x) + x[2]; }} }}
+{inside}
+#pragma GCC pop_options
+{after}
+"""
+
+    def findings(self, target="avx2", space="N_AVX2", inside="", after=""):
+        self.write("unit.cpp", self.UNIT.format(target=target, space=space, inside=inside, after=after))
+        unit, built = self.root / "unit.cpp", self.root / "unit.o"
+        subprocess.run(["c++", "-O2", "-msse4.2", "-c", unit, "-o", built], check=True)
+        return list(check_symbols.findings("unit.o", check_symbols.functions_of(built)))
+
+    def test_functions_in_the_namespace_of_their_instruction_set_are_no_finding(self):
+        self.assertEqual(self.findings(), [])
+        self.assertEqual(self.findings(target="avx512f", space="N_AVX3"), [])
+
+    def test_an_inline_function_that_a_wide_unit_compiled_is_found(self):
+        leak = "struct Box { float side; __attribute__((noinline)) float volume() const { return side * side * side; } };"
+        self.expect_one(self.findings(inside=leak, after="float f(Box b) { return b.volume(); }"), "Box", "needs AVX")
+
+    def test_wider_instructions_than_the_namespace_says_are_found(self):
+        wide = "typedef float V __attribute__((vector_size(64)));\nnamespace herr::N_AVX2 { V g(V x) { return x + x; } }"
+        self.expect_one(self.findings(target="avx512f", space="N_AVX3", inside=wide), "N_AVX2", "needs AVX-512")
 
 
 if __name__ == "__main__":
