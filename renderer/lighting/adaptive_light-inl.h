@@ -19,8 +19,8 @@ namespace HWY_NAMESPACE {
 constexpr float kGlossyPeak = 100.0f;
 
 HWY_INLINE MF is_glossy(const HitBatch& hits, int slot) {
-  const VF f0 = hn::Max(load(&hits.fr[slot]), hn::Max(load(&hits.fg[slot]), load(&hits.fb[slot])));
-  return hn::Gt(f0, hn::Mul(load(&hits.alpha2[slot]), set(kGlossyPeak)));
+  const V3 f0 = load3(hits.f0, slot);
+  return hn::Gt(hn::Max(f0.x, hn::Max(f0.y, f0.z)), hn::Mul(load(&hits.alpha2[slot]), set(kGlossyPeak)));
 }
 
 // The samples before `s` whose strata touch that of sample `s`, by a face, an edge or a corner.
@@ -92,9 +92,9 @@ HWY_INLINE MF swap_pairs(MF m) {
 // Hits that may share their first samples: the same kind of surface, turned alike, in one plane, not glossy.
 HWY_NOINLINE inline void find_pairs(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
   for (int slot = 0; slot < count; slot += kLanes) {
-    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
-    const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
-    const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
+    const V3 n = load3(hits.normal, slot);
+    const V3 g = load3(hits.geometric_normal, slot);
+    const V3 p = load3(hits.position, slot);
     const V3 other_n{swap_pairs(n.x), swap_pairs(n.y), swap_pairs(n.z)};
     const V3 gap = sub(V3{swap_pairs(p.x), swap_pairs(p.y), swap_pairs(p.z)}, p);
     const VF kind = hn::ConvertTo(kF, hn::Load(kI, &hits.kind[slot]));

@@ -12,10 +12,8 @@ namespace HWY_NAMESPACE {
 HWY_NOINLINE inline void begin_layers(const TileJob& job, int packets) {
   AlphaLayers& layers = *job.scratch->layers;
   const int count = packets * kLanes;
-  for (Lane<float>* lane : {&layers.light_r, &layers.light_g, &layers.light_b, &layers.ratio_r,
-                            &layers.ratio_g, &layers.ratio_b}) {
-    clear(*lane, count);
-  }
+  clear(layers.light, count);
+  clear(layers.ratio, count);
   for (int slot = 0; slot < count; slot += kLanes) {
     hn::Store(set(1.0f), kF, &layers.through[slot]);
     hn::Store(hn::Load(kI, &job.scratch->first.kind[slot]), kI, &layers.kind[slot]);
@@ -27,10 +25,9 @@ HWY_INLINE void go_on(const TileJob& job, int packet, MF lanes) {
   TileScratch& scratch = *job.scratch;
   HitBatch& hits = scratch.first;
   const int slot = packet * kLanes;
-  const V3 direction = scale(load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]), set(-1.0f));
-  const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
-  const V3 origin =
-      mul_add(hn::Neg(load(&hits.offset[slot])), g, load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]));
+  const V3 direction = scale(load3(hits.viewer, slot), set(-1.0f));
+  const V3 g = load3(hits.geometric_normal, slot);
+  const V3 origin = mul_add(hn::Neg(load(&hits.offset[slot])), g, load3(hits.position, slot));
   const MF valid = hn::And(lanes, traceable(origin, direction));
   const auto wanted = static_cast<std::size_t>(hn::CountTrue(kF, lanes)), rays = hn::CountTrue(kF, valid);
   job.counters->rays[RayKind::behind] += static_cast<std::int64_t>(rays);
@@ -59,16 +56,8 @@ HWY_NOINLINE inline bool add_layer(const TileJob& job, int packets, bool last) {
     covers = hn::IfThenElse(goes_on, covers, one);
     beyond = hn::IfThenElseZero(goes_on, beyond);
     const VF weight = hn::IfThenElseZero(lanes, hn::Mul(through, covers));
-    const auto add = [&](Lane<float>& lane, VF value) HWY_ATTR {
-      const VF sum = hn::MulAdd(weight, value, load(&lane[slot]));
-      store_lanes(sum, lanes, &lane[slot]);
-    };
-    add(layers.light_r, texel.light.x);
-    add(layers.light_g, texel.light.y);
-    add(layers.light_b, texel.light.z);
-    add(layers.ratio_r, texel.ratio.x);
-    add(layers.ratio_g, texel.ratio.y);
-    add(layers.ratio_b, texel.ratio.z);
+    store_lanes(mul_add(weight, texel.light, load3(layers.light, slot)), lanes, layers.light, slot);
+    store_lanes(mul_add(weight, texel.ratio, load3(layers.ratio, slot)), lanes, layers.ratio, slot);
     store_lanes(beyond, lanes, &layers.through[slot]);
     go_on(job, packet, goes_on);
     more |= !hn::AllFalse(kF, goes_on);
@@ -81,8 +70,7 @@ HWY_NOINLINE inline void resolve_layers(const TileJob& job, int packets) {
   for (int packet = 0; packet < packets; ++packet) {
     const int slot = packet * kLanes;
     store_texels(job, packet, hn::Load(kI, &layers.kind[slot]),
-                 {load3(&layers.light_r[slot], &layers.light_g[slot], &layers.light_b[slot]),
-                  load3(&layers.ratio_r[slot], &layers.ratio_g[slot], &layers.ratio_b[slot])});
+                 {load3(layers.light, slot), load3(layers.ratio, slot)});
   }
 }
 

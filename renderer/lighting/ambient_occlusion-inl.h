@@ -56,8 +56,8 @@ HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
     const auto block = static_cast<std::uint32_t>((scratch.packet_y[i] & ~3) << 16 | scratch.packet_x[i]);
     float local[3];
     local_direction(job.grid->key ^ (block * 0x9e3779b9u), ray, job.shading->occlusion_rays, local);
-    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
-    const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+    const V3 n = load3(hits.normal, slot);
+    const V3 g = load3(hits.geometric_normal, slot);
     const V3 direction = from_local(n, local);
     const MF above = hn::And(surface, hn::Gt(dot(direction, g), hn::Zero(kF)));
     push(scratch.queue, ray_origin(hits, slot), scale(direction, radius), hn::Add(lane, hn::Set(kI, slot)),

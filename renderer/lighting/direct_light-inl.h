@@ -11,10 +11,8 @@ namespace HWY_NAMESPACE {
 // Direct light of every light at hits [0, count) of a batch.
 template <Lobe kLobe>
 HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
-  for (Lane<float>* lane : {&hits.lr, &hits.lg, &hits.lb}) clear(*lane, count);
-  if (job.shading->plan->catchers) {
-    for (Lane<float>* lane : {&hits.wr, &hits.wg, &hits.wb}) clear(*lane, count);
-  }
+  clear(hits.direct, count);
+  if (job.shading->plan->catchers) clear(hits.direct_without, count);
   for (const LightRecord& light : job.shading->lights) {
     if (light.first_samples < light.samples) {
       adaptive_light<kLobe>(job, light, hits, count, kind);

@@ -1,23 +1,12 @@
 // One sample of a light at the hits of a batch: its shadow rays, and its light where they pass.
 #pragma once
 
-#include <cstring>
-
 #include "renderer/lighting/reflectance-inl.h"
 #include "renderer/lighting/shadow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE void add_to(Lane<float>& lane, int slot, VF value) {
-  hn::Store(hn::Add(load(&lane[slot]), value), kF, &lane[slot]);
-}
-
-HWY_INLINE void clear(Lane<float>& lane, int count) {
-  std::memset(lane.data(), 0,
-              sizeof(float) * static_cast<std::size_t>((count + kLanes - 1) / kLanes * kLanes));
-}
 
 // Irradiance per unit of intensity and cosine: 1 / max(d^2, r^2), times a spot's cone and the end of its
 // range (KHR_lights_punctual). `direction` is towards the light, unit. A sun is equally bright everywhere.
@@ -50,7 +39,7 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   if (hn::AllFalse(kF, lit)) return;
   const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-20f));
   const V3 direction = scale(to_light, hn::Div(set(1.0f), hn::Sqrt(distance2)));
-  const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
+  const V3 n = load3(hits.normal, slot);
   const VF n_l = hn::Max(dot(n, direction), hn::Zero(kF));
   const VF share =
       hn::Mul(set(1.0f / static_cast<float>(light.samples)), falloff(light, distance2, direction));
@@ -64,14 +53,11 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
       const VF one = set(1.0f);
       f = select(catcher, V3{one, one, one}, f);
       const VF alone = hn::Mul(geometry, load(&scratch.visible_without[slot]));
-      add_to(hits.wr, slot, hn::Mul(alone, set(light.intensity[0])));
-      add_to(hits.wg, slot, hn::Mul(alone, set(light.intensity[1])));
-      add_to(hits.wb, slot, hn::Mul(alone, set(light.intensity[2])));
+      add_to(hits.direct_without, slot, scale(set3(light.intensity), alone));
     }
   }
-  add_to(hits.lr, slot, hn::Mul(hn::Mul(seen, set(light.intensity[0])), f.x));
-  add_to(hits.lg, slot, hn::Mul(hn::Mul(seen, set(light.intensity[1])), f.y));
-  add_to(hits.lb, slot, hn::Mul(hn::Mul(seen, set(light.intensity[2])), f.z));
+  const V3 arrives = scale(set3(light.intensity), seen);
+  add_to(hits.direct, slot, {hn::Mul(arrives.x, f.x), hn::Mul(arrives.y, f.y), hn::Mul(arrives.z, f.z)});
 }
 
 // Queues one shadow ray for each hit that faces sample `s`, and assumes it visible.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/simd/simd_types-inl.h"
-#include "renderer/tiles/tile_job.h"
+#include "renderer/tiles/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -32,9 +32,11 @@ HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shad
     const VF scattered = scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, probes);
     return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
   };
-  return {channel(hits.er, hits.dr, hits.fr, hits.lr, hits.ir, shading.ambient[0]),
-          channel(hits.eg, hits.dg, hits.fg, hits.lg, hits.ig, shading.ambient[1]),
-          channel(hits.eb, hits.db, hits.fb, hits.lb, hits.ib, shading.ambient[2])};
+  return {
+      channel(hits.emission.x, hits.diffuse.x, hits.f0.x, hits.direct.x, hits.indirect.x, shading.ambient[0]),
+      channel(hits.emission.y, hits.diffuse.y, hits.f0.y, hits.direct.y, hits.indirect.y, shading.ambient[1]),
+      channel(hits.emission.z, hits.diffuse.z, hits.f0.z, hits.direct.z, hits.indirect.z,
+              shading.ambient[2])};
 }
 
 }  // namespace HWY_NAMESPACE

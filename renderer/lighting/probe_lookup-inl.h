@@ -206,23 +206,24 @@ struct LookupPoint {
 
 HWY_INLINE LookupPoint lookup_point(const ProbeView& view, const HitBatch& hits, int slot, MF surface) {
   const auto lane = static_cast<std::size_t>(slot) + hn::FindFirstTrue(kF, surface);
-  const auto at = [&](const Lane<float>& x, const Lane<float>& y, const Lane<float>& z) HWY_ATTR {
-    return select(surface, load3(&x[slot], &y[slot], &z[slot]), V3{set(x[lane]), set(y[lane]), set(z[lane])});
+  const auto at = [&](const Lane3& of) HWY_ATTR {
+    return select(surface, load3(of, slot), V3{set(of.x[lane]), set(of.y[lane]), set(of.z[lane])});
   };
   LookupPoint out;
   out.surface = surface;
-  out.point = sub(at(hits.px, hits.py, hits.pz), set3(view.lower));
-  out.normal = at(hits.nx, hits.ny, hits.nz);
-  out.side_normal = at(hits.gx, hits.gy, hits.gz);
+  out.point = sub(at(hits.position), set3(view.lower));
+  out.normal = at(hits.normal);
+  out.side_normal = at(hits.geometric_normal);
   out.seen_point = mul_add(set(view.normal_bias_m), out.side_normal,
-                           mul_add(set(view.view_bias_m), at(hits.vx, hits.vy, hits.vz), out.point));
+                           mul_add(set(view.view_bias_m), at(hits.viewer), out.point));
   out.cell = probe_cell(view, out.point, out.side_normal);
   const VI first = first_of(out.cell.first, surface);
   out.one_cell = all_same(out.cell.first, first, surface);
   const V3& n = out.normal;
   const auto varies = [](VF x, float first_x) HWY_ATTR { return hn::Ne(x, set(first_x)); };
-  out.one_normal = hn::AllFalse(
-      kF, hn::Or(varies(n.x, hits.nx[lane]), hn::Or(varies(n.y, hits.ny[lane]), varies(n.z, hits.nz[lane]))));
+  out.one_normal =
+      hn::AllFalse(kF, hn::Or(varies(n.x, hits.normal.x[lane]),
+                              hn::Or(varies(n.y, hits.normal.y[lane]), varies(n.z, hits.normal.z[lane]))));
   out.light_taps = map_taps<kLightNodes>(n, hn::Div(set(1.0f), norm_of(n)));
   return out;
 }
@@ -307,29 +308,24 @@ HWY_INLINE void ask_probes(const ProbeView* const (&views)[kSets], const LookupP
 // Indirect light of hits [0, count); of catchers also what they receive without the virtual objects.
 HWY_NOINLINE inline void indirect_light(const TileJob& job, HitBatch& hits, int count) {
   const ShadingInputs& shading = *job.shading;
-  const auto store = [&](const V3& light, Lane<float>& r, Lane<float>& g, Lane<float>& b, int slot) HWY_ATTR {
-    hn::Store(light.x, kF, &r[slot]);
-    hn::Store(light.y, kF, &g[slot]);
-    hn::Store(light.z, kF, &b[slot]);
-  };
   for (int slot = 0; slot < count; slot += kLanes) {
     const MF catcher = of_kind(hits, slot, HitKind::catcher);
     const MF surface = hn::Or(of_kind(hits, slot, HitKind::object), catcher);
     if (hn::AllFalse(kF, surface)) {
-      store({hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)}, hits.ir, hits.ig, hits.ib, slot);
+      store3({hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)}, hits.indirect, slot);
       continue;
     }
     const LookupPoint at = lookup_point(*shading.probes, hits, slot, surface);
     if (shading.catcher_probes == nullptr || hn::AllFalse(kF, catcher)) {
       ProbeSum sums[1];
       ask_probes<1>({shading.probes}, at, sums);
-      store(sums[0].radiance(shading, at), hits.ir, hits.ig, hits.ib, slot);
+      store3(sums[0].radiance(shading, at), hits.indirect, slot);
       continue;
     }
     ProbeSum sums[2];
     ask_probes<2>({shading.probes, shading.catcher_probes}, at, sums);
-    store(sums[0].radiance(shading, at), hits.ir, hits.ig, hits.ib, slot);
-    store(sums[1].radiance(shading, at), hits.jr, hits.jg, hits.jb, slot);
+    store3(sums[0].radiance(shading, at), hits.indirect, slot);
+    store3(sums[1].radiance(shading, at), hits.indirect_without, slot);
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/simd/simd_types-inl.h"
-#include "renderer/tiles/tile_job.h"
+#include "renderer/tiles/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -19,11 +19,10 @@ enum class Lobe : std::uint8_t { none, usual, weighted };
 template <Lobe kLobe>
 HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3& light, VF n_l) {
   const VF inv_pi = set(kInvPi);
-  V3 f{hn::Mul(load(&hits.dr[slot]), inv_pi), hn::Mul(load(&hits.dg[slot]), inv_pi),
-       hn::Mul(load(&hits.db[slot]), inv_pi)};
+  V3 f = scale(load3(hits.diffuse, slot), inv_pi);
   if constexpr (kLobe != Lobe::none) {
     const VF one = set(1.0f), tiny = set(1e-8f);
-    const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
+    const V3 v = load3(hits.viewer, slot);
     const V3 h = normalise(V3{hn::Add(light.x, v.x), hn::Add(light.y, v.y), hn::Add(light.z, v.z)});
     const VF n_v = hn::Max(hn::Abs(dot(n, v)), set(1e-4f));
     const VF n_h = dot(n, h);
@@ -42,11 +41,8 @@ HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3&
     const VF common = hn::Mul(lobe, shadowing);
     VF f90 = one;
     if constexpr (kLobe == Lobe::weighted) f90 = load(&hits.f90[slot]);
-    const auto add = [&](VF diffuse, const Lane<float>& f0_lane) HWY_ATTR {
-      const VF f0 = load(&f0_lane[slot]);
-      return hn::MulAdd(common, hn::MulAdd(grazing, hn::Sub(f90, f0), f0), diffuse);
-    };
-    f = {add(f.x, hits.fr), add(f.y, hits.fg), add(f.z, hits.fb)};
+    const V3 f0 = load3(hits.f0, slot);
+    f = mul_add(common, mul_add(grazing, sub({f90, f90, f90}, f0), f0), f);
   }
   return f;
 }

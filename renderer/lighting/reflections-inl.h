@@ -23,11 +23,8 @@ HWY_INLINE V3 mirrored(const V3& v, const V3& n, const V3& g) {
 HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine, bool weighted) {
   const VF one = set(1.0f), grazing = schlick_weight(cosine), mirror = load(&hits.mirror[slot]);
   const VF f90 = weighted ? load(&hits.f90[slot]) : one;
-  const auto channel = [&](const Lane<float>& f0_lane) HWY_ATTR {
-    const VF f0 = load(&f0_lane[slot]);
-    return hn::Mul(mirror, hn::MulAdd(grazing, hn::Sub(f90, f0), f0));
-  };
-  return {channel(hits.fr), channel(hits.fg), channel(hits.fb)};
+  const V3 f0 = load3(hits.f0, slot);
+  return scale(mul_add(grazing, sub({f90, f90, f90}, f0), f0), mirror);
 }
 
 HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
@@ -42,15 +39,13 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
       mirrors = hn::Or(mirrors, of_kind(hits, slot, HitKind::catcher));
     }
     if (hn::AllFalse(kF, mirrors)) continue;
-    const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
-    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
+    const V3 v = load3(hits.viewer, slot);
+    const V3 n = load3(hits.normal, slot);
     const V3 weight = mirror_weight(hits, slot, dot(n, v), job.shading->plan->surface_details);
     const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
     if (hn::AllFalse(kF, reflects)) continue;
-    hn::Store(weight.x, kF, &scratch.second->weight_r[slot]);
-    hn::Store(weight.y, kF, &scratch.second->weight_g[slot]);
-    hn::Store(weight.z, kF, &scratch.second->weight_b[slot]);
-    const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+    store3(weight, scratch.second->weight, slot);
+    const V3 g = load3(hits.geometric_normal, slot);
     push(queue, ray_origin(hits, slot), mirrored(v, n, g), hn::Add(lane, hn::Set(kI, slot)), reflects);
   }
 }
@@ -59,9 +54,7 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
 template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_NOINLINE void reflect_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
-  if (job.shading->plan->catcher_mirrors) {
-    for (Lane<float>* lane : {&scratch.first.sr, &scratch.first.sg, &scratch.first.sb}) clear(*lane, count);
-  }
+  if (job.shading->plan->catcher_mirrors) clear(scratch.first.mirrored, count);
   queue_mirror_rays(job, count);
   const int rays = scratch.queue.count;
   if (rays == 0) return;

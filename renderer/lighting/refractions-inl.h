@@ -58,10 +58,10 @@ HWY_NOINLINE void queue_refractions(const TileJob& job, HitBatch& hits, int coun
     const VF transmission = load(&hits.transmission[slot]);
     const MF clear_hits = hn::And(of_kind(hits, slot, HitKind::object), hn::Gt(transmission, hn::Zero(kF)));
     if (hn::AllFalse(kF, clear_hits)) continue;
-    const V3 v = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
-    const V3 n = load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]);
-    const V3 gn = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
-    const V3 tint = load3(&hits.tr[slot], &hits.tg[slot], &hits.tb[slot]);
+    const V3 v = load3(hits.viewer, slot);
+    const V3 n = load3(hits.normal, slot);
+    const V3 gn = load3(hits.geometric_normal, slot);
+    const V3 tint = load3(hits.tint, slot);
     const Refraction way = refract(v, n, gn, load(&hits.index_ratio[slot]), load(&hits.dielectric_f0[slot]));
     const VF share = hn::Mul(transmission, way.passes);
     const V3 weight = scale(tint, share);
@@ -73,13 +73,13 @@ HWY_NOINLINE void queue_refractions(const TileJob& job, HitBatch& hits, int coun
     for (std::size_t i = 0; i < static_cast<std::size_t>(kLanes); ++i) {
       if (sends[i] == 0) continue;
       const auto hit = static_cast<std::size_t>(sender[i]);
-      second.weight_r[hit] = (first_interface ? 1.0f : second.weight_r[hit]) * r[i];
-      second.weight_g[hit] = (first_interface ? 1.0f : second.weight_g[hit]) * g[i];
-      second.weight_b[hit] = (first_interface ? 1.0f : second.weight_b[hit]) * b[i];
+      second.weight.x[hit] = (first_interface ? 1.0f : second.weight.x[hit]) * r[i];
+      second.weight.y[hit] = (first_interface ? 1.0f : second.weight.y[hit]) * g[i];
+      second.weight.z[hit] = (first_interface ? 1.0f : second.weight.z[hit]) * b[i];
     }
     // From the far side of the surface, or from this one where the light turns back.
     const VF offset = load(&hits.offset[slot]);
-    const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
+    const V3 p = load3(hits.position, slot);
     const V3 origin = mul_add(hn::IfThenElse(way.total, offset, hn::Neg(offset)), gn, p);
     push(onward, origin, way.direction, senders_of, go_on);
     if (!first_interface) {

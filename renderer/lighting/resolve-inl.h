@@ -83,12 +83,12 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
                            hn::MulAdd(all_without, open_without, load(&without[slot])),
                            shading.smallest_irradiance[channel]);
     };
-    const V3 ratios{ratio(hits.lr, hits.wr, hits.ir, hits.jr, 0),
-                    ratio(hits.lg, hits.wg, hits.ig, hits.jg, 1),
-                    ratio(hits.lb, hits.wb, hits.ib, hits.jb, 2)};
+    const V3 ratios{ratio(hits.direct.x, hits.direct_without.x, hits.indirect.x, hits.indirect_without.x, 0),
+                    ratio(hits.direct.y, hits.direct_without.y, hits.indirect.y, hits.indirect_without.y, 1),
+                    ratio(hits.direct.z, hits.direct_without.z, hits.indirect.z, hits.indirect_without.z, 2)};
     texel.ratio = select(catcher, ratios, texel.ratio);
     if (shading.plan->catcher_mirrors) {
-      texel.light = select(catcher, load3(&hits.sr[slot], &hits.sg[slot], &hits.sb[slot]), texel.light);
+      texel.light = select(catcher, load3(hits.mirrored, slot), texel.light);
     }
   }
   return texel;
@@ -108,7 +108,7 @@ HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
                    hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};
     texel.ratio = {zero, zero, zero};
   } else if (shading.background_is_environment) {
-    const V3 back = load3(&hits.vx[slot], &hits.vy[slot], &hits.vz[slot]);
+    const V3 back = load3(hits.viewer, slot);
     const V3 environment = environment_radiance(shading, scale(back, set(-1.0f)));
     texel.light = {hn::MulAdd(environment.x, texel.ratio.x, texel.light.x),
                    hn::MulAdd(environment.y, texel.ratio.y, texel.light.y),

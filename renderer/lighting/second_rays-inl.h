@@ -2,6 +2,8 @@
 // its light to the hits that sent them. Rays are compacted into dense packets.
 #pragma once
 
+#include <cstring>
+
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
@@ -45,8 +47,8 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
   alignas(64) int valid[kMaxLanes];
   for (int start = 0; start < queue.count; start += kLanes) {
     const MF used = first_lanes(queue.count - start);
-    const V3 origin = load3(&queue.ox[start], &queue.oy[start], &queue.oz[start]);
-    const V3 direction = load3(&queue.dx[start], &queue.dy[start], &queue.dz[start]);
+    const V3 origin = load3(queue.origin, start);
+    const V3 direction = load3(queue.direction, start);
     const MF lanes = hn::And(used, traceable(origin, direction));
     job.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     job.counters->invalid_rays +=
@@ -96,7 +98,7 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays) {
     const MF object = of_kind(second, start, HitKind::object), miss = of_kind(second, start, HitKind::miss);
     V3 radiance = outgoing(second, start, *job.shading, false, false);
     if (!hn::AllFalse(kF, miss)) {
-      const V3 back = load3(&second.vx[start], &second.vy[start], &second.vz[start]);
+      const V3 back = load3(second.viewer, start);
       radiance = select(object, radiance, environment_radiance(*job.shading, scale(back, set(-1.0f))));
     }
     const MF brings = hn::Or(object, miss);
@@ -108,14 +110,14 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays) {
       const auto ray = static_cast<std::size_t>(start + i);
       const auto hit = static_cast<std::size_t>(sent.sender[ray]);
       if (first.kind[hit] == static_cast<int>(HitKind::catcher)) {
-        if (second.kind[ray] != static_cast<int>(HitKind::object) || second.real[ray] != 0) continue;
-        first.sr[hit] += sent.weight_r[hit] * r[i];
-        first.sg[hit] += sent.weight_g[hit] * g[i];
-        first.sb[hit] += sent.weight_b[hit] * b[i];
+        if (second.kind[ray] != static_cast<int>(HitKind::object) || second.is_catcher[ray] != 0) continue;
+        first.mirrored.x[hit] += sent.weight.x[hit] * r[i];
+        first.mirrored.y[hit] += sent.weight.y[hit] * g[i];
+        first.mirrored.z[hit] += sent.weight.z[hit] * b[i];
       } else {
-        first.lr[hit] += sent.weight_r[hit] * r[i];
-        first.lg[hit] += sent.weight_g[hit] * g[i];
-        first.lb[hit] += sent.weight_b[hit] * b[i];
+        first.direct.x[hit] += sent.weight.x[hit] * r[i];
+        first.direct.y[hit] += sent.weight.y[hit] * g[i];
+        first.direct.z[hit] += sent.weight.z[hit] * b[i];
       }
     }
   }

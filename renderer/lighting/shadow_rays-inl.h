@@ -2,6 +2,7 @@
 // Hits that face away are culled first; rays of neighbouring hits to the same stratum share packets.
 #pragma once
 
+#include "renderer/tiles/lanes-inl.h"
 #include "renderer/tiles/ray_packets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,7 +25,7 @@ HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits
   if (light.kind == LightKind::sun) {
     return scale(set3(light.direction), set(-light.reach));
   }
-  const V3 p = load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]);
+  const V3 p = load3(hits.position, slot);
   if (light.samples == 1) return sub(set3(light.centre), p);
   const VU key = hn::Load(kU, &hits.key[slot]);
   const int nx = light.strata[0], ny = light.strata[1];
@@ -43,29 +44,27 @@ HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits
 // Hits of [slot, slot + kLanes) that can receive light from `to_light`.
 HWY_INLINE MF facing(const HitBatch& hits, int slot, const V3& to_light) {
   const MF surface = hn::Or(of_kind(hits, slot, HitKind::object), of_kind(hits, slot, HitKind::catcher));
-  const VF by_shading = dot(load3(&hits.nx[slot], &hits.ny[slot], &hits.nz[slot]), to_light);
-  const VF by_geometry = dot(load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]), to_light);
+  const VF by_shading = dot(load3(hits.normal, slot), to_light);
+  const VF by_geometry = dot(load3(hits.geometric_normal, slot), to_light);
   return hn::And(surface, hn::Gt(hn::Min(by_shading, by_geometry), hn::Zero(kF)));
 }
 
 // Where secondary rays of hits [slot, slot + kLanes) start, on the viewer's side of the surface.
 HWY_INLINE V3 ray_origin(const HitBatch& hits, int slot) {
-  return mul_add(load(&hits.offset[slot]), load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]),
-                 load3(&hits.px[slot], &hits.py[slot], &hits.pz[slot]));
+  return mul_add(load(&hits.offset[slot]), load3(hits.geometric_normal, slot), load3(hits.position, slot));
 }
 
 // Appends `lanes` to the queue. Compressed in a register and stored whole: a compressing store is microcoded
 // on some CPUs. What the store writes beyond the last ray is overwritten by the next.
 HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI hit, MF lanes) {
   const int at = queue.count;
-  const auto put = [&](VF value, Lane<float>& lane)
-                       HWY_ATTR { hn::StoreU(hn::Compress(value, lanes), kF, lane.data() + at); };
-  put(origin.x, queue.ox);
-  put(origin.y, queue.oy);
-  put(origin.z, queue.oz);
-  put(direction.x, queue.dx);
-  put(direction.y, queue.dy);
-  put(direction.z, queue.dz);
+  const auto put = [&](const V3& value, Lane3& to) HWY_ATTR {
+    hn::StoreU(hn::Compress(value.x, lanes), kF, to.x.data() + at);
+    hn::StoreU(hn::Compress(value.y, lanes), kF, to.y.data() + at);
+    hn::StoreU(hn::Compress(value.z, lanes), kF, to.z.data() + at);
+  };
+  put(origin, queue.origin);
+  put(direction, queue.direction);
   hn::StoreU(hn::Compress(hit, hn::RebindMask(kI, lanes)), kI, queue.hit.data() + at);
   queue.count += static_cast<int>(hn::CountTrue(kF, lanes));
 }
@@ -74,7 +73,7 @@ HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI 
 HWY_INLINE void push_shadow_rays(RayQueue& queue, const HitBatch& hits, int slot, const V3& to_light,
                                  MF lanes) {
   if (hn::AllFalse(kF, lanes)) return;
-  const V3 g = load3(&hits.gx[slot], &hits.gy[slot], &hits.gz[slot]);
+  const V3 g = load3(hits.geometric_normal, slot);
   const V3 direction = mul_add(hn::Neg(load(&hits.offset[slot])), g, to_light);
   push(queue, ray_origin(hits, slot), direction, hn::Add(hn::Iota(kI, 0), hn::Set(kI, slot)), lanes);
 }
@@ -82,8 +81,10 @@ HWY_INLINE void push_shadow_rays(RayQueue& queue, const HitBatch& hits, int slot
 // Appends ray `i` of another queue.
 HWY_INLINE void push_one(RayQueue& queue, const RayQueue& from, int i) {
   const auto at = static_cast<std::size_t>(i), to = static_cast<std::size_t>(queue.count++);
-  queue.ox[to] = from.ox[at], queue.oy[to] = from.oy[at], queue.oz[to] = from.oz[at];
-  queue.dx[to] = from.dx[at], queue.dy[to] = from.dy[at], queue.dz[to] = from.dz[at];
+  for (Lane<float> Lane3::*axis : {&Lane3::x, &Lane3::y, &Lane3::z}) {
+    (queue.origin.*axis)[to] = (from.origin.*axis)[at];
+    (queue.direction.*axis)[to] = (from.direction.*axis)[at];
+  }
   queue.hit[to] = from.hit[at];
 }
 
@@ -119,8 +120,8 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const HitBatch& hits, const 
   job.counters->rays[kind] += queue.count;
   for (int start = 0; start < queue.count; start += kLanes) {
     const MF used = first_lanes(queue.count - start);
-    const V3 origin = load3(&queue.ox[start], &queue.oy[start], &queue.oz[start]);
-    const V3 direction = load3(&queue.dx[start], &queue.dy[start], &queue.dz[start]);
+    const V3 origin = load3(queue.origin, start);
+    const V3 direction = load3(queue.direction, start);
     const MF lanes = hn::And(used, traceable(origin, direction));
     job.counters->invalid_rays +=
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));

@@ -83,9 +83,9 @@ HWY_INLINE void make_matte(HitBatch& hits, int count) {
     hn::Store(hn::Min(hn::Add(load(&diffuse[slot]), metal), set(1.0f)), kF, &diffuse[slot]);
   };
   for (int slot = 0; slot < count; slot += kLanes) {
-    add_metal(hits.dr, hits.fr, slot);
-    add_metal(hits.dg, hits.fg, slot);
-    add_metal(hits.db, hits.fb, slot);
+    add_metal(hits.diffuse.x, hits.f0.x, slot);
+    add_metal(hits.diffuse.y, hits.f0.y, slot);
+    add_metal(hits.diffuse.z, hits.f0.z, slot);
   }
 }
 
@@ -111,11 +111,11 @@ HWY_INLINE void store_radiance(const ProbeJob& job, int first, int rays) {
     const auto ray = static_cast<std::size_t>(first + slot / kProbeLanes);
     const V3 environment = environment_radiance(
         *job.tile.shading, {set(directions.x[ray]), set(directions.y[ray]), set(directions.z[ray])});
-    V3 light =
-        select(object,
-               {channel(hits.er, hits.dr, hits.lr, hits.ir), channel(hits.eg, hits.dg, hits.lg, hits.ig),
-                channel(hits.eb, hits.db, hits.lb, hits.ib)},
-               environment);
+    V3 light = select(object,
+                      {channel(hits.emission.x, hits.diffuse.x, hits.direct.x, hits.indirect.x),
+                       channel(hits.emission.y, hits.diffuse.y, hits.direct.y, hits.indirect.y),
+                       channel(hits.emission.z, hits.diffuse.z, hits.direct.z, hits.indirect.z)},
+                      environment);
     MF bad = first_lanes(0);
     light = {sound(light.x, bad), sound(light.y, bad), sound(light.z, bad)};
     bad = hn::And(bad, first_lanes(probes - slot % kProbeLanes));

@@ -38,16 +38,16 @@ HWY_INLINE void bend_normals(const InstanceRecord& instance, VI record, const Ba
   V3 bent = normal_to_world(instance, mul_add(x, t, mul_add(y, b, scale(n, z))));
 
   // What was turned to the viewer is turned with its texture.
-  const V3 plain = load3(&out.nx[slot], &out.ny[slot], &out.nz[slot]);
-  const V3 g = load3(&out.gx[slot], &out.gy[slot], &out.gz[slot]);
+  const V3 plain = load3(out.normal, slot);
+  const V3 g = load3(out.geometric_normal, slot);
   const MF turned = hn::Lt(dot(normal_to_world(instance, n), plain), hn::Zero(kF));
   bent = select(turned, scale(bent, set(-1.0f)), bent);
-  const V3 viewer = load3(&out.vx[slot], &out.vy[slot], &out.vz[slot]);
+  const V3 viewer = load3(out.viewer, slot);
   const VF away = hn::Max(hn::Neg(dot(bent, viewer)), hn::Zero(kF));
   bent = mul_add(hn::Mul(two, away), viewer, bent);
   const MF bends = hn::And(hn::And(lanes, hn::Gt(dot(bent, g), hn::Zero(kF))),
                            hn::Gt(dot(across, across), set(kLeastTangent2)));
-  store_shading_normal(bent, bends, out, slot);
+  store_lanes(bent, bends, out.normal, slot);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -4,7 +4,7 @@
 
 #include "renderer/embree/ray_packet-inl.h"
 #include "renderer/surfaces/material_at-inl.h"
-#include "renderer/tiles/tile_job.h"
+#include "renderer/tiles/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -18,17 +18,6 @@ HWY_INLINE V3 decode_normal(VU code) {
   const VF z = hn::Sub(set(1.0f), hn::Add(hn::Abs(x), hn::Abs(y)));
   const VF fold = hn::Max(hn::Neg(z), hn::Zero(kF));
   return {hn::Sub(x, hn::CopySign(fold, x)), hn::Sub(y, hn::CopySign(fold, y)), z};
-}
-
-HWY_INLINE void store_shading_normal(const V3& n, MF lanes, HitBatch& out, int slot) {
-  store_lanes(n.x, lanes, &out.nx[slot]);
-  store_lanes(n.y, lanes, &out.ny[slot]);
-  store_lanes(n.z, lanes, &out.nz[slot]);
-}
-HWY_INLINE void store_geometric_normal(const V3& g, MF lanes, HitBatch& out, int slot) {
-  store_lanes(g.x, lanes, &out.gx[slot]);
-  store_lanes(g.y, lanes, &out.gy[slot]);
-  store_lanes(g.z, lanes, &out.gz[slot]);
 }
 
 HWY_INLINE V3 normal_to_world(const InstanceRecord& instance, const V3& n) {
@@ -67,8 +56,8 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   // that.
   const V3 bend = sub(n, g);
   n = select(hn::Lt(dot(bend, bend), set(2e-8f)), g, n);
-  store_geometric_normal(g, lanes, out, slot);
-  store_shading_normal(n, lanes, out, slot);
+  store_lanes(g, lanes, out.geometric_normal, slot);
+  store_lanes(n, lanes, out.normal, slot);
 }
 
 // The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat: outward, in
@@ -80,8 +69,8 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
   n = select(inside, scale(n, set(-1.0f)), n);
   const float index = instance.refractive_index;
   store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
-  store_shading_normal(n, lanes, out, slot);
-  store_geometric_normal(n, lanes, out, slot);
+  store_lanes(n, lanes, out.normal, slot);
+  store_lanes(n, lanes, out.geometric_normal, slot);
   const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
   store_lanes(offset, lanes, out.offset.data() + slot);
 }

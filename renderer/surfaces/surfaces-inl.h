@@ -38,6 +38,7 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     }
     put(hn::MulAdd(m.metallic, hn::Sub(set(1.0f), m.f90), m.f90), out.f90);
   }
+  const V3 base{m.base.r, m.base.g, m.base.b};
   VF dielectric = hn::Sub(set(1.0f), m.metallic);
   if (transparent) {
     // What passes the surface is not scattered by it.
@@ -45,23 +46,15 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     dielectric = hn::Sub(dielectric, transmission);
     put(transmission, out.transmission);
     put(set(instance.dielectric_f0), out.dielectric_f0);
-    put(m.base.r, out.tr);
-    put(m.base.g, out.tg);
-    put(m.base.b, out.tb);
+    store_lanes(base, lanes, out.tint, slot);
   }
-  put(hn::Mul(m.base.r, dielectric), out.dr);
-  put(hn::Mul(m.base.g, dielectric), out.dg);
-  put(hn::Mul(m.base.b, dielectric), out.db);
-  put(hn::MulAdd(m.metallic, hn::Sub(m.base.r, m.f0.x), m.f0.x), out.fr);
-  put(hn::MulAdd(m.metallic, hn::Sub(m.base.g, m.f0.y), m.f0.y), out.fg);
-  put(hn::MulAdd(m.metallic, hn::Sub(m.base.b, m.f0.z), m.f0.z), out.fb);
+  store_lanes(scale(base, dielectric), lanes, out.diffuse, slot);
+  store_lanes(mul_add(m.metallic, sub(base, m.f0), m.f0), lanes, out.f0, slot);
   const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
   put(hn::Mul(alpha, alpha), out.alpha2);
-  put(m.emission.x, out.er);
-  put(m.emission.y, out.eg);
-  put(m.emission.z, out.eb);
+  store_lanes(m.emission, lanes, out.emission, slot);
   put(set(instance.mirror), out.mirror);
-  put(set(instance.catcher ? 1.0f : 0.0f), out.real);
+  put(set(instance.catcher ? 1.0f : 0.0f), out.is_catcher);
 }
 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
@@ -77,9 +70,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   VI kind = hn::IfThenElseZero(hn::RebindMask(kI, rays), hn::Set(kI, static_cast<int>(HitKind::miss)));
   const V3 direction = load3(packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z);
   const V3 viewer = scale(direction, set(-1.0f));
-  hn::Store(viewer.x, kF, out.vx.data() + slot);
-  hn::Store(viewer.y, kF, out.vy.data() + slot);
-  hn::Store(viewer.z, kF, out.vz.data() + slot);
+  store3(viewer, out.viewer, slot);
   if (hn::AllFalse(kF, hit)) {
     hn::Store(kind, kI, out.kind.data() + slot);
     return;
@@ -87,9 +78,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
   const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
   const V3 p = mul_add(t, direction, origin);
-  hn::Store(p.x, kF, out.px.data() + slot);
-  hn::Store(p.y, kF, out.py.data() + slot);
-  hn::Store(p.z, kF, out.pz.data() + slot);
+  store3(p, out.position, slot);
   const VF largest = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Max(hn::Abs(p.z), t));
   hn::Store(hn::Mul(hn::Max(largest, set(kSmallestOffsetScale_m)), set(kOffsetScale)), kF,
             out.offset.data() + slot);
@@ -118,7 +107,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     }
     VF object_width2 = area;
     if constexpr (kDetail != SurfaceDetail::plain) {
-      const VF slope = hn::Abs(dot(load3(&out.gx[slot], &out.gy[slot], &out.gz[slot]), viewer));
+      const VF slope = hn::Abs(dot(load3(out.geometric_normal, slot), viewer));
       object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
     }
     if constexpr (kDetail == SurfaceDetail::all) {

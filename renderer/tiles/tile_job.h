@@ -31,6 +31,11 @@ inline constexpr std::size_t kBlocksInTile = kBlocksAlong * kBlocksAlong;
 template <typename T>
 using Lane = std::array<T, kTileRays + kMaxLanes>;
 
+// A vector or a colour (x red, y green, z blue) per ray of a batch.
+struct Lane3 {
+  Lane<float> x, y, z;
+};
+
 // How much a kernel knows of surfaces. plain: factors. textures: base colour and metallic-roughness, one set
 // of coordinates. all: whatever a DetailRecord holds.
 enum class SurfaceDetail : std::uint8_t { plain, textures, all };
@@ -39,46 +44,42 @@ enum class HitKind : std::int32_t { none = 0, object = 1, catcher = 2, miss = 3 
 
 // Surfaces that a batch of rays hit, and the light that they send back along the ray.
 struct alignas(64) HitBatch {
-  Lane<float> px, py, pz;     // position, metres from the anchor
-  Lane<float> nx, ny, nz;     // shading normal, unit, on the viewer's side
-  Lane<float> gx, gy, gz;     // geometric normal, unit, on the viewer's side
-  Lane<float> vx, vy, vz;     // towards the viewer, unit
-  Lane<float> offset;         // metres along g at which secondary rays start
-  Lane<float> dr, dg, db;     // diffuse albedo
-  Lane<float> fr, fg, fb;     // specular reflectance at normal incidence
+  Lane3 position;             // metres from the anchor
+  Lane3 normal;               // for shading, unit, on the viewer's side
+  Lane3 geometric_normal;     // unit, on the viewer's side
+  Lane3 viewer;               // towards the viewer, unit
+  Lane<float> offset;         // metres along the geometric normal at which secondary rays start
+  Lane3 diffuse;              // albedo
+  Lane3 f0;                   // specular reflectance at normal incidence
   Lane<float> alpha2;         // GGX alpha squared
-  Lane<float> er, eg, eb;     // emitted radiance
+  Lane3 emission;             // radiance
   Lane<float> mirror;         // share of the mirror ray that is seen
   Lane<float> transmission;   // share of the light that passes the surface
   Lane<float> index_ratio;    // refractive index of the viewer's side over that of the other
   Lane<float> dielectric_f0;  // reflectance of the bare interface at normal incidence
-  Lane<float> tr, tg, tb;     // colour of light that passes
-  Lane<float> real;           // 1 on a catcher that is seen as an object
+  Lane3 tint;                 // colour of light that passes
+  Lane<float> is_catcher;     // 1 on a catcher, even where it is seen as an object
   // With textures or voxels: width of the ray, metres, and what it grows by per metre.
   Lane<float> cone_width, cone_spread;
   // With surface details: what a blended surface covers, 1 elsewhere; specular reflectance at grazing angles.
   Lane<float> coverage, f90;
   Lane<std::int32_t> kind;  // HitKind
   Lane<std::uint32_t> key;  // random numbers: frame, eye and sample
-  // Objects: radiance by direct light. Catchers: irradiance with all objects in place.
-  Lane<float> lr, lg, lb;
-  // Catchers: irradiance without the virtual objects.
-  Lane<float> wr, wg, wb;
-  // With probes: mean radiance from all sides (irradiance / pi) of light that came by other surfaces.
-  Lane<float> ir, ig, ib;
-  // Catchers: the same without the virtual objects.
-  Lane<float> jr, jg, jb;
+  // Objects: radiance by direct light. Catchers: irradiance with all objects in place, and without them.
+  Lane3 direct, direct_without;
+  // With probes: mean radiance from all sides (irradiance / pi) of light that came by other surfaces; of
+  // catchers also without the virtual objects.
+  Lane3 indirect, indirect_without;
   // Share of short rays that meet nothing; of catchers also without the virtual objects.
   Lane<float> open, open_without;
-  // Catchers: reflection of virtual objects, added to the feed.
-  Lane<float> sr, sg, sb;
+  Lane3 mirrored;  // catchers: reflection of virtual objects, added to the feed
   // Which 4x4 block of the tile the sample lies in. Last: bytes would leave the lanes behind them unaligned.
   Lane<std::uint8_t> block;
 };
 
 // Rays that wait to be traced, dense, and which hit of the batch each belongs to.
 struct alignas(64) RayQueue {
-  Lane<float> ox, oy, oz, dx, dy, dz;
+  Lane3 origin, direction;
   Lane<std::int32_t> hit;
   int count = 0;
 };
@@ -97,17 +98,17 @@ struct alignas(64) AdaptiveLight {
 
 // What the layers of blended surfaces add up to, front to back, per first hit.
 struct alignas(64) AlphaLayers {
-  Lane<float> light_r, light_g, light_b, ratio_r, ratio_g, ratio_b;  // as in texels
-  Lane<float> through;                                               // share of what is behind that is seen
-  Lane<std::int32_t> kind;                                           // HitKind of the first layer
+  Lane3 light, ratio;       // as in texels
+  Lane<float> through;      // share of what is behind that is seen
+  Lane<std::int32_t> kind;  // HitKind of the first layer
 };
 
 // Rays that first hits send on, and what those meet.
 struct alignas(64) SecondRays {
   HitBatch hits;
-  RayQueue onward;                           // rays that leave a transparent surface
-  Lane<std::int32_t> sender;                 // per second ray: the first hit that sent it
-  Lane<float> weight_r, weight_g, weight_b;  // per first hit: of its second ray
+  RayQueue onward;            // rays that leave a transparent surface
+  Lane<std::int32_t> sender;  // per second ray: the first hit that sent it
+  Lane3 weight;               // per first hit: of its second ray
 };
 
 // One worker's memory for the tile in work. What only some scenes need is there where the plan asks for it

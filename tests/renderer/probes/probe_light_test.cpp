@@ -94,16 +94,17 @@ TEST(ProbeLightTest, LookUpsAgreeWithTheScalarOnes) {
     int compared = 0;
     for (std::size_t i = 0; i < 32 * 32; ++i) {
       if (hits.kind[i] != static_cast<int>(HitKind::object)) continue;
-      const glm::dvec3 position{hits.px[i], hits.py[i], hits.pz[i]};
+      const glm::dvec3 position{hits.position.x[i], hits.position.y[i], hits.position.z[i]};
       const glm::dvec3 lower{probes.lower[0], probes.lower[1], probes.lower[2]};
-      const glm::dvec3 expected = test::scalar_lookup(probes, glm::dvec3(scene.environment),
-                                                      {position - lower,
-                                                       {hits.nx[i], hits.ny[i], hits.nz[i]},
-                                                       {hits.gx[i], hits.gy[i], hits.gz[i]},
-                                                       {hits.vx[i], hits.vy[i], hits.vz[i]}});
-      ASSERT_NEAR(hits.ir[i], expected.x, 1e-3 * expected.x + 1e-7) << i;
-      ASSERT_NEAR(hits.ig[i], expected.y, 1e-3 * expected.y + 1e-7) << i;
-      ASSERT_NEAR(hits.ib[i], expected.z, 1e-3 * expected.z + 1e-7) << i;
+      const glm::dvec3 expected = test::scalar_lookup(
+          probes, glm::dvec3(scene.environment),
+          {position - lower,
+           {hits.normal.x[i], hits.normal.y[i], hits.normal.z[i]},
+           {hits.geometric_normal.x[i], hits.geometric_normal.y[i], hits.geometric_normal.z[i]},
+           {hits.viewer.x[i], hits.viewer.y[i], hits.viewer.z[i]}});
+      ASSERT_NEAR(hits.indirect.x[i], expected.x, 1e-3 * expected.x + 1e-7) << i;
+      ASSERT_NEAR(hits.indirect.y[i], expected.y, 1e-3 * expected.y + 1e-7) << i;
+      ASSERT_NEAR(hits.indirect.z[i], expected.z, 1e-3 * expected.z + 1e-7) << i;
       ++compared;
     }
     EXPECT_EQ(compared, 32 * 32);
