@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kNameWidth = 25, kTimeWidth = 11, kShareWidth = 10, kMemoryWidth = 12;
+constexpr int kLeftOutWidth = 25, kTimeWidth = 11, kShareWidth = 10, kMemoryWidth = 12;
 constexpr const char* kEverything = "everything at once";
 constexpr const char* kControl = "nothing, twice the plan";
 // Embree's own memory is the same whatever runs, but for where its threads happened to allocate.
@@ -92,7 +92,7 @@ std::string with_sign(double value, int decimals) {
 }
 
 std::string row(const LeftOut& entry) {
-  return left_aligned(entry.name, kNameWidth) +
+  return left_aligned(entry.name, kLeftOutWidth) +
          right_aligned(with_sign(entry.added_ms, 2) + " ms", kTimeWidth) +
          right_aligned(with_sign(100 * (entry.time_ratio - 1), 1) + " %", kShareWidth) +
          right_aligned(size_text(entry.added_bytes), kMemoryWidth) + "  " + entry.reason + "\n";
@@ -179,20 +179,21 @@ Json left_out_json(const LeftOutResult& result, const BenchSubject& subject) {
 }
 
 std::string left_out_table(const LeftOutResult& result, const BenchSubject& subject) {
-  std::string text = subject_text(subject, settings_text(subject.settings)) + "\nframe " +
-                     fixed_text(result.frame_ms, 1) + " ms; what it would take more, medians of " +
-                     std::to_string(result.instants) + " instants, of each the fastest of " +
-                     std::to_string(result.repeats) + " frames\n\n" + left_aligned("left out", kNameWidth) +
-                     right_aligned("time", kTimeWidth + kShareWidth) + right_aligned("memory", kMemoryWidth) +
-                     "  because\n";
+  std::string text =
+      subject_text(subject, settings_text(subject.settings)) + "\nframe " + fixed_text(result.frame_ms, 1) +
+      " ms; what it would take more, medians of " + std::to_string(result.instants) +
+      " instants, of each the fastest of " + std::to_string(result.repeats) + " frames\n\n" +
+      left_aligned("left out", kLeftOutWidth) + right_aligned("time", kTimeWidth + kShareWidth) +
+      right_aligned("memory", kMemoryWidth) + "  because\n";
   for (const LeftOut& entry : result.entries) text += row(entry);
   text += row(result.everything) + row(result.control);
   if (changed_picture(result).empty()) text += "pictures: the same, bit for bit, with each of them\n";
-  text += "\n" + left_aligned("memory", kNameWidth) + "\n";
+  text += "\n" + left_aligned("memory", kLeftOutWidth) + "\n";
   for (const MemoryEntry& entry : result.memory) {
-    text += left_aligned(entry.name, kNameWidth) + right_aligned(size_text(entry.bytes), kTimeWidth) + "\n";
+    text +=
+        left_aligned(entry.name, kLeftOutWidth) + right_aligned(size_text(entry.bytes), kTimeWidth) + "\n";
   }
-  return text + left_aligned("together", kNameWidth) +
+  return text + left_aligned("together", kLeftOutWidth) +
          right_aligned(size_text(total_bytes(result.memory)), kTimeWidth) + "\n";
 }
 

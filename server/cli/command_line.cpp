@@ -18,12 +18,6 @@
 namespace herr {
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 void add_bench(CLI::App& app, BenchOptions& options) {
   app.add_option("SESSION", options.session, "session folder (default: the sample desk-walk)")->type_name("");
   file_flag(app, "--scene", "scene file (default: the one that the session names)",

@@ -39,12 +39,6 @@ void point_flag(CLI::App& app, const std::string& flag, const std::string& help,
              [flag, &point](const std::string& text) { point = parse_point(flag, text, kFarthestM); });
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 void add_place_flags(CLI::App& app, SynthOptions& options) {
   file_flag(app, "--scene", "the room that the camera sees; without it there is no camera",
             [&](const std::string& text) { options.room = text; });

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 
 namespace herr {
 namespace {

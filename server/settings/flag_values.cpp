@@ -83,4 +83,10 @@ const std::string& non_empty(const std::string& what, const std::string& text) {
   return text;
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 }  // namespace herr

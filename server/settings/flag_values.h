@@ -32,6 +32,9 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& text, double 
 // `text` itself; throws UsageError that names `what` when it is empty (a script's variable that was not set).
 const std::string& non_empty(const std::string& what, const std::string& text);
 
+// "a, b, c", for help and messages.
+std::string joined(const std::vector<std::string>& words);
+
 // The index of `text` among the words; an unknown word names the nearest one.
 std::size_t parse_word(const std::string& flag, const std::string& text,
                        const std::vector<std::string>& words);
