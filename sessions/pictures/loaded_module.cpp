@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -22,7 +23,7 @@ std::filesystem::path find_module() {
   if (error) throw ModuleError("/proc/self/exe: cannot be read (" + error.message() + "); mount /proc");
   const auto places = picture_module_places(program.parent_path());
   for (const std::filesystem::path& place : places) {
-    if (std::filesystem::exists(place, error)) return place;
+    if (path_exists(place)) return place;
   }
   throw ModuleError(printable(places.front().string()) +
                     ": is not there, nor in ../lib/herr, and no picture can be read or written without it" +
