@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,15 @@
 
 namespace herr {
 
-struct BenchInput {
-  FrameSample sample;
-  SceneState state;
+// The frames that are measured, in order: a sequence that can begin again.
+class BenchSequence {
+ public:
+  virtual ~BenchSequence() = default;
+  virtual int frames() const = 0;  // 1 or more
+  // As if no frame had been rendered: the same frames follow, bit for bit.
+  virtual void rewind() = 0;
+  // Frame `index`, one more than the last time, or 0 at the start and after rewind().
+  virtual void render(int index, RenderedFrame& out) = 0;
 };
 
 struct BenchResult {
@@ -33,7 +38,9 @@ struct BenchResult {
   std::vector<Kind> kinds;
   double ns_per_pixel = 0, raw_ns_per_pixel = 0;
   StageTimes median_times;
-  FrameCounters counters;            // of the last frame
+  FrameCounters counters;            // of all measured frames together
+  int measured_frames = 0;           // frames x repeats
+  FramePlan plan;                    // with each trait that the plan of some frame had
   std::int64_t most_probe_rays = 0;  // of a frame that updates every probe its budget allows, each set
 };
 
@@ -45,12 +52,13 @@ struct BenchRun {
   double ratio() const { return raw_ms > 0 ? frame_ms / raw_ms : 0; }
 };
 
-// Renders input(0), input(1), ... after one frame that warms up, until their frame times sum up to `seconds`;
-// each frame's raw side is recorded and timed right after it. Thread safety: as Renderer.
-BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& input, double seconds);
+// Renders the whole sequence again and again, after one frame that warms up, until the frame times sum up to
+// `seconds`; each frame's raw side is recorded and timed right after it. The sequence renders with
+// `renderer`. Thread safety: as Renderer.
+BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds);
 
-// Renders each input once to warm up and to record 1/16 of its tiles (1/256 from 64 light samples on), then
-// `repeats` times in alternation with its raw side. Thread safety: as Renderer.
-BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats);
+// Renders the whole sequence once to warm up, then `repeats` times; after each frame 1/16 of its tiles (1/256
+// from 64 light samples on) are recorded and its raw side is timed. Thread safety: as Renderer.
+BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeats);
 
 }  // namespace herr

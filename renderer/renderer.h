@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/frame_counters.h"
 #include "renderer/frame_plan.h"
 #include "renderer/memory_use.h"
 #include "renderer/probe_counts.h"
@@ -54,7 +55,8 @@ struct RendererState {
 // fails.
 class Renderer {
  public:
-  // Builds the acceleration structures. `scene` must outlive the renderer.
+  // Builds the acceleration structures. `scene` must outlive the renderer; it may change between frames as
+  // the SceneState says that is handed to each.
   Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
            bool session_has_camera);
   ~Renderer();
@@ -84,6 +86,10 @@ class Renderer {
   // Throws std::invalid_argument when the probes' bytes belong to another version, scene or grid; then this
   // renderer is of no use any more.
   void restore(const RendererState& state);
+  // As if no frame had been rendered: the next one is, bit for bit, the first of a renderer built on the
+  // scene as it is now, and its counters tell of no instance. `state`: of the scene now. Memory that a plan
+  // once needed stays. Not between two frames of one run: it may allocate.
+  void restart(const SceneState& state);
   // The probes as of the last frame, to be read before the next one; none without probes.
   std::optional<ProbeReader> probes() const;
 

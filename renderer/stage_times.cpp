@@ -42,21 +42,4 @@ const char* name_of(Stage stage) {
   return "unknown";
 }
 
-FrameCounters& FrameCounters::operator+=(const FrameCounters& other) {
-  rays += other.rays;
-  polar_samples += other.polar_samples;
-  viewport_pixels += other.viewport_pixels;
-  invalid_rays += other.invalid_rays;
-  nonfinite_values += other.nonfinite_values;
-  commits += other.commits;
-  instances_moved += other.instances_moved;
-  instances_spawned += other.instances_spawned;
-  instances_removed += other.instances_removed;
-  instances_restyled += other.instances_restyled;
-  meshes_refitted += other.meshes_refitted;
-  meshes_rebuilt += other.meshes_rebuilt;
-  plan_changes += other.plan_changes;
-  return *this;
-}
-
 }  // namespace herr

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/ray_kind.h"
-
 namespace herr {
 
 enum class Stage : std::uint8_t {
@@ -39,22 +37,6 @@ struct StageTimes {
 
   double& operator[](Stage s) { return ms[static_cast<std::size_t>(s)]; }
   double operator[](Stage s) const { return ms[static_cast<std::size_t>(s)]; }
-};
-
-// Rays by kind and pixels of one frame: the same for the same input on any machine.
-struct FrameCounters {
-  RayCounts rays;
-  std::int64_t polar_samples = 0;  // samples of both polar buffers that some viewport can see
-  std::int64_t viewport_pixels = 0;
-  std::int64_t invalid_rays = 0;      // not finite: never handed to Embree
-  std::int64_t nonfinite_values = 0;  // NaN or Inf that a stage produced; replaced by 0 and counted
-  std::int64_t commits = 0;           // Embree scenes committed
-  std::int64_t instances_moved = 0, instances_spawned = 0, instances_removed = 0;
-  std::int64_t instances_restyled = 0;  // another material, or another mesh
-  std::int64_t meshes_refitted = 0, meshes_rebuilt = 0;
-  std::int64_t plan_changes = 0;  // 1 where the frame plan is another than the frame before had
-
-  FrameCounters& operator+=(const FrameCounters& other);
 };
 
 }  // namespace herr

@@ -3,33 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <numeric>
 
 #include "renderer/bench/bare_pixels.h"
 #include "renderer/bench/bare_rays.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/timing.h"
 
 namespace herr {
 namespace {
 
 // Of the jobs of 16 probes one in four is recorded: there are 128 of them in the default grid.
 constexpr int kProbeJobStride = 4;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-template <typename Work>
-double wall_ms(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 // One frame's own rays and pixels, recorded from its last render.
 class RawSide {
@@ -115,15 +101,18 @@ class RawSide {
   std::int64_t all_pixels_ = 0;
 };
 
-// Samples of one quantity: per frame the median over repeats, overall the median over frames.
+// Samples of one quantity: of each frame the median over repeats, of all the median over frames.
 struct Series {
-  std::vector<double> of_frame, of_frames;
-  void add(double x) { of_frame.push_back(x); }
-  void end_frame() {
-    of_frames.push_back(median(of_frame));
-    of_frame.clear();
+  std::vector<std::vector<double>> of_frame;
+  void add(std::size_t frame, double x) {
+    if (frame >= of_frame.size()) of_frame.resize(frame + 1);
+    of_frame[frame].push_back(x);
   }
-  double value() const { return median(of_frames); }
+  double value() const {
+    std::vector<double> medians;
+    for (const std::vector<double>& samples : of_frame) medians.push_back(median(samples));
+    return median(std::move(medians));
+  }
 };
 
 struct Measurements {
@@ -131,24 +120,17 @@ struct Measurements {
   std::array<Series, kRayKinds> kind_raw;
   std::array<Series, kStageCount> stages;
 
-  void add(const StageTimes& times, const std::array<double, kRayKinds>& kinds_ms, double raw_pixels_ms) {
+  void add(std::size_t i, const StageTimes& times, const std::array<double, kRayKinds>& kinds_ms,
+           double raw_pixels_ms) {
     const double raw_rays = std::accumulate(kinds_ms.begin(), kinds_ms.end(), 0.0);
     const double pixels = times[Stage::viewports];
     const double rays = times.frame_ms - pixels - times[Stage::overlays];
-    frame.add(times.frame_ms), raw.add(raw_rays + raw_pixels_ms);
-    ratio.add(times.frame_ms / (raw_rays + raw_pixels_ms));
-    rays_frame.add(rays), rays_raw.add(raw_rays), rays_ratio.add(raw_rays > 0 ? rays / raw_rays : 0);
-    pixels_frame.add(pixels), pixels_raw.add(raw_pixels_ms);
-    for (std::size_t k = 0; k < kRayKinds; ++k) kind_raw[k].add(kinds_ms[k]);
-    for (std::size_t s = 0; s < kStageCount; ++s) stages[s].add(times.ms[s]);
-  }
-  void end_frame() {
-    for (Series* s :
-         {&frame, &raw, &ratio, &rays_frame, &rays_raw, &rays_ratio, &pixels_frame, &pixels_raw}) {
-      s->end_frame();
-    }
-    for (Series& s : kind_raw) s.end_frame();
-    for (Series& s : stages) s.end_frame();
+    frame.add(i, times.frame_ms), raw.add(i, raw_rays + raw_pixels_ms);
+    ratio.add(i, times.frame_ms / (raw_rays + raw_pixels_ms));
+    rays_frame.add(i, rays), rays_raw.add(i, raw_rays), rays_ratio.add(i, raw_rays > 0 ? rays / raw_rays : 0);
+    pixels_frame.add(i, pixels), pixels_raw.add(i, raw_pixels_ms);
+    for (std::size_t k = 0; k < kRayKinds; ++k) kind_raw[k].add(i, kinds_ms[k]);
+    for (std::size_t s = 0; s < kStageCount; ++s) stages[s].add(i, times.ms[s]);
   }
 };
 
@@ -185,72 +167,88 @@ Stage stage_of(std::size_t kind) {
   }
 }
 
+// What a frame's plan has becomes what some frame's plan had: limits of a sequence follow from that.
+void widen(FramePlan& plan, const FramePlan& by) {
+  for (bool FramePlan::*trait :
+       {&FramePlan::alpha_blend, &FramePlan::catchers_occlude, &FramePlan::mirror_rays,
+        &FramePlan::refraction, &FramePlan::occlusion, &FramePlan::probes, &FramePlan::catcher_probes}) {
+    plan.*trait = plan.*trait || by.*trait;
+  }
+}
+
+// Rates and shares of kinds of rays that were traced at all.
+std::vector<BenchResult::Kind> kinds_of(const BenchResult& result, const Measurements& measured) {
+  const auto frames = static_cast<double>(std::max(result.measured_frames, 1));
+  const auto samples = static_cast<double>(result.counters.polar_samples);
+  std::vector<BenchResult::Kind> kinds;
+  for (std::size_t k = 0; k < kRayKinds; ++k) {
+    const auto rays = static_cast<double>(result.counters.rays.of_kind[k]);
+    if (rays == 0) continue;
+    kinds.push_back({name_of(static_cast<RayKind>(k)), static_cast<std::int64_t>(rays / frames),
+                     samples > 0 ? rays / samples : 0,
+                     millions_per_second(rays / frames, measured.kind_raw[k].value()),
+                     millions_per_second(rays / frames, result.median_times[stage_of(k)])});
+  }
+  return kinds;
+}
+
 }  // namespace
 
-BenchRun bench_run(Renderer& renderer, const std::function<BenchInput(int)>& input, double seconds) {
+BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) {
   Renderer::Impl& impl = renderer.internals();
   BenchRun run;
   double frames_ms = 0, raw_ms = 0, probes_ms = 0;
   RenderedFrame out;
-  BenchInput next = input(0);
-  renderer.render_frame(next.sample, next.state, out);
+  sequence.render(0, out);
   while (frames_ms < 1e3 * seconds) {
-    next = input(++run.frames);
-    renderer.render_frame(next.sample, next.state, out);
-    frames_ms += out.times.frame_ms;
-    probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
-    RawSide raw(impl, out.counters);
-    const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
-    raw_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), raw.pixels_ms());
+    sequence.rewind();
+    for (int i = 0; i < sequence.frames(); ++i, ++run.frames) {
+      sequence.render(i, out);
+      frames_ms += out.times.frame_ms;
+      probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
+      RawSide raw(impl, out.counters);
+      const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
+      raw_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), raw.pixels_ms());
+    }
   }
   const double count = std::max(run.frames, 1);
   run.frame_ms = frames_ms / count, run.raw_ms = raw_ms / count, run.probe_ms = probes_ms / count;
   return run;
 }
 
-BenchResult bench_frames(Renderer& renderer, const std::vector<BenchInput>& inputs, int repeats) {
+BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeats) {
   Renderer::Impl& impl = renderer.internals();
   Measurements measured;
-  std::array<double, kRayKinds> rays{};
-  double samples = 0, pixels = 0;
   RenderedFrame out;
-  for (const BenchInput& input : inputs) {
-    renderer.render_frame(input.sample, input.state, out);
-    RawSide raw(impl, out.counters);
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-      // Another moment, or probes would take it for the same frame once more.
-      FrameSample sample = input.sample;
-      sample.t_ns += repeat + 1;
-      renderer.render_frame(sample, input.state, out);
-      measured.add(out.times, raw_kinds_ms(raw), raw.pixels_ms());
+  BenchResult result;
+  result.frames = sequence.frames();
+  for (int pass = 0; pass <= repeats; ++pass) {
+    if (pass > 0) sequence.rewind();
+    for (int i = 0; i < result.frames; ++i) {
+      sequence.render(i, out);
+      widen(result.plan, renderer.plan());
+      if (pass == 0) continue;  // warms up
+      RawSide raw(impl, out.counters);
+      const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
+      const double pixels_ms = raw.pixels_ms();
+      measured.add(static_cast<std::size_t>(i), out.times, kinds_ms, pixels_ms);
+      result.counters += out.counters;
+      ++result.measured_frames;
     }
-    measured.end_frame();
-    for (std::size_t k = 0; k < kRayKinds; ++k) rays[k] += static_cast<double>(out.counters.rays.of_kind[k]);
-    samples += static_cast<double>(out.counters.polar_samples);
-    pixels += static_cast<double>(out.counters.viewport_pixels);
   }
 
-  const double frames = static_cast<double>(std::max<std::size_t>(inputs.size(), 1));
-  BenchResult result;
-  result.frames = static_cast<int>(inputs.size());
+  const double pixels = static_cast<double>(result.counters.viewport_pixels) /
+                        static_cast<double>(std::max(result.measured_frames, 1));
   result.frame_ms = measured.frame.value(), result.raw_ms = measured.raw.value();
   result.ratio = measured.ratio.value();
   result.rays_frame_ms = measured.rays_frame.value(), result.rays_raw_ms = measured.rays_raw.value();
   result.rays_ratio = measured.rays_ratio.value();
   result.pixels_frame_ms = measured.pixels_frame.value(), result.pixels_raw_ms = measured.pixels_raw.value();
-  result.ns_per_pixel = pixels > 0 ? result.pixels_frame_ms * 1e6 / (pixels / frames) : 0;
-  result.raw_ns_per_pixel = pixels > 0 ? result.pixels_raw_ms * 1e6 / (pixels / frames) : 0;
+  result.ns_per_pixel = pixels > 0 ? result.pixels_frame_ms * 1e6 / pixels : 0;
+  result.raw_ns_per_pixel = pixels > 0 ? result.pixels_raw_ms * 1e6 / pixels : 0;
   for (std::size_t s = 0; s < kStageCount; ++s) result.median_times.ms[s] = measured.stages[s].value();
   result.median_times.frame_ms = result.frame_ms;
-  for (std::size_t k = 0; k < kRayKinds; ++k) {
-    if (rays[k] == 0) continue;
-    const double per_frame = rays[k] / frames;
-    result.kinds.push_back({name_of(static_cast<RayKind>(k)), static_cast<std::int64_t>(per_frame),
-                            samples > 0 ? rays[k] / samples : 0,
-                            millions_per_second(per_frame, measured.kind_raw[k].value()),
-                            millions_per_second(per_frame, result.median_times[stage_of(k)])});
-  }
-  result.counters = out.counters;
+  result.kinds = kinds_of(result, measured);
   if (impl.probes) result.most_probe_rays = impl.probes->most_rays();
   return result;
 }

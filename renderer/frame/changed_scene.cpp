@@ -31,10 +31,27 @@ bool Renderer::Impl::plan_anew() {
 }
 
 // True if the plan is another one.
-bool Renderer::Impl::follow(const SceneUpdate& update, const SceneState& state) {
-  boxes.update(state);
+bool Renderer::Impl::follow(const SceneUpdate& update) {
+  boxes.update(update.slots);
   measure_reach();
   return (update.other_traits() || update.relit) && plan_anew();
+}
+
+// Renderer::restart().
+void Renderer::Impl::restart(const SceneState& state) {
+  SceneUpdate nobodys;
+  geometry->take_up(state, nobodys);
+  show_full_details();
+  boxes.update(nobodys.slots);
+  measure_reach();
+  plan = plan_frame(scene, settings, session_has_camera);
+  allocate_buffers();
+  allocate_scratch();
+  geometry->leave_anchor();
+  if (!probes) return;
+  plan_probes();
+  probes->start_anew();
+  place_for_probes();
 }
 
 }  // namespace herr

@@ -94,8 +94,7 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
       timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
   out.times.commit_ms = update.commit_ms;
-  if (update.anything() &&
-      timed(out.times, Stage::scene_update, [&] { return impl.follow(update, state); })) {
+  if (update.anything() && timed(out.times, Stage::scene_update, [&] { return impl.follow(update); })) {
     out.counters.plan_changes = 1;
   }
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
@@ -118,7 +117,7 @@ void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
   require_usable(sample.head.world_from_head);
   impl_->follow_gaze(sample);
   const SceneUpdate update = impl_->update_acceleration(sample, state);
-  if (update.anything()) impl_->follow(update, state);
+  if (update.anything()) impl_->follow(update);
   if (!impl_->plan.probes) return;
   RenderedFrame nobodys;
   nobodys.quality = full_quality();
@@ -152,8 +151,6 @@ SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const
   geometry->take_up(state, update);
   if (update.other_traits()) show_full_details();
   geometry->bend(state, threads);
-  update.relit = state.lit != lit;
-  lit = state.lit;
   if (plan.detail_levels) choose_details();
   const auto commit = [&] {
     const auto start = SteadyClock::now();

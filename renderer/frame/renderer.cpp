@@ -107,6 +107,10 @@ void Renderer::restore(const RendererState& state) {
   if (impl_->plan.probes) impl_->restore_probes(state.probes);
 }
 
+void Renderer::restart(const SceneState& state) {
+  impl_->restart(state);
+}
+
 std::optional<ProbeReader> Renderer::probes() const {
   if (!impl_->probes) return std::nullopt;
   return ProbeReader(*impl_->probes);

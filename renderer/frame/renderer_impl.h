@@ -21,7 +21,7 @@ struct Renderer::Impl {
   Impl(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
        bool session_has_camera);
 
-  const Scene& scene;
+  const Scene& scene;  // of which it looks again at what SceneState::changes names
   DisplayProfile profile;
   RenderSettings settings;  // threads and isa resolved
   FramePlan plan;
@@ -31,8 +31,7 @@ struct Renderer::Impl {
   std::array<DetailEye, 2> detail_eyes;
   InstanceBoxes boxes;
   bool session_has_camera = false;
-  std::uint32_t lit = 0;  // as SceneState counts
-  double reach_m = 1;     // leaves the scene from any place in it
+  double reach_m = 1;  // leaves the scene from any place in it
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
@@ -82,11 +81,13 @@ struct Renderer::Impl {
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();
   bool plan_anew();
-  bool follow(const SceneUpdate& update, const SceneState& state);
+  bool follow(const SceneUpdate& update);
+  void restart(const SceneState& state);
   void allocate_buffers();  // frame_memory.cpp
   void allocate_scratch();
   void run_tile(int job, int worker, RayRecorder* recorder);
   void build_probes();
+  void place_for_probes();
   void plan_probes();
   void publish_probes();
   void restore_probes(std::span<const std::byte> bytes);

@@ -31,11 +31,17 @@ void Renderer::Impl::build_probes() {
   probe_lights.reserve(scene.lights.size());
   probe_radiance.resize(static_cast<std::size_t>(threads.count()));
   for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
+  place_for_probes();
+  ProbePlacement::settle(*probes, scene, *geometry, threads);
+}
+
+// Around the middle of their grid, where they look around before there is a head.
+void Renderer::Impl::place_for_probes() {
+  const ProbeGrid& grid = probes->grid;
   geometry->follow(grid.lower + 0.5 * glm::dvec3(grid.counts) * grid.spacing);
   SceneUpdate nobodys;
   const auto place = [&] { geometry->commit_changes(nobodys); };
   threads.inside(std::cref(place));
-  ProbePlacement::settle(*probes, scene, *geometry, threads);
 }
 
 void Renderer::Impl::plan_probes() {

@@ -34,7 +34,8 @@ void check_transform(const glm::dmat4x3& m, const std::string& name) {
 }
 
 EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads)
-    : scene_(scene), device_(isa, threads), top_(device_) {
+    : scene_(scene), device_(isa, threads), top_(device_), seen_(scene.revision) {
+  changes_.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) check_transform(instance.world_from_object, instance.name);
   build_meshes();
   build_deformations();

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,10 @@ struct SceneUpdate {
   double commit_ms = 0;  // wall time of the commits
   int moved = 0;         // instances that stand elsewhere
   int spawned = 0, removed = 0;
-  int restyled = 0;               // instances with another material or mesh
-  int refitted = 0, rebuilt = 0;  // meshes that bent: boxes moved along, or sorted anew
-  bool relit = false;             // lights shine otherwise
+  int restyled = 0;                    // instances with another material or mesh
+  int refitted = 0, rebuilt = 0;       // meshes that bent: boxes moved along, or sorted anew
+  bool relit = false;                  // lights shine otherwise
+  std::span<const ChangedSlot> slots;  // which instances; valid until the next take_up()
   bool anything() const { return commits > 0 || restyled > 0 || relit; }
   bool other_traits() const { return spawned > 0 || removed > 0 || restyled > 0; }
 };
@@ -61,8 +63,8 @@ class EmbreeScene {
   // Moves the anchor when the head is more than 24 m from it. Takes effect with commit_changes(), as do
   // take_up() and show_mesh().
   void follow(const glm::dvec3& head_position);
-  // Takes up what the state says is new since the last call. Allocates only for instances beyond the most
-  // that were ever there.
+  // Takes up what the state says has changed since the last call (the first: since this was built), and looks
+  // at nothing else of the scene. Allocates only for instances beyond the most that were ever there.
   void take_up(const SceneState& state, SceneUpdate& done);
   // Outside the arena: bends the meshes whose pose is new, on all threads.
   void bend(const SceneState& state, RenderThreads& threads);
@@ -72,6 +74,8 @@ class EmbreeScene {
   void commit_changes(SceneUpdate& done);
   // Puts the anchor where an earlier run had it, and commits.
   void place_at(const glm::dvec3& anchor);
+  // The next follow() places everything anew.
+  void leave_anchor() { placed_ = false; }
   // A multiple of 16 m per axis; float coordinates are relative to it.
   const glm::dvec3& anchor() const { return anchor_; }
   bool placed() const { return placed_; }  // false until the first follow() or place_at()
@@ -103,8 +107,9 @@ class EmbreeScene {
   std::optional<EmbreeSceneHandle> sphere_, box_;        // where an instance shows one
   EmbreeSceneHandle top_;
   std::vector<RTCGeometry> instance_geometries_;
-  std::vector<std::uint8_t> shown_;                            // per instance: it is there
-  std::vector<std::uint32_t> placed_version_, shown_version_;  // per instance: as SceneState counts them
+  std::vector<std::uint8_t> shown_;   // per instance: it is there
+  SlotChanges::Number seen_ = 0;      // up to which change of the scene this has looked
+  std::vector<ChangedSlot> changes_;  // since the look before
   std::vector<TextureLevels> texture_levels_;
   std::vector<TextureRecord> textures_;
   std::vector<InstanceRecord> instances_;

@@ -1,5 +1,5 @@
-// Stage: acceleration structures. What SceneState says is new goes to Embree, slot by slot; an instance that
-// only moved costs its own transform and one commit of the top level.
+// Stage: acceleration structures. What SceneState says has changed goes to Embree, slot by slot; an instance
+// that only moved costs its own transform and one commit of the top level.
 #include <algorithm>
 
 #include "renderer/geometry/embree_scene.h"
@@ -78,20 +78,15 @@ void EmbreeScene::commit_bent(SceneUpdate& done) {
 }
 
 void EmbreeScene::take_up(const SceneState& state, SceneUpdate& done) {
-  // Compared as wholes first: in most frames nothing is new.
-  const bool same_places = state.placed.empty() || state.placed == placed_version_;
-  const bool same_looks = state.shown.empty() || state.shown == shown_version_;
-  if (same_places && same_looks) return;
-  // Slots beyond those that the renderer was built with came later, and count as new.
-  placed_version_.resize(state.placed.size());
-  shown_version_.resize(state.shown.size());
-  for (std::size_t slot = 0; slot < state.shown.size(); ++slot) {
+  state.changes.since(seen_, changes_);
+  done.relit = state.changes.relit_since(seen_);
+  seen_ = std::max(seen_, state.changes.latest());
+  done.slots = changes_;
+  for (const ChangedSlot& change : done.slots) {
+    const std::size_t slot = change.slot;
+    // Slots beyond those that this was built with came later, and count as new.
     const bool is_new = slot >= instance_geometries_.size();
-    const bool restyled = is_new || state.shown[slot] != shown_version_[slot];
-    const bool moved = restyled || state.placed[slot] != placed_version_[slot];
-    if (!moved) continue;
-    placed_version_[slot] = state.placed[slot];
-    shown_version_[slot] = state.shown[slot];
+    const bool restyled = is_new || change.renewed;
     const bool was_there = !is_new && shown_[slot] != 0;
     const bool is_there = scene_.instances[slot].present;
     if (is_there) check_transform(scene_.instances[slot].world_from_object, scene_.instances[slot].name);

@@ -54,17 +54,10 @@ void InstanceBoxes::sum_up() {
   }
 }
 
-void InstanceBoxes::update(const SceneState& state) {
-  if (state.placed == placed_version_ && state.shown == shown_version_) return;
-  placed_version_.resize(state.placed.size());
-  shown_version_.resize(state.shown.size());
+void InstanceBoxes::update(std::span<const ChangedSlot> changed) {
+  if (changed.empty()) return;
   boxes_.resize(scene_.instances.size());
-  for (std::size_t slot = 0; slot < state.placed.size(); ++slot) {
-    if (state.placed[slot] == placed_version_[slot] && state.shown[slot] == shown_version_[slot]) continue;
-    placed_version_[slot] = state.placed[slot];
-    shown_version_[slot] = state.shown[slot];
-    measure(slot);
-  }
+  for (const ChangedSlot& change : changed) measure(change.slot);
   sum_up();
 }
 

@@ -2,7 +2,7 @@
 // Before: scenes/. After: light_records (how far a sun shines, how dark a catcher may be).
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scenes/model/scene.h"
@@ -13,8 +13,8 @@ namespace herr {
 class InstanceBoxes {
  public:
   explicit InstanceBoxes(const Scene& scene);
-  // After instances have changed as the state says. Allocates only for more instances than ever before.
-  void update(const SceneState& state);
+  // After these have changed. Allocates only for more instances than ever before.
+  void update(std::span<const ChangedSlot> changed);
 
   // Of instances that are there; inverted (lower > upper) where none is.
   const Bounds& all() const { return all_; }
@@ -27,7 +27,6 @@ class InstanceBoxes {
   const Scene& scene_;
   std::vector<Bounds> mesh_boxes_;  // in object space
   std::vector<Bounds> boxes_;       // per instance, in the world
-  std::vector<std::uint32_t> placed_version_, shown_version_;
   std::vector<Bounds> catchers_;
   Bounds all_;
 };

@@ -115,6 +115,11 @@ void ProbeVolume::forget() {
   power_ = 0;
 }
 
+void ProbeVolume::start_anew() {
+  forget();
+  last_ns_ = kNeverUpdated;
+}
+
 void ProbeVolume::begin_frame(std::int64_t t_ns, double power, int most) {
   selected_.clear();
   keeps_.clear();

@@ -57,6 +57,8 @@ class ProbeVolume {
   // of all lights; when it doubles, sleeping probes wake. The time of the last frame once more is that frame
   // once more: no probe is updated. No allocation.
   void begin_frame(std::int64_t t_ns, double power, int most);
+  // As if there had been no frame.
+  void start_anew();
   // Sums up; `jobs` in order.
   void end_frame();
 

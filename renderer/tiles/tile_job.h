@@ -10,6 +10,7 @@
 
 #include "renderer/embree/embree_api.h"
 #include "renderer/foveation/ray_grids.h"
+#include "renderer/frame_counters.h"
 #include "renderer/frame_plan.h"
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/probes/probe_view.h"

@@ -11,9 +11,6 @@
 namespace herr {
 namespace {
 
-constexpr std::uint32_t kAmbiguous = ~0u;
-constexpr std::uint32_t kNone = ~0u;
-
 template <typename Things>
 std::unordered_map<std::string, std::uint32_t> names_of(const Things& things) {
   std::unordered_map<std::string, std::uint32_t> names;
@@ -47,59 +44,25 @@ World::World(Scene& scene)
                              [](const PlacedObject& object) { return !object.path.empty(); })),
       objects_(names_of(scene.objects)),
       lights_(names_of(scene.lights)) {
+  state_.changes = SlotChanges(scene.revision);
   for (const AnimatedModel& model : scene.models) models_.emplace_back(model);
   state_.poses.resize(scene.deformations.size());
   restart();
 }
 
-void World::restart() {
-  scene_.lights = lights_at_start_;
-  // Slots that came later stay, empty. Numbers go on: whoever compares them sees what is new.
-  for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
-    if (i < instances_at_start_.size())
-      scene_.instances[i] = instances_at_start_[i];
-    else
-      scene_.instances[i].present = false;
-  }
-  state_.placed.resize(scene_.instances.size());
-  state_.shown.resize(scene_.instances.size());
-  own_material_.resize(scene_.instances.size(), kNone);
-  // Nothing is new where nothing happened since the scene was loaded.
-  if (!live_.empty()) {
-    for (std::uint32_t& version : state_.placed) ++version;
-    for (std::uint32_t& version : state_.shown) ++version;
-    ++state_.lit;
-  }
-  live_.clear();
-  live_names_.clear();
-  free_live_.clear();
-  free_slots_.clear();
-  for (std::size_t i = scene_.instances.size(); i-- > instances_at_start_.size();)
-    free_slots_.push_back(static_cast<std::uint32_t>(i));
-  for (std::size_t i = scene_.objects.size(); i-- > 0;) {
-    const PlacedObject& object = scene_.objects[i];
-    if (object.present) continue;
-    for (std::uint32_t part = object.count; part-- > 0;) free_slots_.push_back(object.first + part);
-  }
-  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-    const PlacedObject& object = scene_.objects[i];
-    if (!object.present) continue;
-    Live& live = live_.emplace_back();
-    live = {object.name,
-            static_cast<std::uint32_t>(i),
-            object.start(),
-            {},
-            true,
-            animates(static_cast<std::uint32_t>(i)),
-            object.path.empty() ? nullptr : &object.path};
-    for (std::uint32_t part = 0; part < object.count; ++part) live.slots.push_back(object.first + part);
-    if (object.name.empty()) continue;
-    const auto [entry, added] =
-        live_names_.try_emplace(object.name, static_cast<std::uint32_t>(live_.size() - 1));
-    if (!added) entry->second = kAmbiguous;
-  }
-  timeline_next_ = 0;
-  advance(0);
+void World::note_moved(std::uint32_t slot) {
+  state_.changes.note_moved(slot);
+  scene_.revision = state_.changes.latest();
+}
+
+void World::note_renewed(std::uint32_t slot) {
+  state_.changes.note_renewed(slot);
+  scene_.revision = state_.changes.latest();
+}
+
+void World::note_relit() {
+  state_.changes.note_relit();
+  scene_.revision = state_.changes.latest();
 }
 
 void World::advance(double time_s) {
@@ -188,8 +151,7 @@ std::uint32_t World::free_slot() {
     return slot;
   }
   scene_.instances.emplace_back();
-  state_.placed.push_back(0);
-  state_.shown.push_back(0);
+  state_.changes.resize(scene_.instances.size());
   own_material_.push_back(kNone);
   return static_cast<std::uint32_t>(scene_.instances.size() - 1);
 }
@@ -206,7 +168,7 @@ void World::show(std::uint32_t index, std::uint32_t object) {
     const std::uint32_t slot = free_slot();
     scene_.instances[slot] = instances_at_start_[placed.first + part];
     scene_.instances[slot].present = true;
-    ++state_.shown[slot];
+    note_renewed(slot);
     live.slots.push_back(slot);
   }
   place(live);
@@ -216,7 +178,7 @@ void World::hide(Live& live) {
   // Backwards: who asks next gets them in the same order.
   for (std::size_t i = live.slots.size(); i-- > 0;) {
     scene_.instances[live.slots[i]].present = false;
-    ++state_.shown[live.slots[i]];
+    note_renewed(live.slots[i]);
     free_slots_.push_back(live.slots[i]);
   }
   live.slots.clear();
@@ -231,11 +193,11 @@ void World::place(Live& live) {
     // what lies between two may be rounded across a limit.
     const bool may_vanish = instance.model >= 0 || live.path != nullptr;
     const bool present = !may_vanish || !transform_problem(world_from_object);
-    if (present != instance.present) ++state_.shown[slot];
+    if (present != instance.present) note_renewed(slot);
     instance.present = present;
     if (!present || world_from_object == instance.world_from_object) continue;
     instance.world_from_object = world_from_object;
-    ++state_.placed[slot];
+    note_moved(slot);
   }
 }
 
@@ -343,7 +305,7 @@ void World::give_material(Live& live, const MaterialOverride& material) {
       scene_.materials[own] = std::move(changed);
     }
     instance.material = own;
-    ++state_.shown[slot];
+    note_renewed(slot);
   }
 }
 
@@ -365,7 +327,8 @@ std::optional<ChangeProblem> World::set_light(const SceneChange& wanted) {
     return ChangeProblem{"sets what light \"" + printable(wanted.name) + "\" does not have",
                          "a box has centre and size, a spot centre and direction, a sun a direction"};
   }
-  ++state_.lit;
+  note_relit();
+  relit_ = true;
   if (to.intensity_w_sr) light.intensity_w_sr = *to.intensity_w_sr;
   if (to.centre) light.centre = *to.centre;
   if (to.size) light.size = *to.size;

@@ -1,6 +1,7 @@
 // A scene over time: applies changes and animation to it in place and says what they touched.
-// Before: load_scene, the session's events. After: the renderer, which reads the Scene again where SceneState
-// says that something is new. A state depends on the changes up to its time alone, not on the frames between.
+// Before: load_scene, the session's events. After: the renderer, which reads the slots of the Scene again
+// that SceneState::changes names. A state depends on the changes up to its time alone, not on the frames
+// between.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,9 @@ namespace herr {
 struct ChangeProblem {
   std::string what, remedy;
 };
+
+// In place of an index, where several things have the name.
+inline constexpr std::uint32_t kAmbiguous = ~0u;
 
 // Not thread-safe. Memory grows with the most instances that were ever there at once, not with time.
 class World {
@@ -49,6 +53,7 @@ class World {
     const ObjectPath* path = nullptr;  // of Scene::objects; none: it stands
   };
   using Names = std::unordered_map<std::string, std::uint32_t>;
+  static constexpr std::uint32_t kNone = ~0u;
 
   void apply_timeline_until(double time_s);
   std::optional<ChangeProblem> change(const SceneChange& change);
@@ -67,6 +72,11 @@ class World {
   void show(std::uint32_t live, std::uint32_t object);
   void hide(Live& live);
   void place(Live& live);
+  void note_moved(std::uint32_t slot);
+  void note_renewed(std::uint32_t slot);
+  void note_relit();
+  void restart_instances();
+  void restart_live();
   void give_material(Live& live, const MaterialOverride& material);
   glm::dmat4x3 placed_from_object(const Instance& instance) const;
   std::uint32_t free_slot();
@@ -84,6 +94,7 @@ class World {
   std::vector<std::uint32_t> own_material_;  // per slot: its changed material, or none
   std::vector<ModelPose> models_;
   std::size_t timeline_next_ = 0;
+  bool relit_ = false;  // lights are not those at the start
   SceneState state_;
 };
 

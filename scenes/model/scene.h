@@ -17,6 +17,7 @@
 #include "scenes/model/animated_model.h"
 #include "scenes/model/object_path.h"
 #include "scenes/model/scene_change.h"
+#include "scenes/model/slot_changes.h"
 #include "scenes/model/voxel_grid.h"
 #include "sessions/format/pose.h"
 
@@ -178,6 +179,7 @@ struct Scene {
   std::vector<MeshDeformation> deformations;  // meshes that bend with a model
   std::vector<SceneChange> timeline;          // of the document itself, sorted by time
   bool changes = false;                       // instances may move, come or go while it is rendered
+  SlotChanges::Number revision = 0;           // of the last change that changes/world.h made to it
   glm::vec3 ambient{0.0f};                    // radiance of the constant ambient term
   glm::vec3 environment{0.0f};                // radiance that a ray sees which leaves the scene
   EnvironmentImage environment_map;           // instead of `environment` where it has pixels
@@ -187,14 +189,11 @@ struct Scene {
   std::vector<std::filesystem::path> files;  // every file that was read
 };
 
-// What changes over time. Filled anew for each frame.
-// Instances and materials change in the Scene itself (changes/world.h): here stands which of them did.
+// What changes over time, as of one frame. Instances, materials and lights change in the Scene itself,
+// between two frames and by changes/world.h alone: `changes` says which of them did.
 struct SceneState {
-  std::vector<AreaLight> lights;  // centres moved along their paths
-  // Per instance a number that is another one whenever it stands elsewhere, and whenever anything else about
-  // it is new. Both empty: nothing has changed since the scene was loaded.
-  std::vector<std::uint32_t> placed, shown;
-  std::uint32_t lit = 0;               // likewise, of lights that shine otherwise than by their paths
+  std::vector<AreaLight> lights;       // centres moved along their paths
+  SlotChanges changes;                 // since the scene was loaded
   std::vector<DeformationPose> poses;  // per Scene::deformations; empty: as the meshes were loaded
 };
 

@@ -13,8 +13,8 @@ struct BenchOptions {
   std::string scene;              // empty: the scene that the session names
   std::string profile;            // empty: the profile of the session
   RenderSettings render;
-  int frames = 8;            // instants of the session, spread evenly over it
-  int repeats = 5;           // each instant is measured this often
+  int frames = 8;            // of the session, spread evenly over it
+  int repeats = 5;           // the whole sequence is measured this often
   bool table = false;        // the paper's Table 1 instead: averages over runs
   bool left_out = false;     // what the frame plan leaves out, and what that saves
   double seconds = 10;       // of frame time that each of its cells is averaged over

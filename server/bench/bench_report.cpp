@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "renderer/frame_counters.h"
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
@@ -31,6 +32,11 @@ double rays_of(const BenchResult& result, const std::string& name) {
     if (kind.name == name) return static_cast<double>(kind.rays);
   }
   return 0;
+}
+
+// The mean over the measured frames.
+double per_frame(std::int64_t count, const BenchResult& result) {
+  return static_cast<double>(count) / std::max(result.measured_frames, 1);
 }
 
 double polar_samples_of(const BenchResult& result) {
@@ -60,7 +66,7 @@ StageItems items_of(Stage stage, const BenchResult& result) {
     case Stage::resolve:
       return {"polar sample", polar_samples_of(result)};
     case Stage::viewports:
-      return {"pixel", static_cast<double>(result.counters.viewport_pixels)};
+      return {"pixel", per_frame(result.counters.viewport_pixels, result)};
     default:
       return {};
   }
@@ -122,6 +128,24 @@ std::string stage_rows(const BenchResult& result) {
   return text;
 }
 
+// What was counted at all.
+std::string counter_rows_text(const BenchResult& result) {
+  std::string text = line("counter", {"per frame"});
+  for (const CounterRow& row : counter_rows()) {
+    const std::int64_t count = result.counters.*row.value;
+    if (count != 0) text += line(readable(row.name), {fixed_text(per_frame(count, result), 2)});
+  }
+  return text;
+}
+
+Json counters_json(const BenchResult& result) {
+  Json json = Json::object();
+  for (const CounterRow& row : counter_rows()) {
+    json[row.name] = per_frame(result.counters.*row.value, result);
+  }
+  return json;
+}
+
 }  // namespace
 
 Json bench_json(const BenchResult& result, const BenchSubject& subject) {
@@ -157,7 +181,8 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
             {"rays", kinds},
             {"stages", stages},
             {"polar_samples", std::llround(polar_samples_of(result))},
-            {"viewport_pixels", result.counters.viewport_pixels},
+            {"viewport_pixels", std::llround(per_frame(result.counters.viewport_pixels, result))},
+            {"counters", counters_json(result)},
             {"frames", result.frames}};
   add_subject(subject, settings_text(subject.settings), json);
   json["definitions"] = {
@@ -166,13 +191,15 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
        "the same rays through bare Embree packets and the same pixels through a bare "
        "fetch-blend-store kernel, timed in alternation with the frames"},
       {"ratio", "median over frames of frame / raw; rays_ratio likewise without the pixels"},
+      {"counters", "means over all measured frames: the whole sequence, as often as it was repeated"},
       {"ns_per_pixel", "wall time of the viewports stage per viewport pixel, all threads together"}};
   return json;
 }
 
 std::string bench_table(const BenchResult& result, const BenchSubject& subject) {
   return subject_text(subject, settings_text(subject.settings)) + ", " + std::to_string(result.frames) +
-         " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result);
+         " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result) + "\n" +
+         counter_rows_text(result);
 }
 
 }  // namespace herr

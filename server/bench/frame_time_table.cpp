@@ -1,10 +1,8 @@
 #include "server/bench/frame_time_table.h"
 
-#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "renderer/lighting/light_records.h"
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
@@ -35,14 +33,6 @@ std::string line(const std::string& name, Cell&& cell) {
 std::vector<FrameTimeRow> empty_table(const RenderSettings& settings, bool one_size) {
   if (one_size) return {{settings.polar_width, settings.polar_height, {}}};
   return {{1576 / 2, 768, {}}, {2048 / 2, 1024, {}}};
-}
-
-BenchInput spread_input(const std::vector<BenchInput>& inputs, int k, double display_hz) {
-  const int count = static_cast<int>(inputs.size());
-  const int place = static_cast<int>(std::int64_t{k} * spreading_stride(count) % count);
-  BenchInput input = inputs[static_cast<std::size_t>(place)];
-  input.sample.t_ns = inputs.front().sample.t_ns + std::llround(k * 1e9 / display_hz);
-  return input;
 }
 
 Json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject, double seconds) {

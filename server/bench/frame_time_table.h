@@ -1,6 +1,5 @@
-// Average frame times by size of the polar buffer and number of light samples: the form of the paper's Table
-// 1
-// ("Performance Measurements", averages of 10 seconds), with frame / raw beside each.
+// Average frame times by size of the polar buffer and number of light samples: the form of Table 1 of the
+// paper ("Performance Measurements", averages of 10 seconds), with frame / raw beside each.
 // Before: bench_command opened session and scene. After: printed, for people or as JSON.
 #pragma once
 
@@ -23,10 +22,6 @@ struct FrameTimeRow {
 
 // The sizes to measure: that of `settings` alone where it was asked for, else the paper's two.
 std::vector<FrameTimeRow> empty_table(const RenderSettings& settings, bool one_size);
-
-// Input k of a run: the instants of `inputs` in an order that spreads over the session however few frames a
-// run has, each one display period after the last, so that time never runs backwards.
-BenchInput spread_input(const std::vector<BenchInput>& inputs, int k, double display_hz);
 
 nlohmann::ordered_json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject,
                                         double seconds);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "renderer/timing.h"
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
@@ -21,13 +23,6 @@ constexpr const char* kEverything = "everything at once";
 constexpr const char* kControl = "nothing, twice the plan";
 // Embree's own memory is the same whatever runs, but for where its threads happened to allocate.
 constexpr const char* kEmbreeEntry = "acceleration structures";
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::int64_t planned_bytes(const MemoryUse& use) {
   std::int64_t sum = 0;
@@ -49,13 +44,13 @@ std::int64_t different_values(const RenderedFrame& a, const RenderedFrame& b) {
 
 // Two renderers whose frames are timed in pairs, each the first in every other one.
 struct Pair {
-  Renderer planned, full;
+  std::unique_ptr<Renderer> planned, full;
   RenderedFrame planned_frame, full_frame;
 
   void render(const FrameSample& sample, const SceneState& state, bool planned_first) {
-    if (planned_first) planned.render_frame(sample, state, planned_frame);
-    full.render_frame(sample, state, full_frame);
-    if (!planned_first) planned.render_frame(sample, state, planned_frame);
+    if (planned_first) planned->render_frame(sample, state, planned_frame);
+    full->render_frame(sample, state, full_frame);
+    if (!planned_first) planned->render_frame(sample, state, planned_frame);
   }
 };
 
@@ -64,15 +59,16 @@ struct FastestFrames {
   std::vector<double> planned_ms, ratios;
   std::int64_t different = 0;
 
-  void add(Pair& pair, const BenchInput& input, int repeats) {
+  void add(Pair& pair, const FrameStep& prepared, int repeats) {
     // The first pair warms up and is compared; probes take another moment for another frame.
-    FrameSample sample = input.sample;
-    pair.render(sample, input.state, true);
+    FrameSample sample = prepared.sample();
+    const SceneState& state = prepared.scene_state();
+    pair.render(sample, state, true);
     different += different_values(pair.planned_frame, pair.full_frame);
     double planned = std::numeric_limits<double>::infinity(), full = planned;
     for (int repeat = 0; repeat < repeats; ++repeat) {
-      sample.t_ns = input.sample.t_ns + repeat + 1;
-      pair.render(sample, input.state, repeat % 2 == 0);
+      sample.t_ns = prepared.sample().t_ns + repeat + 1;
+      pair.render(sample, state, repeat % 2 == 0);
       planned = std::min(planned, pair.planned_frame.times.frame_ms);
       full = std::min(full, pair.full_frame.times.frame_ms);
     }
@@ -109,30 +105,31 @@ Json entry_json(const LeftOut& entry) {
 
 }  // namespace
 
-LeftOutResult measure_left_out(const Scene& scene, const DisplayProfile& profile,
-                               const RenderSettings& settings, bool session_has_camera,
-                               const std::vector<BenchInput>& inputs, int repeats) {
-  const Renderer planned(scene, profile, settings, session_has_camera);
+LeftOutResult measure_left_out(const LeftOutSubject& subject, SessionSequence& sequence, int repeats) {
+  const auto renderer = [&](const RenderSettings& settings) {
+    return std::make_unique<Renderer>(subject.scene, subject.profile, settings, subject.session_has_camera);
+  };
+  const std::unique_ptr<Renderer> planned = renderer(subject.settings);
   LeftOutResult result;
-  result.memory = planned.memory();
-  result.instants = static_cast<int>(inputs.size());
+  result.memory = planned->memory();
+  result.instants = sequence.frames();
   result.repeats = repeats;
-  const std::vector<std::string> names = left_out(planned.plan());
+  const std::vector<std::string> names = left_out(planned->plan());
   std::vector<double> planned_ms;
   const auto measure = [&](const std::vector<std::string>& insist_on) {
-    RenderSettings insisting = settings;
+    RenderSettings insisting = subject.settings;
     insisting.insist_on = insist_on;
     LeftOut entry;
     FastestFrames times;
-    for (const BenchInput& input : inputs) {
-      // Each instant with new renderers: where their buffers happen to lie in memory moves a frame by up to 5
-      // %.
-      Pair pair{{scene, profile, settings, session_has_camera},
-                {scene, profile, insisting, session_has_camera},
-                {},
-                {}};
-      entry.added_bytes = planned_bytes(pair.full.memory()) - planned_bytes(result.memory);
-      times.add(pair, input, repeats);
+    sequence.rewind();
+    for (int frame = 0; frame < sequence.frames(); ++frame) {
+      const FrameStep& prepared = sequence.prepare(frame);
+      // Each with new renderers: where their buffers happen to lie in memory moves a frame by up to 5 %.
+      Pair pair{renderer(subject.settings), renderer(insisting), {}, {}};
+      if (frame == 0) {
+        entry.added_bytes = planned_bytes(pair.full->memory()) - planned_bytes(pair.planned->memory());
+      }
+      times.add(pair, prepared, repeats);
     }
     planned_ms.insert(planned_ms.end(), times.planned_ms.begin(), times.planned_ms.end());
     entry.time_ratio = median(times.ratios);
@@ -143,7 +140,7 @@ LeftOutResult measure_left_out(const Scene& scene, const DisplayProfile& profile
   result.control = measure({});
   result.control.name = kControl;
   result.control.reason = "how far chance moves a row";
-  for (const PlanEntry& entry : planned.plan().entries) {
+  for (const PlanEntry& entry : planned->plan().entries) {
     if (!entry.unneeded || entry.runs) continue;
     result.entries.push_back(measure({entry.name}));
     result.entries.back().name = entry.name;

@@ -9,6 +9,7 @@
 
 #include "renderer/bench_frame.h"
 #include "server/bench/bench_subject.h"
+#include "server/bench/session_sequence.h"
 
 namespace herr {
 
@@ -29,10 +30,16 @@ struct LeftOutResult {
   MemoryUse memory;    // as planned
 };
 
-// Each input `repeats` times with each entry. Throws as Renderer.
-LeftOutResult measure_left_out(const Scene& scene, const DisplayProfile& profile,
-                               const RenderSettings& settings, bool session_has_camera,
-                               const std::vector<BenchInput>& inputs, int repeats);
+// What its renderers are built from.
+struct LeftOutSubject {
+  const Scene& scene;  // that the sequence brings to each frame's time
+  const DisplayProfile& profile;
+  const RenderSettings& settings;
+  bool session_has_camera = false;
+};
+
+// With each entry the whole sequence, each frame `repeats` times. Throws as Renderer.
+LeftOutResult measure_left_out(const LeftOutSubject& subject, SessionSequence& sequence, int repeats);
 
 nlohmann::ordered_json left_out_json(const LeftOutResult& result, const BenchSubject& subject);
 std::string left_out_table(const LeftOutResult& result, const BenchSubject& subject);

@@ -26,13 +26,14 @@ void add_bench(CLI::App& app, BenchOptions& options) {
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
   add_render_flags(app, options.render);
-  value_flag(app, "--frames", "N", "instants of the session to measure (default 8)",
+  value_flag(app, "--frames", "N", "frames of the session to measure, spread over it (default 8)",
              [&](const std::string& text) {
                options.frames = static_cast<int>(parse_whole_number("--frames", text, 1, 10000));
              });
-  value_flag(app, "--repeats", "N", "measurements of each instant (default 5)", [&](const std::string& text) {
-    options.repeats = static_cast<int>(parse_whole_number("--repeats", text, 1, 1000));
-  });
+  value_flag(app, "--repeats", "N", "times that these frames are measured, in order (default 5)",
+             [&](const std::string& text) {
+               options.repeats = static_cast<int>(parse_whole_number("--repeats", text, 1, 1000));
+             });
   app.add_flag_callback(
       "--table", [&] { options.table = true; },
       "average frame times with 1, 64 and 256 light samples instead, for polar buffers 1576x768 and "

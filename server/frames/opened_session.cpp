@@ -26,8 +26,18 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
 
 }  // namespace
 
-void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
+void open_recording(const ReplayOptions& options, const SessionReport& report, OpenedSession& opened) {
   opened.session.emplace(Session::open(report.session_folder, options.session));
+}
+
+void build_renderer(const RenderSettings& settings, const SessionReport& report, OpenedSession& opened) {
+  opened.renderer.reset();  // first, so that memory holds one
+  const bool has_camera = report.findings.camera_rows[0] > 0;
+  opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, settings, has_camera);
+}
+
+void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
+  open_recording(options, report, opened);
   const Session& session = *opened.session;
   report.header = session.header();
   report.findings = session.findings();
@@ -42,8 +52,7 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
                      " lies in that span; choose one within the session");
   }
   open_scene(options, report, opened);
-  const bool has_camera = report.findings.camera_rows[0] > 0;
-  opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, options.render, has_camera);
+  build_renderer(options.render, report, opened);
   report.plan = opened.renderer->plan();
   report.memory = opened.renderer->memory();
   report.settings = opened.renderer->settings();

@@ -1,5 +1,5 @@
 // A session that is ready to be rendered: recording, scene and renderer, opened and checked.
-// Before: folder and options. After: the loops of `herr replay` and `herr serve`.
+// Before: folder and options. After: FrameStep, in the loops of replay, serve, check and bench.
 #pragma once
 
 #include <memory>
@@ -30,5 +30,10 @@ struct OpenedSession {
 // about the session, its scene, what is to be rendered and how. Throws InputError and UsageError; `report`
 // then holds what was found until then.
 void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened);
+
+// The recording alone once more, from its start: time in a session never goes back. Throws as Session::open.
+void open_recording(const ReplayOptions& options, const SessionReport& report, OpenedSession& opened);
+// Another renderer of the scene as it is now.
+void build_renderer(const RenderSettings& settings, const SessionReport& report, OpenedSession& opened);
 
 }  // namespace herr

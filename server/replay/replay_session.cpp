@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "server/frames/frame_description.h"
 #include "server/frames/frame_quality.h"
+#include "server/frames/frame_step.h"
 #include "server/frames/opened_session.h"
 #include "server/output/frame_writer.h"
 #include "server/process/progress_bar.h"
@@ -71,10 +71,9 @@ class SessionReplay {
   void render_frames();
   void render_paced_frames();
   bool stopped();
-  bool render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
+  bool render_one(std::int64_t frame, const FramePacing& pacing);
   void checkpoint_if_due();
   void save_checkpoint();
-  void set_scene_to(TimeNs t_ns);
   void restore(const RunState& state, std::optional<TimeNs> last_frame_ns);
   void close_output();
   void describe_run();
@@ -90,7 +89,7 @@ class SessionReplay {
   std::optional<FolderLock> lock_;
   std::optional<FrameFiles> files_;
   std::optional<RunTracker> tracker_;
-  std::optional<QualityController> quality_;
+  std::optional<FrameStep> step_;
   Fingerprint fingerprint_;
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
@@ -130,7 +129,7 @@ void SessionReplay::start_output() {
   const bool resume = options_.resume && path_exists(folder_.checkpoint_json());
   lock_.emplace(folder_.prepare(options_.format, resume ? EarlierResults::resume : EarlierResults::replace));
   files_.emplace(folder_, options_, report_.profile, report_.range);
-  quality_.emplace(quality_controller(options_, report_, *opened_.renderer));
+  step_.emplace(options_, report_, opened_);
   tracker_.emplace(*opened_.session, *opened_.renderer, report_.range.first);
   if (can_resume()) fingerprint_ = fingerprint_of(report_, options_, opened_.scene);
   EarlierFrames earlier;
@@ -175,6 +174,7 @@ void SessionReplay::go_on_from(const EarlierFrames& earlier) {
     if (state.next_frame > report_.range.first) last_frame_ns = report_.range.time_ns(state.next_frame - 1);
     restore(state, last_frame_ns);
   }
+  step_->go_on_after(earlier.stutter);
   report_.remark = earlier.remark;
   report_.kept_frames = earlier.statistics.frames;
   take_over(earlier);
@@ -220,11 +220,9 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
 void SessionReplay::pass_over_frames_before(std::int64_t frame) {
   while (tracker_->state().next_frame < frame) {
     if (stopped()) return;
-    const TimeNs t_ns = report_.range.time_ns(tracker_->state().next_frame);
-    const FrameSample sample = opened_.session->sample(t_ns);
-    set_scene_to(t_ns);
-    tracker_->sampled(sample);
-    opened_.renderer->pass_over(sample, opened_.player->state());
+    step_->prepare(tracker_->state().next_frame);
+    tracker_->sampled(step_->sample());
+    step_->pass_over();
     tracker_->frame_done();
   }
 }
@@ -237,7 +235,7 @@ void SessionReplay::render_frames() {
   const FrameRange& range = report_.range;
   ProgressBar progress(report_.name, range.count, report_.kept_frames);
   for (std::int64_t i = report_.kept_frames; i < range.count; ++i) {
-    if (stopped() || !render_one(range.first + i, nullptr, 0)) return;
+    if (stopped() || !render_one(range.first + i, {})) return;
     progress.update(i + 1);
     checkpoint_if_due();
   }
@@ -252,10 +250,6 @@ void SessionReplay::checkpoint_if_due() {
   save_checkpoint();
 }
 
-void SessionReplay::set_scene_to(TimeNs t_ns) {
-  opened_.player->advance(*opened_.session, t_ns);
-}
-
 void SessionReplay::save_checkpoint() {
   if (can_resume()) {
     writer_->checkpoint(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->whole_state()));
@@ -268,7 +262,7 @@ void SessionReplay::render_paced_frames() {
   FramePacer pacer(steady_now_ns(), range.period_ms() * 1e6, range.first, range.count);
   while (const auto begin = pacer.begin(steady_now_ns())) {
     sleep_until(begin->due_ns, [] { return stop_signal() != 0; });
-    if (stopped() || !render_one(begin->frame, &pacer, begin->dropped)) return;
+    if (stopped() || !render_one(begin->frame, {&pacer, begin->dropped})) return;
     progress.update(begin->frame - range.first + 1);
   }
   report_.statistics.dropped_frames += pacer.frames_dropped_at_end();
@@ -282,32 +276,17 @@ bool SessionReplay::stopped() {
   return true;
 }
 
-// `pacer`: of the clock realtime, which left `dropped` frames out before this one. False after a signal: then
-// the frame was given up.
-bool SessionReplay::render_one(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
-  const TimeNs t_ns = report_.range.time_ns(frame);
-  const TimeNs started_ns = steady_now_ns();
-  const FrameSample sample = opened_.session->sample(t_ns);
-  const TimeNs sampled_ns = steady_now_ns();
-
-  set_scene_to(t_ns);
-  tracker_->sampled(sample);
-  const QualityDecision decision = quality_->decide(sample.head_speed);
-  if (!opened_.renderer->render_frame(sample, opened_.player->state(), decision.quality, rendered_,
-                                      &stop_flag()))
-    return !stopped();
-  const TimeNs finished_ns = steady_now_ns();
-
+// False after a signal: then the frame was given up.
+bool SessionReplay::render_one(std::int64_t frame, const FramePacing& pacing) {
+  step_->prepare(frame);
+  tracker_->sampled(step_->sample());
+  if (!step_->render(rendered_, &stop_flag(), pacing)) return !stopped();
   note_plan(frame);
-  FrameRecord record = describe_frame(frame, sample, rendered_, report_, options_.clock);
-  if (pacer != nullptr) describe_pacing(pacer->finish(started_ns, finished_ns), dropped, record);
-  describe_quality(decision, sample, record);
-  quality_->observe(cost_of_frame(rendered_, started_ns, finished_ns, pacer != nullptr && record.missed));
-  const PictureOutput::Cost cost = pictures_->write_frame(frame, sample, rendered_);
+  FrameRecord record = step_->record();
+  const PictureOutput::Cost cost = pictures_->write_frame(frame, step_->sample(), rendered_);
   if (const auto sheet = files_->contact_sheet(frame)) {
     report_.contact_sheets.push_back(sheet->filename().string());
   }
-  record.sample_ms = static_cast<double>(sampled_ns - started_ns) * 1e-6;
   record.write_ms = cost.encode_ms;
   record.wait_ms = cost.wait_ms;
   record.nonfinite_pictures = cost.nonfinite_values;

@@ -55,6 +55,7 @@ bool take(const TextLine& line, const fs::path& csv, const FrameFiles& files, co
     return false;
   }
   earlier.statistics.add(*record);
+  earlier.stutter.next_ms(record->times.frame_ms);
   earlier.picture_files += found.count;
   earlier.picture_bytes += found.bytes;
   earlier.writer_waits += record->wait_ms > 0 ? 1 : 0;

@@ -9,6 +9,7 @@
 
 #include "server/results/frame_files.h"
 #include "server/settings/frame_range.h"
+#include "server/statistics/frame_pace.h"
 #include "server/statistics/run_statistics.h"
 
 namespace herr {
@@ -17,6 +18,7 @@ struct EarlierFrames {
   std::int64_t next_frame = 0;  // the first one that is missing
   std::int64_t csv_bytes = 0;   // frames.csv up to there, header included; 0: no usable header
   RunStatistics statistics;
+  StutterWatch stutter;  // after the last of them
   std::int64_t picture_files = 0, picture_bytes = 0, writer_waits = 0;
   std::vector<std::string> contact_sheets;  // file names
   // Why a row was not taken, one line; empty at the end of the file and where a kill cut a row off.

@@ -45,24 +45,9 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("feed_turn_arcmin", record.feed_turn_arcmin);
   visit("feed_shift_arcmin", record.feed_shift_arcmin);
   visit("misregistration_arcmin", record.misregistration_arcmin);
-  auto& counters = record.counters;
-  for (std::size_t i = 0; i < kRayKinds; ++i) {
-    visit(std::string(name_of(static_cast<RayKind>(i))) + "_rays", counters.rays.of_kind[i]);
-  }
-  visit("polar_samples", counters.polar_samples);
-  visit("viewport_pixels", counters.viewport_pixels);
-  visit("invalid_rays", counters.invalid_rays);
-  visit("nonfinite_values", counters.nonfinite_values);
+  for_each_counter(record.counters, visit);
   visit("nonfinite_picture_values", record.nonfinite_pictures);
   visit("commit_ms", record.times.commit_ms);
-  visit("commits", counters.commits);
-  visit("instances_moved", counters.instances_moved);
-  visit("instances_spawned", counters.instances_spawned);
-  visit("instances_removed", counters.instances_removed);
-  visit("instances_restyled", counters.instances_restyled);
-  visit("meshes_refitted", counters.meshes_refitted);
-  visit("meshes_rebuilt", counters.meshes_rebuilt);
-  visit("plan_changes", counters.plan_changes);
   visit("active_probes", record.probes.active);
   visit("relocated_probes", record.probes.relocated);
   visit("inactive_probes", record.probes.inactive);
@@ -71,6 +56,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("probe_change_share", record.probes.variability);
   visit("dropped_frames", record.dropped_frames);
   visit("repeated_ticks", record.repeated_ticks);
+  visit("stutter", record.stutter);
 }
 
 std::string text_of(std::int64_t value) {

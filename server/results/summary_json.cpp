@@ -16,27 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json counters_json(const FrameCounters& counters, std::int64_t nonfinite_pictures) {
-  Json json;
-  for (std::size_t i = 0; i < kRayKinds; ++i) {
-    json[std::string(name_of(static_cast<RayKind>(i))) + "_rays"] = counters.rays.of_kind[i];
-  }
-  json["polar_samples"] = counters.polar_samples;
-  json["viewport_pixels"] = counters.viewport_pixels;
-  json["invalid_rays"] = counters.invalid_rays;
-  json["nonfinite_values"] = counters.nonfinite_values;
-  json["nonfinite_picture_values"] = nonfinite_pictures;
-  json["commits"] = counters.commits;
-  json["instances_moved"] = counters.instances_moved;
-  json["instances_spawned"] = counters.instances_spawned;
-  json["instances_removed"] = counters.instances_removed;
-  json["instances_restyled"] = counters.instances_restyled;
-  json["meshes_refitted"] = counters.meshes_refitted;
-  json["meshes_rebuilt"] = counters.meshes_rebuilt;
-  json["plan_changes"] = counters.plan_changes;
-  return json;
-}
-
 Json session_json(const SessionReport& report) {
   const SessionFindings& findings = report.findings;
   return {{"name", report.name},
@@ -78,7 +57,9 @@ const char* name_of(ReplayState state) {
 }
 
 Json probes_json(const RunStatistics& run) {
-  const ProbeCounts& probes = run.probes;
+  // After a merge nobody knows the newest frame; before the first there is none.
+  if (!run.probes && run.frames > 0) return nullptr;
+  const ProbeCounts probes = run.probes.value_or(ProbeCounts());
   const RayCounts& all = run.counters.rays;
   const std::int64_t rays = all[RayKind::probe] + all[RayKind::probe_shadow] + all[RayKind::catcher_probe] +
                             all[RayKind::catcher_probe_shadow];
@@ -133,19 +114,16 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   json.update(subject_json(report, options));
   json["frames"] = {{"first", report.range.first},
                     {"planned", report.range.count},
-                    {"rendered", report.statistics.frames},
                     {"kept", report.kept_frames},
-                    {"missed", report.statistics.missed_frames},
-                    {"dropped", report.statistics.dropped_frames},
-                    {"repeated", report.statistics.repeated_ticks},
                     {"period_ms", report.range.period_ms()}};
+  json["frames"].update(frame_counts_json(report.statistics));
   if (options.policy.deadline) json["frames"]["target_ms"] = quality_target_ms(options, report.range);
   json["latency"] = latencies_json(report.statistics);
   json["pace"] = pace_json(report.statistics);
   json["quality"] = quality_json(report.statistics);
   if (report.plan.camera) json["feed"] = feed_json(report.statistics);
   json["definitions"] = definitions_json(options.clock);
-  json["counters"] = counters_json(report.statistics.counters, report.statistics.nonfinite_pictures);
+  json["counters"] = counters_json(report.statistics);
   json["plan"] = plan_json(report.plan);
   if (!report.plan_changes.empty()) json["plan_changes"] = plan_changes_json(report.plan_changes);
   json["memory_bytes"] = memory_json(report.memory);
@@ -170,11 +148,11 @@ Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& op
   return {{"sessions", sessions},
           {"total",
            {{"sessions", reports.size()},
-            {"frames", {{"rendered", total.frames}, {"missed", total.missed_frames}}},
+            {"frames", frame_counts_json(total)},
             {"latency", latencies_json(total)},
             {"pace", pace_json(total)},
             {"quality", quality_json(total)},
-            {"counters", counters_json(total.counters, total.nonfinite_pictures)}}},
+            {"counters", counters_json(total)}}},
           {"exit_code", exit_code}};
 }
 

@@ -3,8 +3,6 @@
 #include <utility>
 
 #include "renderer/polar_picture.h"
-#include "server/frames/frame_description.h"
-#include "server/frames/frame_quality.h"
 #include "server/process/steady_time.h"
 #include "server/results/output_folder.h"
 #include "server/serve/latest_picture.h"
@@ -49,28 +47,27 @@ void FrameLoop::run() {
   }
 }
 
-// Time in a session never goes back: each lap opens the recording anew. Scene and renderer stay while the
-// folder stays.
+// Scene and renderer stay while the folder stays.
 void FrameLoop::open(const std::filesystem::path& folder) {
   if (opened_ && folder == opened_folder_) {
-    opened_->session.emplace(Session::open(folder, options_.session));
-    opened_->player->restart();
+    step_->begin_lap();
     return;
   }
   auto report = std::make_shared<SessionReport>();
   report->name = session_folder_name(folder);
   report->session_folder = folder;
+  step_.reset();
   opened_.reset();
   opened_ = std::make_unique<OpenedSession>();
   open_session(options_, *report, *opened_);
   report->warnings = report->findings.warnings;
   report->warnings.insert(report->warnings.end(), opened_->scene.warnings.begin(),
                           opened_->scene.warnings.end());
-  quality_.emplace(quality_controller(options_, *report, *opened_->renderer));
   report->warnings.insert(report->warnings.end(), opened_->player->warnings().begin(),
                           opened_->player->warnings().end());
   opened_folder_ = folder;
   subject_ = std::move(report);
+  step_.emplace(options_, *subject_, *opened_);
   state_.subject = subject_;
 }
 
@@ -80,7 +77,7 @@ void FrameLoop::replay_lap() {
     return;
   }
   const FrameRange& range = subject_->range;
-  for (std::int64_t i = 0; i < range.count && !stop_; ++i) render(range.first + i, nullptr, 0);
+  for (std::int64_t i = 0; i < range.count && !stop_; ++i) render(range.first + i, {});
 }
 
 void FrameLoop::replay_paced() {
@@ -89,41 +86,26 @@ void FrameLoop::replay_paced() {
   FramePacer pacer(steady_now_ns(), range.period_ms() * 1e6, range.first, range.count);
   while (const auto begin = pacer.begin(steady_now_ns())) {
     if (!sleep_until(begin->due_ns, stop)) return;
-    render(begin->frame, &pacer, begin->dropped);
+    render(begin->frame, {&pacer, begin->dropped});
   }
   dropped_at_end_ += pacer.frames_dropped_at_end();
   // The last frame stays for its period: the next lap begins at the next tick.
   sleep_until(pacer.tick_ns(range.first + range.count), stop);
 }
 
-void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropped) {
-  const FrameRange& range = subject_->range;
-  const TimeNs t_ns = range.time_ns(frame);
-  const TimeNs started_ns = steady_now_ns();
-  const FrameSample sample = opened_->session->sample(t_ns);
-  const TimeNs sampled_ns = steady_now_ns();
-  const SceneState& scene_state = opened_->player->advance(*opened_->session, t_ns);
+void FrameLoop::render(std::int64_t frame, FramePacing pacing) {
+  step_->prepare(frame);
   // Into pictures that nobody looks at; the published ones stay as they are.
   const std::shared_ptr<ServedPictures> pictures = picture_storage_.take();
-  const QualityDecision decision = quality_->decide(sample.head_speed);
-  if (!opened_->renderer->render_frame(sample, scene_state, decision.quality, pictures->frame, &stop_))
-    return;
-  const TimeNs finished_ns = steady_now_ns();
+  // What the lap before left out at its end counts with the frame that came next.
+  pacing.dropped += std::exchange(dropped_at_end_, 0);
+  if (!step_->render(pictures->frame, &stop_, pacing)) return;
 
   RecentFrame recent;
   recent.sequence = ++state_.rendered;
   recent.lap = state_.lap;
-  recent.finished_ns = finished_ns;
-  recent.record = describe_frame(frame, sample, pictures->frame, *subject_, options_.clock);
-  describe_quality(decision, sample, recent.record);
-  recent.record.sample_ms = static_cast<double>(sampled_ns - started_ns) * 1e-6;
-  if (pacer != nullptr) {
-    // What the lap before left out at its end counts with the frame that came next.
-    dropped += std::exchange(dropped_at_end_, 0);
-    describe_pacing(pacer->finish(started_ns, finished_ns), dropped, recent.record);
-  }
-  quality_->observe(
-      cost_of_frame(pictures->frame, started_ns, finished_ns, pacer != nullptr && recent.record.missed));
+  recent.finished_ns = step_->finished_ns();
+  recent.record = step_->record();
   recent_.add(recent);
   state_.run.add(recent.record);
   state_.frame = frame;
@@ -131,7 +113,7 @@ void FrameLoop::render(std::int64_t frame, FramePacer* pacer, std::int64_t dropp
   pictures->sequence = recent.sequence;
   pictures->coverage = !subject_->plan.camera;
   pictures->subject = subject_;
-  pictures->has_polar = finished_ns - board_.polar_asked_ns < kPolarWatchNs;
+  pictures->has_polar = recent.finished_ns - board_.polar_asked_ns < kPolarWatchNs;
   for (std::size_t eye = 0; pictures->has_polar && eye < pictures->polar.size(); ++eye) {
     pictures->has_polar =
         thin_polar_buffer(*opened_->renderer, static_cast<Eye>(eye), kReducedPicturePx, pictures->polar[eye]);

@@ -6,9 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "server/frames/frame_pacer.h"
-#include "server/frames/opened_session.h"
-#include "server/quality/quality_controller.h"
+#include "server/frames/frame_step.h"
 #include "server/serve/recycler.h"
 #include "server/serve/serve_board.h"
 #include "server/settings/replay_options.h"
@@ -34,7 +32,7 @@ class FrameLoop {
   void open(const std::filesystem::path& folder);
   void replay_lap();
   void replay_paced();
-  void render(std::int64_t frame, FramePacer* pacer, std::int64_t dropped);
+  void render(std::int64_t frame, FramePacing pacing);
   void publish(bool at_once);
 
   const ReplayOptions& options_;
@@ -42,8 +40,8 @@ class FrameLoop {
   const std::atomic<bool>& stop_;
   std::filesystem::path opened_folder_;
   std::unique_ptr<OpenedSession> opened_;
-  std::optional<QualityController> quality_;  // of the opened session; it goes on from lap to lap
   std::shared_ptr<const SessionReport> subject_;
+  std::optional<FrameStep> step_;  // of the opened session and subject
   Recycler<ServedPictures> picture_storage_;
   Recycler<ServeSnapshot> snapshot_storage_;
   ServeSnapshot state_;  // its `recent` stays empty: recent_ has them

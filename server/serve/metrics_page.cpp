@@ -1,30 +1,29 @@
 #include "server/serve/metrics_page.h"
 
 #include <cstddef>
+#include <string>
 
 #include "renderer/foveation/polar_map.h"
 #include "server/process/version.h"
 #include "server/serve/process_numbers.h"
 #include "server/serve/prometheus_text.h"
 #include "server/serve/serve_json.h"
+#include "server/statistics/statistics_rows.h"
 
 namespace herr {
 namespace {
 
 void add_frames(PrometheusText& page, const ServeSnapshot& snapshot) {
   const RunStatistics& run = snapshot.run;
-  page.family("herr_frames_rendered_total", "counter", "Frames rendered since the start.");
-  page.sample(run.frames);
-  page.family("herr_frames_missed_deadline_total", "counter",
-              "Frames that took longer than a display period.");
-  page.sample(run.missed_frames);
-  page.family("herr_frames_dropped_total", "counter",
-              "Frames of the session that were never rendered because a newer one was due.");
-  page.sample(run.dropped_frames);
-  page.family("herr_display_ticks_repeated_total", "counter", "Display ticks that had no new frame.");
-  page.sample(run.repeated_ticks);
-  page.family("herr_nonfinite_values_total", "counter", "NaN or Inf values that a stage produced.");
-  page.sample(run.counters.nonfinite_values);
+  for (const CountRow& row : count_rows()) {
+    if (row.metric == nullptr) continue;
+    page.family(std::string("herr_") + row.metric + "_total", "counter", row.sentence);
+    page.sample(run.*row.total);
+  }
+  for (const CounterRow& row : counter_rows()) {
+    page.family(std::string("herr_") + row.name + "_total", "counter", row.sentence);
+    page.sample(run.counters.*row.value);
+  }
   page.family("herr_rays_total", "counter", "Rays traced, by kind.");
   for (std::size_t i = 0; i < kRayKinds; ++i) {
     page.sample(run.counters.rays.of_kind[i], {{"kind", name_of(static_cast<RayKind>(i))}});

@@ -23,17 +23,10 @@ double window_length_s(const ServeSnapshot& snapshot, TimeNs now_ns) {
   return std::max(0.0, seconds(std::min(kWindowNs, now_ns - snapshot.started_ns)));
 }
 
-Json counts_json(const RunStatistics& statistics) {
-  return {{"rendered", statistics.frames},
-          {"missed", statistics.missed_frames},
-          {"dropped", statistics.dropped_frames},
-          {"repeated", statistics.repeated_ticks}};
-}
-
 Json window_json(const ServeSnapshot& snapshot, TimeNs now_ns) {
   const RunStatistics window = window_statistics(snapshot.recent, now_ns);
   const double length_s = window_length_s(snapshot, now_ns);
-  Json json{{"seconds", length_s}, {"frames", counts_json(window)}};
+  Json json{{"seconds", length_s}, {"frames", frame_counts_json(window)}};
   json["frames_per_s"] = length_s > 0 ? Json(static_cast<double>(window.frames) / length_s) : Json(nullptr);
   return json;
 }
@@ -101,7 +94,7 @@ Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, Ti
             {"clock", name_of(options.clock)},
             {"lap", snapshot.lap},
             {"sequence", snapshot.rendered},
-            {"run", {{"frames", counts_json(snapshot.run)}}},
+            {"run", {{"frames", frame_counts_json(snapshot.run)}}},
             {"window", window_json(snapshot, now_ns)}};
   if (!snapshot.subject) return json;
   const SessionReport& subject = *snapshot.subject;
@@ -117,9 +110,10 @@ Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, Ti
 
 Json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs now_ns) {
   const RunStatistics window = window_statistics(snapshot.recent, now_ns);
-  Json window_part{{"seconds", window_length_s(snapshot, now_ns)}, {"frames", counts_json(window)}};
+  Json window_part{{"seconds", window_length_s(snapshot, now_ns)}, {"frames", frame_counts_json(window)}};
   window_part.update(statistics_json(window));
-  Json run_part{{"seconds", seconds(now_ns - snapshot.started_ns)}, {"frames", counts_json(snapshot.run)}};
+  Json run_part{{"seconds", seconds(now_ns - snapshot.started_ns)},
+                {"frames", frame_counts_json(snapshot.run)}};
   run_part.update(statistics_json(snapshot.run));
   Json definitions = definitions_json(clock);
   definitions["window"] = "frames that were finished in the last 10 seconds";

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "sessions/files/input_error.h"
-#include "sessions/files/plain_values.h"
 #include "sessions/files/strict_json.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {

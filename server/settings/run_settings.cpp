@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "renderer/settings_list.h"
-#include "sessions/files/plain_values.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {

@@ -13,25 +13,11 @@ double per_second(double ns) {
 
 }  // namespace
 
-void Stutter::add_ms(double frame_ms) {
-  if (mean_ms_ > 0 && frame_ms > kFactor * mean_ms_) {
-    ++frames_;
-    stuttered_ms_ += frame_ms;
-  }
-  all_ms_ += frame_ms;
+bool StutterWatch::next_ms(double frame_ms) {
+  const bool stutters = mean_ms_ > 0 && frame_ms > kFactor * mean_ms_;
   const double keep = mean_ms_ > 0 ? std::exp(-frame_ms * 1e-3 / kMean_s) : 0.0;
   mean_ms_ = frame_ms + (mean_ms_ - frame_ms) * keep;
-}
-
-void Stutter::merge(const Stutter& other) {
-  frames_ += other.frames_;
-  stuttered_ms_ += other.stuttered_ms_;
-  all_ms_ += other.all_ms_;
-  if (other.mean_ms_ > 0) mean_ms_ = other.mean_ms_;
-}
-
-double Stutter::share_of_time() const {
-  return all_ms_ > 0 ? stuttered_ms_ / all_ms_ : 0;
+  return stutters;
 }
 
 OnePercentLows one_percent_lows(const LatencyHistogram& frame_times) {

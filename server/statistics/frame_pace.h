@@ -1,31 +1,24 @@
 // How even the frames of a run are: stutter, and the three frame rates that people call "1 % low".
-// Before: RunStatistics. After: latency_json.
+// Before: frame times. After: FrameStep marks frames that stutter, quality_json reports.
 #pragma once
-
-#include <cstdint>
 
 #include "server/statistics/latency_histogram.h"
 
 namespace herr {
 
-// Frames that take more than kFactor times the mean of those before them, in order of time. The mean is
-// exponential in the time that the frames took: mean' = t + (mean - t) exp(-t / 1 s).
-class Stutter {
+// Frames that take more than kFactor times the mean of those before them in their run, in order of time. The
+// mean is exponential in the time that the frames took: mean' = t + (mean - t) exp(-t / 1 s). The verdict
+// stays with the frame (FrameRecord::stutter), so that runs merge exactly.
+class StutterWatch {
  public:
   static constexpr double kFactor = 2.5;
   static constexpr double kMean_s = 1.0;
 
-  void add_ms(double frame_ms);
-  // Counts add up; the mean goes on from `other`, as if its frames had come after these.
-  void merge(const Stutter& other);
-
-  std::int64_t frames() const { return frames_; }
-  double share_of_time() const;  // 0 ... 1; 0 when no time has passed
+  // True if this frame, the next one of the run, stutters.
+  bool next_ms(double frame_ms);
 
  private:
   double mean_ms_ = 0;  // 0: no frame yet
-  double stuttered_ms_ = 0, all_ms_ = 0;
-  std::int64_t frames_ = 0;
 };
 
 // Frames per second; 0 when there is none. All of frame times alone: waiting for a display does not count.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "renderer/frame_counters.h"
 #include "renderer/probe_counts.h"
 #include "renderer/stage_times.h"
 #include "server/quality/quality_policy.h"
@@ -33,7 +34,8 @@ struct FrameRecord {
   double head_deg_s = 0;     // how fast the head moved (motion_policy.h)
   // How well feed and virtual objects agree (feed_registration.h); none without a feed.
   std::optional<double> feed_turn_arcmin, feed_shift_arcmin, misregistration_arcmin;
-  bool missed = false;  // the frame time exceeds the display period; realtime: sampling and delays included
+  bool missed = false;   // the frame time exceeds the display period; realtime: sampling and delays included
+  bool stutter = false;  // it took much longer than the frames before it in its run (frame_pace.h)
   std::int64_t dropped_frames = 0;      // realtime: frames of the session left out just before this one
   std::int64_t repeated_ticks = 0;      // realtime: display ticks before this frame that showed nothing new
   std::int64_t nonfinite_pictures = 0;  // NaN or Inf values that reached an encoder

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "server/statistics/quality_json.h"
+#include "server/statistics/statistics_rows.h"
 
 namespace herr {
 namespace {
@@ -45,37 +47,42 @@ Json latencies_json(const RunStatistics& statistics) {
   for (std::size_t i = 0; i < kStageCount; ++i) {
     stages[name_of(static_cast<Stage>(i))] = distribution_json(statistics.stages[i]);
   }
-  return {{"unit", "ms"},
-          {"relative_error", LatencyHistogram::kRelativeError},
-          {"frame", distribution_json(statistics.frame)},
-          {"stages", stages},
-          {"sample", distribution_json(statistics.sample)},
-          {"write", distribution_json(statistics.write)},
-          {"wait", distribution_json(statistics.wait)},
-          {"motion_to_photon", distribution_json(statistics.motion_to_photon)},
-          {"pose_age", distribution_json(statistics.pose_age)},
-          {"gaze_age", distribution_json(statistics.gaze_age)},
-          {"camera_age", distribution_json(statistics.camera_age)}};
+  Json json{{"unit", "ms"}, {"relative_error", LatencyHistogram::kRelativeError}};
+  for (const DistributionRow& row : distribution_rows()) {
+    if (row.group == DistributionGroup::latency) json[row.name] = distribution_json(statistics.*row.values);
+    if (row.values == &RunStatistics::frame) json["stages"] = stages;
+  }
+  return json;
 }
 
 Json definitions_json(ReplayClock clock) {
   const bool realtime = clock == ReplayClock::realtime;
-  Json json{
-      {"frame", "wall time of rendering one frame, encoding and writing excluded; the sum of its stages"},
-      {"sample", "time spent sampling the session, camera images decoded, before the frame"},
-      {"write", "wall time of encoding one frame's pictures on the render threads, after the frame"},
-      {"wait", "time spent waiting for room in the writer's queue, after the frame"},
-      {"missed", realtime ? "frames that were done later than their start + one display period"
-                          : "frames whose frame time exceeds the display period"},
-      {"dropped", realtime ? "frames of the session that were never rendered: a newer one was due"
-                           : "always 0: this clock leaves no frame out"},
-      {"repeated", realtime ? "display ticks between two presentations that had no new frame"
-                            : "always 0: this clock has no display ticks"},
-      {"presentation_time", presentation_formula(clock)},
-      {"motion_to_photon", "presentation time - stamp of the newest pose used"},
-      {"pose_age", "frame start - stamp of the newest pose used; likewise gaze_age, camera_age"}};
-  json.update(quality_definitions_json());
+  Json json;
+  for (const DistributionRow& row : distribution_rows()) json[row.name] = row.sentence;
+  json["missed"] = realtime ? "frames that were done later than their start + one display period"
+                            : "frames whose frame time exceeds the display period";
+  json["dropped"] = realtime ? "frames of the session that were never rendered: a newer one was due"
+                             : "always 0: this clock leaves no frame out";
+  json["repeated"] = realtime ? "display ticks between two presentations that had no new frame"
+                              : "always 0: this clock has no display ticks";
+  json["presentation_time"] = presentation_formula(clock);
+  json.update(pace_definitions_json());
   return json;
+}
+
+Json counters_json(const RunStatistics& statistics) {
+  Json json;
+  for_each_counter(statistics.counters,
+                   [&](const std::string& name, std::int64_t count) { json[name] = count; });
+  json["nonfinite_picture_values"] = statistics.nonfinite_pictures;
+  return json;
+}
+
+Json frame_counts_json(const RunStatistics& statistics) {
+  return {{"rendered", statistics.frames},
+          {"missed", statistics.missed_frames},
+          {"dropped", statistics.dropped_frames},
+          {"repeated", statistics.repeated_ticks}};
 }
 
 }  // namespace herr

@@ -15,7 +15,11 @@ nlohmann::ordered_json distribution_json(const LatencyHistogram& values);
 
 // Milliseconds; keys keep their order.
 nlohmann::ordered_json latencies_json(const RunStatistics& statistics);
-// {"name": "its formula", ...} of everything in latencies_json() and of the counts of frames.
+// Totals of a frame's counters, and values that were not finite in pictures.
+nlohmann::ordered_json counters_json(const RunStatistics& statistics);
+// {"rendered", "missed", "dropped", "repeated"}.
+nlohmann::ordered_json frame_counts_json(const RunStatistics& statistics);
+// {"name": "its formula", ...} of every distribution, of the pace and of the counts of frames.
 nlohmann::ordered_json definitions_json(ReplayClock clock);
 
 }  // namespace herr

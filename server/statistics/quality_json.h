@@ -16,7 +16,7 @@ nlohmann::ordered_json feed_json(const RunStatistics& statistics);
 // Stutter and the three 1 % lows.
 nlohmann::ordered_json pace_json(const RunStatistics& statistics);
 
-// {"name": "its formula", ...} of everything in these three.
-nlohmann::ordered_json quality_definitions_json();
+// {"name": "its formula", ...} of everything in pace_json(); statistics_rows.h has those of the others.
+nlohmann::ordered_json pace_definitions_json();
 
 }  // namespace herr

@@ -1,17 +1,21 @@
-// Latency of a whole run, stage by stage, in constant memory; runs merge exactly.
+// A whole run in constant memory: latency stage by stage, quality, counts. Merging is exact: the statistics
+// of runs, merged in any order, are those of all their frames, but for `probes`, which is of one run alone.
+// What there is, and how it adds, stands in statistics_rows.h.
 // Before: one FrameRecord per frame. After: latency_table, summary_json.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "renderer/frame_counters.h"
 #include "renderer/stage_times.h"
-#include "server/statistics/frame_pace.h"
 #include "server/statistics/frame_record.h"
 #include "server/statistics/latency_histogram.h"
 
 namespace herr {
 
+// Not thread-safe.
 struct RunStatistics {
   std::array<LatencyHistogram, kStageCount> stages;
   LatencyHistogram frame, sample, write, wait;
@@ -20,14 +24,16 @@ struct RunStatistics {
   LatencyHistogram polar_width, light_samples, head_deg_s;
   LatencyHistogram feed_turn, feed_shift, misregistration;
   std::array<std::int64_t, kQualityReasons> reasons{};  // frames by why they had their quality
-  Stutter stutter;
-  FrameCounters counters;  // totals
-  ProbeCounts probes;      // of the last frame
+  FrameCounters counters;                               // totals
+  std::optional<ProbeCounts> probes;                    // of the newest frame; none once two runs were merged
   std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
   std::int64_t dropped_frames = 0, repeated_ticks = 0;  // realtime only
+  std::int64_t stutter_frames = 0, stutter_ns = 0;
 
   void add(const FrameRecord& record);
   void merge(const RunStatistics& other);
+
+  double stutter_share_of_time() const;  // 0 ... 1; 0 when no time has passed
 };
 
 }  // namespace herr

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "sessions/text/fixed_text.h"  // fixed_text()
+
 namespace herr {
 
-// Fixed notation with `decimals` digits after the point; "n/a" when not finite.
-std::string fixed_text(double value, int decimals);
 // The shortest text that reads back as the same double.
 std::string shortest_text(double value);
 // Padded with spaces on the left (or right) to `width` characters.

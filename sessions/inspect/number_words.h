@@ -8,8 +8,6 @@
 
 namespace herr {
 
-// Fixed notation with `decimals` digits after the point. value is finite.
-std::string with_decimals(double value, int decimals);
 std::string milliseconds(TimeNs ns);                          // "48.5 ms"
 std::string percentage(std::int64_t part, std::int64_t all);  // "42.1 %"; all > 0
 std::string counted(std::int64_t count, const std::string& one, const std::string& many);  // "1 blink"

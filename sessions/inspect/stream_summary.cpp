@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sessions/inspect/number_words.h"
+#include "sessions/text/fixed_text.h"
 
 namespace herr {
 namespace {
@@ -31,13 +32,13 @@ void judge_gaps(const StreamSummary& poses, const StreamSummary& stream, Finding
   const auto widest_ns = static_cast<double>(gaps.front().length_ns);
   const bool visible = widest_ns > kVisibleGapIntervals * median_ns && gaps.front().length_ns > kVisibleGapNs;
   const auto at_s = [&](const StreamGap& gap) {
-    return with_decimals(static_cast<double>(gap.end_ns - start_ns) * kSecondsPerNs, 2) + " s";
+    return fixed_text(static_cast<double>(gap.end_ns - start_ns) * kSecondsPerNs, 2) + " s";
   };
   Finding finding{
       visible ? Severity::warning : Severity::note,
       InputError(stream.file, gaps.front().end_line,
                  "a gap of " + milliseconds(gaps.front().length_ns) + " (" +
-                     with_decimals(widest_ns / median_ns, 1) + " intervals of " +
+                     fixed_text(widest_ns / median_ns, 1) + " intervals of " +
                      milliseconds(std::llround(median_ns)) + ") ends here, at " + at_s(gaps.front()),
                  "the last sample is held across a gap"),
       false, stream.intervals.hitches()};
@@ -96,8 +97,8 @@ void judge_stream(const StreamSummary& poses, const StreamSummary& stream, Findi
   if (std::abs(off) > kRateTolerance)
     findings.add(Severity::warning,
                  InputError(stream.file, 0,
-                            "runs at " + with_decimals(stream.median_hz(), 2) +
-                                " Hz where session.json says " + with_decimals(stream.nominal_hz, 2) + " Hz",
+                            "runs at " + fixed_text(stream.median_hz(), 2) + " Hz where session.json says " +
+                                fixed_text(stream.nominal_hz, 2) + " Hz",
                             "correct the rate there, or look for lost rows"));
 }
 
@@ -127,7 +128,7 @@ void judge_offset(const StreamSummary& poses, const StreamSummary& stream, Findi
     findings.add(Severity::note,
                  InputError(stream.file, 0,
                             "moved by " + milliseconds(offset.change_ns) + " against the poses, " +
-                                with_decimals(*offset.drift_ppm, 0) + " ppm of their time",
+                                fixed_text(*offset.drift_ppm, 0) + " ppm of their time",
                             "if both were started and stopped together, their clocks drift apart"));
 }
 

@@ -2,8 +2,8 @@
 A file includes only its own room and rooms below it; the root of a module is its roof, in renderer/ its ground."""
 
 ROOMS = {
-    "sessions": ("files/system", "files", "pictures", "pictures/openimageio", "camera", "format", "streams", "check",
-                 "inspect", "record", "import"),
+    "sessions": ("files/system", "files", "text", "pictures", "pictures/openimageio", "camera", "format", "streams",
+                 "check", "inspect", "record", "import"),
     "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
@@ -21,9 +21,10 @@ FACE = {
         "sessions/session.h",
         "sessions/camera/camera_image.h", "sessions/camera/camera_model.h",
         "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/contained_folder.h",
-        "sessions/files/folder_lock.h", "sessions/files/folders.h", "sessions/files/input_error.h",
-        "sessions/files/input_file.h", "sessions/files/line_reader.h", "sessions/files/plain_values.h",
-        "sessions/files/strict_json.h", "sessions/files/system/descriptor.h", "sessions/files/write_error.h",
+        "sessions/text/fixed_text.h", "sessions/files/folder_lock.h", "sessions/files/folders.h",
+        "sessions/files/input_error.h", "sessions/files/input_file.h", "sessions/files/line_reader.h",
+        "sessions/text/plain_values.h", "sessions/files/strict_json.h", "sessions/files/system/descriptor.h",
+        "sessions/files/write_error.h",
         "sessions/format/display_profile.h", "sessions/format/pose.h", "sessions/format/session_header.h",
         "sessions/import/aria_calibration.h", "sessions/import/built_in_maps.h", "sessions/import/camera_pictures.h",
         "sessions/import/import_report.h", "sessions/import/import_rows.h",
@@ -41,11 +42,12 @@ FACE = {
         "scenes/model/scene.h", "scenes/model/transform_checks.h", "scenes/model/voxel_grid.h",
     ),
     "renderer": (
-        "renderer/bench_frame.h", "renderer/frame_plan.h", "renderer/memory_use.h", "renderer/polar_picture.h",
-        "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h", "renderer/setting.h",
-        "renderer/settings_list.h", "renderer/stage_times.h", "renderer/viewport_image.h",
+        "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/memory_use.h",
+        "renderer/polar_picture.h", "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h",
+        "renderer/setting.h", "renderer/settings_list.h", "renderer/stage_times.h", "renderer/timing.h",
+        "renderer/viewport_image.h",
         "renderer/bench/calibration_rays.h", "renderer/foveation/polar_map.h",
-        "renderer/lighting/light_records.h", "renderer/probes/probe_reader.h",
+        "renderer/probes/probe_reader.h",
     ),
     "server": (),
 }

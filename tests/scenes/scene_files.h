@@ -1,51 +1,18 @@
-// Files for the tests of scenes/: a temporary folder, the smallest glTF documents to vary, and what loading
+// Files for the tests of scenes/: the smallest glTF documents to vary, and what loading
 // one says.
 #pragma once
 
-#include <unistd.h>
-
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "scenes/load_scene.h"
 #include "sessions/files/input_error.h"
+#include "tests/temporary_folder.h"
 
 namespace herr::test {
-
-// A fresh folder that is removed with everything in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "herr_scenes_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path write(const std::string& name, const std::string& content) const {
-    const auto file = path_ / name;
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream stream(file, std::ios::binary);
-    stream << content;
-    stream.close();
-    if (!stream) throw std::runtime_error("cannot write " + file.string());
-    return file;
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 template <class Value>
 std::string bytes_of(const std::vector<Value>& values) {

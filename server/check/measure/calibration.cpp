@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "server/process/steady_time.h"
+#include "renderer/timing.h"
 
 namespace herr {
 namespace {
@@ -23,13 +23,6 @@ float sweep(const std::vector<float>& memory, int job) {
     sum += memory[at >> 10];           // its upper 22 bits
   }
   return sum;
-}
-
-template <typename Work>
-double wall_ms(Work&& work) {
-  const TimeNs start_ns = steady_now_ns();
-  work();
-  return static_cast<double>(steady_now_ns() - start_ns) * 1e-6;
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/frame_counters.h"
 #include "server/check/measure/allocation_counter.h"
 #include "server/check/measure/calibration.h"
 #include "server/check/measure/check_fingerprint.h"
+#include "server/frames/frame_step.h"
 #include "server/frames/opened_session.h"
 #include "server/output/png_encoder.h"
 #include "server/process/exit_code.h"
@@ -30,54 +32,59 @@ void wait_busily(TimeNs duration_ns) {
 
 class MeasuredRun {
  public:
-  MeasuredRun(const MeasureOptions& options, OpenedSession& opened, const FrameRange& range)
-      : options_(options), opened_(opened), range_(range), calibration_(*opened.renderer) {
-    const auto frames = static_cast<std::size_t>(range.count);
+  MeasuredRun(const MeasureOptions& options, const SessionReport& report, OpenedSession& opened)
+      : options_(options),
+        report_(report),
+        renderer_(*opened.renderer),
+        step_(options.replay, report, opened),
+        calibration_(*opened.renderer) {
+    const auto frames = static_cast<std::size_t>(report.range.count);
     result_.frame_ms.reserve(frames);
     result_.calibration_rays_ms.reserve(frames + 1);
     result_.calibration_memory_ms.reserve(frames + 1);
   }
 
-  Measurement run(bool with_camera);
+  Measurement run();
   std::string library_versions() const { return calibration_.library_versions(); }
 
  private:
   void render(std::int64_t frame);
   void calibrate();
-  void count(bool with_camera);
-  std::int64_t picture_bytes(bool with_camera);
+  void count();
+  std::int64_t picture_bytes();
 
   const MeasureOptions& options_;
-  OpenedSession& opened_;
-  const FrameRange& range_;
+  const SessionReport& report_;
+  Renderer& renderer_;
+  FrameStep step_;
   Calibration calibration_;
-  SceneState state_;
   RenderedFrame rendered_;
   FrameCounters counters_;
   double frame_ms_ = 0;  // of the last frame
   Measurement result_;
 };
 
-Measurement MeasuredRun::run(bool with_camera) {
-  const std::int64_t warm_up = warm_up_frames(range_.count);
+Measurement MeasuredRun::run() {
+  const FrameRange& range = report_.range;
+  const std::int64_t warm_up = warm_up_frames(range.count);
   for (std::int64_t i = 0; i < warm_up; ++i) {
     calibrate();
-    render(range_.first + i);
+    render(range.first + i);
   }
   result_.calibration_rays_ms.clear(), result_.calibration_memory_ms.clear();
   counters_ = {};
   const std::optional<CpuTicks> before = read_cpu_ticks();
   const std::optional<std::int64_t> allocations_before = allocations_counted();
-  for (std::int64_t i = warm_up; i < range_.count; ++i) {
+  for (std::int64_t i = warm_up; i < range.count; ++i) {
     calibrate();
-    render(range_.first + i);
+    render(range.first + i);
     result_.frame_ms.push_back(frame_ms_);
   }
   calibrate();
   const std::optional<CpuTicks> after = read_cpu_ticks();
   if (before && after) result_.cpu = CpuTicks{after->used - before->used, after->stolen - before->stolen};
   const std::optional<std::int64_t> allocations_after = allocations_counted();
-  count(with_camera);
+  count();
   std::optional<double> allocations;
   if (allocations_before && allocations_after) {
     allocations = static_cast<double>(*allocations_after - *allocations_before) /
@@ -94,13 +101,10 @@ void MeasuredRun::calibrate() {
 }
 
 void MeasuredRun::render(std::int64_t frame) {
-  const TimeNs t_ns = range_.time_ns(frame);
-  const FrameSample sample = opened_.session->sample(t_ns);
-  scene_state_at(opened_.scene, static_cast<double>(t_ns - opened_.session->start_ns()) * kSecondsPerNs,
-                 state_);
+  step_.prepare(frame);
   count_allocations(true);
   const TimeNs start_ns = steady_now_ns();
-  opened_.renderer->render_frame(sample, state_, rendered_);
+  step_.render(rendered_);
   if (options_.slow_down_percent > 0) {
     const auto own_ns = static_cast<double>(steady_now_ns() - start_ns);
     wait_busily(static_cast<TimeNs>(own_ns * options_.slow_down_percent / 100));
@@ -110,7 +114,7 @@ void MeasuredRun::render(std::int64_t frame) {
   counters_ += rendered_.counters;
 }
 
-void MeasuredRun::count(bool with_camera) {
+void MeasuredRun::count() {
   const auto frames = static_cast<double>(result_.frame_ms.size());
   const auto add = [&](const std::string& name, std::int64_t count) {
     result_.counters.emplace_back(name, static_cast<double>(count) / frames);
@@ -120,22 +124,18 @@ void MeasuredRun::count(bool with_camera) {
     if (counters_.rays.of_kind[k] == 0) continue;
     add(std::string("rays.") + name_of(static_cast<RayKind>(k)), counters_.rays.of_kind[k]);
   }
-  add("polar_samples", counters_.polar_samples);
-  add("viewport_pixels", counters_.viewport_pixels);
-  add("commits", counters_.commits);
-  add("invalid_rays", counters_.invalid_rays);
-  add("nonfinite_values", counters_.nonfinite_values);
-  result_.counters.emplace_back("bytes_written", static_cast<double>(picture_bytes(with_camera)));
+  for (const CounterRow& row : counter_rows()) add(row.name, counters_.*row.value);
+  result_.counters.emplace_back("bytes_written", static_cast<double>(picture_bytes()));
 }
 
 // What `replay --format png` would write of the last frame.
-std::int64_t MeasuredRun::picture_bytes(bool with_camera) {
+std::int64_t MeasuredRun::picture_bytes() {
   const std::size_t count = rendered_.viewports.size();
   std::vector<Srgb8Image> pictures(count);
   std::vector<std::vector<std::uint8_t>> files(count);
-  opened_.renderer->parallel_for(static_cast<int>(count), [&](int i) {
+  renderer_.parallel_for(static_cast<int>(count), [&](int i) {
     const auto index = static_cast<std::size_t>(i);
-    srgb8_from_viewport(rendered_.viewports[index], !with_camera, pictures[index]);
+    srgb8_from_viewport(rendered_.viewports[index], !report_.plan.camera, pictures[index]);
     encode_png(pictures[index], files[index]);
   });
   std::int64_t bytes = 0;
@@ -158,8 +158,8 @@ Measurement measure_run(const MeasureOptions& options) {
   if (report.range.count < 2) {
     throw UsageError("--frames: a run has at least 2 frames; give more of the session");
   }
-  MeasuredRun run(options, opened, report.range);
-  Measurement measurement = run.run(report.plan.camera);
+  MeasuredRun run(options, report, opened);
+  Measurement measurement = run.run();
   measurement.program = program_with_version();
   measurement.fingerprint = check_fingerprint(report, options.replay, opened.scene, run.library_versions());
   return measurement;

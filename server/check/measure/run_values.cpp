@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "renderer/timing.h"
+
 namespace herr {
 namespace {
 
@@ -17,11 +19,6 @@ constexpr double kTail = 0.05;
 double quantile(const std::vector<double>& sorted, double p) {
   const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(sorted.size())));
   return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
 }
 
 // The counter of one run; not a number where it is unknown.

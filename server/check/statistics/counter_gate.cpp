@@ -31,6 +31,10 @@ CounterJudgement judge(const CounterRange& baseline, const CounterRange& candida
 CounterJudgement missing(const CounterRange& only, bool in_baseline) {
   CounterJudgement judgement{only.name, Verdict::inconclusive, 0, 0, {}};
   (in_baseline ? judgement.baseline : judgement.candidate) = only.highest;
+  if (!in_baseline && only.highest == 0) {
+    judgement.verdict = Verdict::ok;  // no more than whatever it was
+    return judgement;
+  }
   judgement.reason = in_baseline ? "the candidate does not count it" : "the baseline does not count it";
   return judgement;
 }

@@ -26,7 +26,8 @@ struct CounterJudgement {
 
 // regression: even the lowest of the candidate is more than 0.5 % above the highest of the baseline. ok: the
 // highest is at most 0.5 % above the lowest. Runs that differ too much to tell are inconclusive, and so is a
-// counter that one side lacks. In the baseline's order, then what only the candidate has.
+// counter that one side lacks, unless the candidate alone has it and it is 0. In the baseline's order, then
+// what only the candidate has.
 std::vector<CounterJudgement> judge_counters(const std::vector<CounterRange>& baseline,
                                              const std::vector<CounterRange>& candidate);
 

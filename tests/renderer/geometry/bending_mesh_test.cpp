@@ -15,8 +15,6 @@ namespace herr {
 namespace {
 
 using test::bring_up_to_date;
-using test::median;
-using test::milliseconds;
 using test::with_threads;
 
 // A sheet of n x n squares that a skin of two joints bends.
@@ -220,11 +218,11 @@ TEST(BendingMeshTest, AHundredThousandSkinnedTrianglesUpdateInAQuarterOfRebuildi
   const EmbreeDevice device(resolve_isa(Isa::best), 2);
   for (int i = 0; i < 9; ++i) {
     state.poses[0] = turned(0.05 * (i + 1), static_cast<std::uint32_t>(i + 2));
-    updates.push_back(milliseconds([&] {
+    updates.push_back(wall_ms([&] {
       geometry->bend(state, threads);
       threads.inside([&] { bring_up_to_date(*geometry, state); });
     }));
-    rebuilds.push_back(milliseconds([&] {
+    rebuilds.push_back(wall_ms([&] {
       TriangleMesh mesh = scene.meshes[0];
       bend_mesh(scene.deformations[0], state.poses[0], mesh);
       threads.inside([&] { build_mesh(device, mesh, {}); });

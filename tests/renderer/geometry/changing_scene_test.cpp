@@ -14,8 +14,6 @@ namespace {
 
 using test::bring_up_to_date;
 using test::fresh;
-using test::median;
-using test::milliseconds;
 using test::small_world;
 using test::with_threads;
 
@@ -180,18 +178,18 @@ TEST(ChangingSceneTest, OneOfTenThousandInstancesMovesAtTheCostOfBareEmbreesTopL
   std::vector<double> ours, embrees, nothing;
   for (int i = 0; i < 15; ++i) {
     const double x = 0.01 * (i + 1);
-    ours.push_back(milliseconds([&] {
+    ours.push_back(wall_ms([&] {
       ASSERT_FALSE(world.apply(change(ChangeKind::move, "instance 4242", {4 + x, 0, 0})));
       world.advance(0);
       threads.inside([&] { update = bring_up_to_date(*geometry, world.state()); });
     }));
     EXPECT_EQ(update.commits, 1);
     EXPECT_EQ(update.moved, 1);
-    embrees.push_back(milliseconds([&] {
+    embrees.push_back(wall_ms([&] {
       place(4242, static_cast<float>(x));
       threads.inside([&] { top.commit(); });
     }));
-    nothing.push_back(milliseconds([&] {
+    nothing.push_back(wall_ms([&] {
       world.advance(0);
       threads.inside([&] { update = bring_up_to_date(*geometry, world.state()); });
     }));

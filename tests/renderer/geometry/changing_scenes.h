@@ -4,10 +4,9 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
-#include <vector>
 
 #include "renderer/geometry/embree_scene.h"
+#include "renderer/timing.h"
 #include "scenes/model/placed_objects.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
@@ -54,19 +53,6 @@ inline SceneUpdate bring_up_to_date(EmbreeScene& geometry, const SceneState& sta
   geometry.take_up(state, update);
   geometry.commit_changes(update);
   return update;
-}
-
-inline double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
-template <typename Work>
-double milliseconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace herr::test

@@ -8,6 +8,7 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "scenes/load_scene.h"
+#include "sessions/session.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"

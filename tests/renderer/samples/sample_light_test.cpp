@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "scenes/load_scene.h"
+#include "sessions/session.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"

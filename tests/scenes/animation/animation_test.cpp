@@ -115,9 +115,9 @@ TEST(AnimationTest, AnAnimatedNodeCarriesItsMeshAndLoops) {
   EXPECT_DOUBLE_EQ(scene.instances[0].world_from_object[3].x, 2.5);
   world.advance(2.5);
   EXPECT_DOUBLE_EQ(scene.instances[0].world_from_object[3].x, 1.5);
-  const auto placed = world.state().placed;
+  const SlotChanges::Number latest = world.state().changes.latest();
   world.advance(4.5);  // the same place on the clip: nothing is new
-  EXPECT_EQ(world.state().placed, placed);
+  EXPECT_EQ(world.state().changes.latest(), latest);
 }
 
 TEST(AnimationTest, ANodeMovesBesideOneThatStandsBeforeIt) {
@@ -145,8 +145,8 @@ TEST(AnimationTest, APathPlacesAModelWhoseNodesMoveByThemselves) {
   // At 1 s the node stands at x = 2 of its model, which stands at y = 15 and is 1.5 times as large.
   world.advance(1);
   EXPECT_EQ(scene.instances[0].world_from_object[3], glm::dvec3(3, 15, 0));
-  EXPECT_EQ(world.state().placed[0], 1u);  // two reasons, one move
-  world.advance(4);                        // the clip has gone round twice, the path has ended
+  EXPECT_EQ(world.state().changes.latest(), 1u);  // two reasons, one move
+  world.advance(4);                               // the clip has gone round twice, the path has ended
   EXPECT_EQ(scene.instances[0].world_from_object[3], glm::dvec3(3, 30, 0));
 }
 

@@ -105,14 +105,15 @@ TEST(WorldTest, AMoveChangesOnlyWhatItNames) {
   const TemporaryFolder folder;
   Scene scene = load(folder);
   World world(scene);
-  const auto placed = world.state().placed;
-  const auto shown = world.state().shown;
   EXPECT_EQ(problem_of(world, R"({"t_ns": 1, "op": "move", "name": "cup", "scale": [2, 3, 4]})"), "");
   EXPECT_EQ(scene.instances[0].world_from_object,
             glm::dmat4x3(glm::dvec3(2, 0, 0), glm::dvec3(0, 3, 0), glm::dvec3(0, 0, 4), glm::dvec3(1, 0, 0)));
-  EXPECT_NE(world.state().placed[0], placed[0]);
-  EXPECT_EQ(world.state().placed[1], placed[1]);
-  EXPECT_EQ(world.state().shown, shown);
+  std::vector<ChangedSlot> changed;
+  world.state().changes.since(0, changed);
+  ASSERT_EQ(changed.size(), 1u);
+  EXPECT_EQ(changed[0].slot, 0u);
+  EXPECT_FALSE(changed[0].renewed);
+  EXPECT_EQ(scene.revision, world.state().changes.latest());
 }
 
 TEST(WorldTest, AStateDependsOnTheEventsAndNotOnTheFramesBetween) {
@@ -150,7 +151,9 @@ TEST(WorldTest, ARestartBringsBackTheSceneAsItWasLoaded) {
   ASSERT_EQ(problem_of(world, R"({"t_ns": 1, "op": "spawn", "of": "cup", "name": "c"})"), "");
   ASSERT_EQ(problem_of(world, R"({"t_ns": 1, "op": "replace_mesh", "name": "cup", "of": "spare"})"), "");
   ASSERT_EQ(problem_of(world, R"({"t_ns": 1, "op": "set_light", "name": "lamp", "centre": [9, 9, 9]})"), "");
-  const auto shown = world.state().shown;
+  std::vector<ChangedSlot> touched, taken_back;
+  world.state().changes.since(0, touched);
+  const SlotChanges::Number before = world.state().changes.latest();
   world.restart();
   for (std::size_t i = 0; i < loaded.instances.size(); ++i) {
     EXPECT_EQ(scene.instances[i].present, loaded.instances[i].present);
@@ -159,7 +162,19 @@ TEST(WorldTest, ARestartBringsBackTheSceneAsItWasLoaded) {
   for (std::size_t i = loaded.instances.size(); i < scene.instances.size(); ++i)
     EXPECT_FALSE(scene.instances[i].present);
   EXPECT_EQ(world.state().lights[0].centre, loaded.lights[0].centre);
-  for (std::size_t i = 0; i < shown.size(); ++i) EXPECT_NE(world.state().shown[i], shown[i]);
+  EXPECT_TRUE(world.state().changes.relit_since(before));
+  // Slots of what was there for a while have another look now; none of the others has been touched.
+  world.state().changes.since(before, taken_back);
+  for (const ChangedSlot& slot : taken_back) {
+    EXPECT_TRUE(std::any_of(touched.begin(), touched.end(), [&](const ChangedSlot& other) {
+      return other.slot == slot.slot;
+    })) << slot.slot;
+  }
+  EXPECT_EQ(taken_back.size(), touched.size());
+  // A restart of what is as it was loaded changes nothing.
+  const SlotChanges::Number restarted = world.state().changes.latest();
+  world.restart();
+  EXPECT_EQ(world.state().changes.latest(), restarted);
 }
 
 TEST(WorldTest, ReplacingAMeshKeepsThePlaceOfTheObject) {

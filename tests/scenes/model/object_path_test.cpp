@@ -169,18 +169,23 @@ TEST(ObjectPathTest, OnlyWhatStandsElsewhereCountsAsMoved) {
   const TemporaryFolder folder;
   Scene scene = load_scene(write_kinds(folder));
   World world(scene);
-  const auto loaded = world.state();
-  for (const std::uint32_t version : loaded.placed) EXPECT_EQ(version, 0u);  // time 0 is as it was loaded
+  const SlotChanges& changes = world.state().changes;
+  EXPECT_EQ(changes.latest(), 0u);  // time 0 is as it was loaded
   world.advance(1);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const bool moves = scene.instances[i].name != "crate" && scene.instances[i].present;
-    EXPECT_EQ(world.state().placed[i] - loaded.placed[i], moves ? 1u : 0u) << scene.instances[i].name;
+  std::vector<ChangedSlot> changed;
+  changes.since(0, changed);
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    if (scene.instances[i].name == "crate" || !scene.instances[i].present) continue;
+    ASSERT_LT(next, changed.size()) << scene.instances[i].name;
+    EXPECT_EQ(changed[next].slot, i) << scene.instances[i].name;
+    EXPECT_FALSE(changed[next++].renewed) << scene.instances[i].name;
   }
-  EXPECT_EQ(world.state().shown, loaded.shown);
+  EXPECT_EQ(next, changed.size());
   world.advance(2);
-  const auto placed = world.state().placed;
+  const SlotChanges::Number latest = changes.latest();
   for (int frame = 0; frame < 300; ++frame) world.advance(2 + frame / 60.0);  // it rests, and has ended
-  EXPECT_EQ(world.state().placed, placed);
+  EXPECT_EQ(changes.latest(), latest);
 }
 
 std::string problem_of(World& world, const std::string& json) {

@@ -1,11 +1,13 @@
-// The table of average frame times, for people and for machines, and the order in which its runs take
-// instants.
+// The table of average frame times, for people and for machines, and which frames `herr bench` takes.
 #include "server/bench/frame_time_table.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
+
+#include "server/bench/session_sequence.h"
 
 namespace herr {
 namespace {
@@ -54,20 +56,17 @@ TEST(FrameTimeTable, StatesEachCellWithItsRatio) {
   EXPECT_NE(frame_times_table(two_rows(), with_probes, 10).find("probe update"), std::string::npos);
 }
 
-TEST(FrameTimeTable, ARunTakesEveryInstantOnceBeforeAnyTwiceAndItsTimeNeverTurns) {
-  for (const int count : {1, 2, 8, 13}) {
-    std::vector<BenchInput> inputs(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) {
-      inputs[static_cast<std::size_t>(i)].sample.t_ns = 1000 * (i + 1);
-      inputs[static_cast<std::size_t>(i)].sample.head.world_from_head.position.x = i;
-    }
-    std::multiset<double> places;
-    for (int k = 0; k < 3 * count; ++k) {
-      const BenchInput input = spread_input(inputs, k, 50);
-      places.insert(input.sample.head.world_from_head.position.x);
-      EXPECT_EQ(input.sample.t_ns, 1000 + std::int64_t{k} * 20'000'000);  // 50 Hz
-    }
-    for (int i = 0; i < count; ++i) EXPECT_EQ(places.count(i), 3u) << count << ": " << i;
+TEST(SpreadFrames, AreTheMiddlesOfEqualPartsAndEachOnce) {
+  FrameRange range;
+  range.first = 100, range.count = 8;
+  EXPECT_EQ(spread_frames(range, 1), (std::vector<std::int64_t>{104}));
+  EXPECT_EQ(spread_frames(range, 2), (std::vector<std::int64_t>{102, 106}));
+  EXPECT_EQ(spread_frames(range, 3), (std::vector<std::int64_t>{101, 104, 106}));  // 8/6, 24/6, 40/6
+  // As many as there are: all of them, in order.
+  for (const int count : {8, 9, 1000}) {
+    const std::vector<std::int64_t> all = spread_frames(range, count);
+    ASSERT_EQ(all.size(), 8u);
+    for (std::int64_t i = 0; i < 8; ++i) EXPECT_EQ(all[static_cast<std::size_t>(i)], 100 + i);
   }
 }
 

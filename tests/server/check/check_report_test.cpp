@@ -13,7 +13,7 @@
 #include "server/check/report/text_report.h"
 #include "server/check/run_length.h"
 #include "sessions/files/input_error.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

@@ -11,7 +11,7 @@
 #include "server/inspect/scene_text.h"
 #include "server/inspect/time_plot.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

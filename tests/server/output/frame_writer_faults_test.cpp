@@ -12,8 +12,8 @@
 
 #include "server/output/frame_writer.h"
 #include "sessions/files/append_file.h"
-#include "tests/server/temporary_folder.h"
 #include "tests/sessions/files/faulty_files.h"
+#include "tests/temporary_folder.h"
 
 namespace herr::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sessions/files/atomic_file.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "renderer/render_settings.h"
 #include "tests/paths.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

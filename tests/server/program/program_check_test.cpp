@@ -12,7 +12,7 @@
 #include "tests/server/program/child_program.h"
 #include "tests/server/program/program_runner.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

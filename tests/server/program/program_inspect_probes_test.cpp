@@ -12,18 +12,14 @@
 
 #include "tests/paths.h"
 #include "tests/server/program/child_program.h"
+#include "tests/server/program/program_runner.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 class InspectProbes : public ::testing::Test {
  protected:
@@ -32,13 +28,7 @@ class InspectProbes : public ::testing::Test {
     write_small_session(root() / "session", 0.5);
   }
   const fs::path& root() const { return folder_.path(); }
-  Outcome herr(const std::string& arguments) const {
-    const std::string line = "cd '" + root().string() + "' && " + test::program_path() + " inspect " +
-                             arguments + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
-            content_of(root() / "stderr.txt")};
-  }
+  Outcome herr(const std::string& arguments) const { return run_program(root(), "inspect " + arguments); }
   std::vector<std::string> names_in(const fs::path& folder) const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(root() / folder))

@@ -10,18 +10,14 @@
 
 #include "sessions/files/atomic_file.h"
 #include "tests/paths.h"
+#include "tests/server/program/program_runner.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 class InspectProgram : public ::testing::Test {
  protected:
@@ -31,13 +27,7 @@ class InspectProgram : public ::testing::Test {
   }
   const fs::path& root() const { return folder_.path(); }
 
-  Outcome herr(const std::string& arguments) const {
-    const std::string line = "cd '" + root().string() + "' && " + test::program_path() + " " + arguments +
-                             " >stdout.txt 2>stderr.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
-            content_of(root() / "stderr.txt")};
-  }
+  Outcome herr(const std::string& arguments) const { return run_program(root(), arguments); }
   void append(const std::string& file, const std::string& text) const {
     write_whole_file(root() / file, content_of(root() / file) + text);
   }

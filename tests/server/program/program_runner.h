@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/paths.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 

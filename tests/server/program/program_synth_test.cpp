@@ -16,18 +16,14 @@
 
 #include "tests/paths.h"
 #include "tests/server/program/child_program.h"
+#include "tests/server/program/program_runner.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
 
 class SynthProgram : public ::testing::Test {
  protected:
@@ -39,11 +35,7 @@ class SynthProgram : public ::testing::Test {
 
   // `before` stands before the program's name in the shell's line, e.g. "ulimit -f 8;".
   Outcome herr(const std::string& arguments, const std::string& before = "") const {
-    const std::string line = "cd '" + root().string() + "' && " + before + " " + test::program_path() + " " +
-                             arguments + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(root() / "stdout.txt"),
-            content_of(root() / "stderr.txt")};
+    return run_program(root(), arguments, before);
   }
   Outcome replay(const std::string& session, const std::string& flags) const {
     return herr("replay " + session +

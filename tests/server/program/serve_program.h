@@ -17,7 +17,7 @@
 #include "tests/paths.h"
 #include "tests/server/http/http_client.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 

@@ -13,7 +13,7 @@
 
 #include "server/process/stop_signal.h"
 #include "tests/server/small_session.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
@@ -137,7 +137,7 @@ TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
   const auto header = [this] {
     EXPECT_EQ(replay().exit_code, 0);
     const auto file = OIIO::ImageInput::open((root() / "o/walk/frames/frame_000000.exr").string());
-    return file ? file->spec().get_string_attribute("herr.settings").string() : std::string("no picture");
+    return file ? std::string(file->spec().get_string_attribute("herr.settings")) : "no picture";
   };
   EXPECT_EQ(header(), "polar 128x64, light samples 1, reflections, camera, isa sse4, profile small");
   options_.render.light_samples = 16;

@@ -7,7 +7,7 @@
 
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

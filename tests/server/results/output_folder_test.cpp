@@ -8,7 +8,7 @@
 
 #include "server/process/exit_code.h"
 #include "sessions/files/atomic_file.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "server/process/exit_code.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

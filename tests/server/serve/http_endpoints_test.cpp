@@ -14,7 +14,7 @@
 #include "server/serve/prometheus_text.h"
 #include "server/serve/recycler.h"
 #include "tests/server/serve/served_board.h"
-#include "tests/server/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {

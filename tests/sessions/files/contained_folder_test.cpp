@@ -10,8 +10,8 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
-#include "tests/server/temporary_folder.h"
 #include "tests/sessions/files/faulty_files.h"
+#include "tests/temporary_folder.h"
 
 namespace herr::test {
 namespace {

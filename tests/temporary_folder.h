@@ -1,13 +1,13 @@
-// A folder that is gone when the test ends.
+// A folder that is gone when the test ends, and what files hold.
 #pragma once
 
-#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,6 +37,16 @@ class TemporaryFolder {
     }
     std::sort(found.begin(), found.end());
     return found;
+  }
+  // Makes the folders that the file lies in.
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    const auto file = path_ / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream stream(file, std::ios::binary);
+    stream << content;
+    stream.close();
+    if (!stream) throw std::runtime_error("cannot write " + file.string());
+    return file;
   }
 
  private:

@@ -1,4 +1,4 @@
-#include "sessions/files/plain_values.h"
+#include "sessions/text/plain_values.h"
 
 #include <gtest/gtest.h>
 

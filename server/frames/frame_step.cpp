@@ -1,0 +1,58 @@
+#include "server/frames/frame_step.h"
+
+#include "server/frames/frame_description.h"
+#include "server/frames/frame_quality.h"
+#include "server/process/steady_time.h"
+
+namespace herr {
+
+FrameStep::FrameStep(const ReplayOptions& options, const SessionReport& report, OpenedSession& opened)
+    : options_(options), report_(report), opened_(opened) {
+  controller_.emplace(quality_controller(options_, report_, *opened_.renderer));
+}
+
+void FrameStep::prepare(std::int64_t frame) {
+  frame_ = frame;
+  const TimeNs t_ns = report_.range.time_ns(frame);
+  started_ns_ = steady_now_ns();
+  sample_ = opened_.session->sample(t_ns);
+  sampled_ns_ = steady_now_ns();
+  opened_.player->advance(*opened_.session, t_ns);
+  decision_ = controller_->decide(sample_.head_speed);
+}
+
+bool FrameStep::render(RenderedFrame& out, const std::atomic<bool>* abandon, const FramePacing& pacing) {
+  if (!opened_.renderer->render_frame(sample_, scene_state(), decision_.quality, out, abandon)) return false;
+  finished_ns_ = steady_now_ns();
+  describe(out, pacing);
+  const bool missed = pacing.pacer != nullptr && record_.missed;
+  controller_->observe(cost_of_frame(out, started_ns_, finished_ns_, missed));
+  return true;
+}
+
+void FrameStep::describe(const RenderedFrame& rendered, const FramePacing& pacing) {
+  record_ = describe_frame(frame_, sample_, rendered, report_, options_.clock);
+  describe_quality(decision_, sample_, record_);
+  record_.sample_ms = static_cast<double>(sampled_ns_ - started_ns_) * 1e-6;
+  record_.stutter = stutter_.next_ms(record_.times.frame_ms);
+  if (pacing.pacer == nullptr) return;
+  describe_pacing(pacing.pacer->finish(started_ns_, finished_ns_), pacing.dropped, record_);
+}
+
+void FrameStep::pass_over() {
+  opened_.renderer->pass_over(sample_, scene_state());
+}
+
+void FrameStep::begin_lap() {
+  open_recording(options_, report_, opened_);
+  opened_.player->restart();
+}
+
+void FrameStep::rewind() {
+  begin_lap();
+  opened_.renderer->restart(scene_state());
+  controller_.emplace(quality_controller(options_, report_, *opened_.renderer));
+  stutter_ = {};
+}
+
+}  // namespace herr

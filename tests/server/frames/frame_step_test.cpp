@@ -1,0 +1,201 @@
+// The one frame step: rewound it gives the frames of a fresh replay, bit for bit, and it allocates nothing.
+#include "server/frames/frame_step.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "renderer/frame_counters.h"
+#include "server/check/measure/allocation_counter.h"
+#include "tests/server/moving_scene.h"
+#include "tests/temporary_folder.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Opened {
+  ReplayOptions options;
+  SessionReport report;
+  OpenedSession session;
+};
+
+struct Picture {
+  std::vector<std::uint16_t> values;
+  FrameCounters counters;
+};
+
+class FrameStepTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_scene(root() / "scene");
+    write_moving_scene(root() / "moving.scene.json");
+    write_small_profile(root() / "small.profile.json");
+    write_small_session(root() / "walk", 0.2);
+    options_.scene = (root() / "moving.scene.json").string();
+    options_.profile = (root() / "small.profile.json").string();
+    options_.render.polar_width = 64;
+    options_.render.polar_height = 64;
+    options_.render.threads = 2;
+  }
+  const fs::path& root() const { return folder_.path(); }
+
+  std::unique_ptr<Opened> open() const {
+    auto opened = std::make_unique<Opened>();
+    opened->options = options_;
+    opened->report.name = "walk";
+    opened->report.session_folder = root() / "walk";
+    open_session(opened->options, opened->report, opened->session);
+    return opened;
+  }
+
+  static Picture picture_of(const RenderedFrame& frame) {
+    Picture picture;
+    for (const ViewportImage& viewport : frame.viewports) {
+      for (int y = 0; y < viewport.height_px; ++y) {
+        const auto* row = viewport.row(y);
+        picture.values.insert(picture.values.end(), row, row + 4 * viewport.width_px);
+      }
+    }
+    picture.counters = frame.counters;
+    return picture;
+  }
+
+  // Every frame of the range from the `first` on.
+  static std::vector<Picture> pictures(FrameStep& step, const FrameRange& range, std::int64_t first = 0) {
+    std::vector<Picture> all;
+    RenderedFrame frame;
+    for (std::int64_t i = first; i < range.count; ++i) {
+      step.prepare(range.first + i);
+      EXPECT_TRUE(step.render(frame));
+      all.push_back(picture_of(frame));
+    }
+    return all;
+  }
+
+  static void expect_same(const std::vector<Picture>& one, const std::vector<Picture>& other) {
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_TRUE(one[i].values == other[i].values) << "frame " << i;
+      EXPECT_EQ(one[i].counters.rays.of_kind, other[i].counters.rays.of_kind) << "frame " << i;
+      for (const CounterRow& row : counter_rows()) {
+        EXPECT_EQ(one[i].counters.*row.value, other[i].counters.*row.value) << row.name << " of frame " << i;
+      }
+    }
+  }
+
+  ReplayOptions options_;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(FrameStepTest, FramesAfterRewindingAreThoseOfAFreshReplay) {
+  for (const bool probes : {false, true}) {
+    options_.render.probes.on = probes;
+    const auto opened = open();
+    FrameStep step(opened->options, opened->report, opened->session);
+    const std::vector<Picture> first = pictures(step, opened->report.range);
+    FrameCounters all;
+    for (const Picture& picture : first) all += picture.counters;
+    // The cart in each frame but the first, the ball once; the box comes, changes and goes.
+    EXPECT_EQ(all.instances_moved, opened->report.range.count - 1 + 1);
+    EXPECT_EQ(all.instances_spawned, 1);
+    EXPECT_EQ(all.instances_restyled, 1);
+    EXPECT_EQ(all.instances_removed, 1);
+    EXPECT_GT(all.plan_changes, 0);
+    for (int again = 0; again < 2; ++again) {
+      step.rewind();
+      expect_same(pictures(step, opened->report.range), first);
+    }
+  }
+}
+
+TEST_F(FrameStepTest, RewoundInTheMiddleItBeginsAtTheBeginning) {
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  const std::vector<Picture> first = pictures(step, opened->report.range);
+  step.rewind();
+  RenderedFrame frame;
+  step.prepare(opened->report.range.first + 7);  // the box is there
+  step.render(frame);
+  EXPECT_EQ(frame.counters.instances_spawned, 1);
+  step.rewind();
+  expect_same(pictures(step, opened->report.range), first);
+}
+
+TEST_F(FrameStepTest, AnotherRendererRewoundBeginsAtTheBeginning) {
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  const std::vector<Picture> first = pictures(step, opened->report.range);
+  step.rewind();
+  build_renderer(options_.render, opened->report, opened->session);
+  step.rewind();
+  expect_same(pictures(step, opened->report.range), first);
+}
+
+TEST_F(FrameStepTest, FramesAfterThosePassedOverAreTheSame) {
+  options_.render.probes.on = true;
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  std::vector<Picture> all = pictures(step, opened->report.range);
+  step.rewind();
+  for (std::int64_t i = 0; i < 8; ++i) {
+    step.prepare(opened->report.range.first + i);
+    step.pass_over();
+  }
+  all.erase(all.begin(), all.begin() + 8);
+  expect_same(pictures(step, opened->report.range, 8), all);
+}
+
+TEST_F(FrameStepTest, ALapTakesTheSceneBackAndKeepsTheRenderer) {
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  const std::vector<Picture> first = pictures(step, opened->report.range);
+  step.begin_lap();
+  const std::vector<Picture> lap = pictures(step, opened->report.range);
+  for (std::size_t i = 0; i < lap.size(); ++i) EXPECT_TRUE(lap[i].values == first[i].values) << i;
+}
+
+TEST_F(FrameStepTest, RenderingAllocatesNothingOnceEverythingWasThere) {
+  if (!allocations_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  RenderedFrame frame;
+  std::int64_t allocations = 0;
+  for (const bool warm : {false, true}) {
+    for (std::int64_t i = 0; i < opened->report.range.count; ++i) {
+      step.prepare(opened->report.range.first + i);
+      const std::int64_t before = *allocations_counted();
+      count_allocations(warm);
+      step.render(frame);
+      count_allocations(false);
+      // A frame with another plan writes its reasons, and Embree's trees grow in the arena of their builders.
+      if (frame.counters.commits == 0) allocations += *allocations_counted() - before;
+    }
+    step.rewind();
+  }
+  EXPECT_EQ(allocations, 0);
+}
+
+TEST_F(FrameStepTest, DescribesTheFrameThatItRendered) {
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  RenderedFrame frame;
+  step.prepare(opened->report.range.first + 2);
+  ASSERT_TRUE(step.render(frame));
+  const FrameRecord& record = step.record();
+  EXPECT_EQ(record.frame, opened->report.range.first + 2);
+  EXPECT_EQ(record.t_ns, opened->report.range.time_ns(record.frame));
+  EXPECT_EQ(record.times.frame_ms, frame.times.frame_ms);
+  EXPECT_EQ(record.counters.viewport_pixels, 4 * 48 * 40);
+  EXPECT_GT(record.sample_ms, 0);
+  EXPECT_EQ(record.decision.reason, QualityReason::fixed);
+  const std::atomic<bool> abandon{true};
+  EXPECT_FALSE(step.render(frame, &abandon));
+}
+
+}  // namespace
+}  // namespace herr
