@@ -28,7 +28,7 @@ struct PlanEntry {
   std::string name;  // stage or kernel feature, e.g. "mirror rays"
   bool runs = false;
   std::string reason;     // "3 of 11 instances reflect", "no material reflects"
-  bool unneeded = false;  // the scene has nothing that it is for: it runs only where the settings insist
+  bool unneeded = false;  // the scene has nothing that it is for: it runs only where the settings force
 };
 
 inline constexpr const char* kColouredRatio = "coloured catcher ratio";
@@ -47,12 +47,13 @@ struct FramePlan {
   bool surface_details = false;  // vertex colours, further textures, highlights of their own, unlit, alpha
   bool alpha_mask = false;       // hits are asked whether they lie in a hole
   bool alpha_blend = false;      // eyes look on through what they hit; shadow rays pass by shares
-  bool front_only = false;  // eyes' hits are asked whether they lie on the back of a single-sided surface
+  bool back_face_culling =
+      false;  // eyes' hits are asked whether they lie on the back of a single-sided surface
   bool catchers = false;
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
   bool coloured_ratio = false;  // some light is coloured: the catcher ratio needs three channels
-  int first_light_samples =
+  int adaptive_min_samples =
       0;                // where samples are adaptive, how many are traced for every hit; 0: they never are
   bool probes = false;  // light that came by other surfaces
   bool catcher_probes = false;  // a second set of probes that sees catchers alone
@@ -70,7 +71,7 @@ struct FramePlan {
 // come, too. `session_has_camera`: the session delivers camera frames.
 FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera);
 
-// Entries that the settings could insist on without changing the picture (RenderSettings::insist_on).
+// Entries that the settings could force on without changing the picture (RenderSettings::force).
 std::vector<std::string> left_out(const FramePlan& plan);
 
 // Entries of `after` that run where those of `before` do not, or the other way round.

@@ -32,7 +32,7 @@ struct RenderSettings {
   int light_samples = 1;   // per light and hit; 1 = centre of the light, hard shadows
   // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
   // 0: all strata everywhere.
-  int first_light_samples = 0;
+  int adaptive_min_samples = 0;
   int occlusion_rays = 0;           // short rays of ambient occlusion per first hit; 0: none
   double occlusion_radius_m = 0.3;  // how far they reach
   bool reflections = true;          // trace one mirror bounce where a material asks for it
@@ -45,7 +45,7 @@ struct RenderSettings {
   std::uint32_t seed = 0;  // of the random numbers, beside time, eye and sample
   // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the
   // same, bit for bit. To see what leaving them out saves.
-  std::vector<std::string> insist_on;
+  std::vector<std::string> force;
   int threads = 0;      // 0 = all that this process may use
   Isa isa = Isa::best;  // instruction set of kernels and Embree
 };

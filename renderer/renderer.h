@@ -79,7 +79,7 @@ class Renderer {
                     RenderedFrame& out, const std::atomic<bool>* abandon = nullptr);
 
   // Takes up what a frame changes in the renderer's state without rendering it.
-  void pass_over(const FrameSample& sample, const SceneState& state);
+  void skip_frame(const FrameSample& sample, const SceneState& state);
   // After the last frame, whole or passed over. An abandoned frame has changed it too.
   // `with_probes`: megabytes; without them the rest, which costs nothing to ask for after each frame.
   RendererState state(bool with_probes = true) const;

@@ -24,7 +24,7 @@ std::vector<Setting> of_rays(RenderSettings& s) {
        "shadow rays per light and hit; 1: hard shadows", whole(s.light_samples, 1, kMostLightSamples)},
       {"first_light_samples", "--first-light-samples", "", Group::rays, Effect::error_for_time,
        "adaptive, up to 256 light samples: trace N, the rest only where they disagree; 0: all",
-       whole(s.first_light_samples, 0, kMostLightSamples)},
+       whole(s.adaptive_min_samples, 0, kMostLightSamples)},
       {"occlusion_rays", "--occlusion-rays", "", Group::rays, Effect::error_for_time,
        "short rays of ambient occlusion per hit; 0: none", whole(s.occlusion_rays, 0, 64)},
       {"occlusion_radius_m", "--occlusion-radius", "m", Group::rays, Effect::pictures,

@@ -9,7 +9,7 @@
 
 namespace herr {
 
-// One row for each field, save `insist_on`, which no user sets. The rows refer to `settings`, which must
+// One row for each field, save `force`, which no user sets. The rows refer to `settings`, which must
 // outlive them and stay where it is.
 std::vector<Setting> settings_of(RenderSettings& settings);
 

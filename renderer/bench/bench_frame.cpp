@@ -18,9 +18,9 @@ namespace {
 constexpr int kProbeJobStride = 4;
 
 // One frame's own rays and pixels, recorded from its last render.
-class RawSide {
+class BareSide {
  public:
-  RawSide(Renderer::Impl& impl, const FrameCounters& counters) : impl_(impl), totals_(counters.rays) {
+  BareSide(Renderer::Impl& impl, const FrameCounters& counters) : impl_(impl), totals_(counters.rays) {
     const int stride = impl.settings.light_samples >= 64 ? 256 : 16;
     // One tile of each run of `stride`, each time at another place in it: a fixed one would be the same
     // column of tiles where the buffer is a power of two wide, and all at the pole or none.
@@ -116,27 +116,28 @@ struct Series {
 };
 
 struct Measurements {
-  Series frame, raw, ratio, rays_frame, rays_raw, rays_ratio, pixels_frame, pixels_raw;
-  std::array<Series, kRayKinds> kind_raw;
+  Series frame, bare, ratio, rays_frame, rays_bare, rays_ratio, pixels_frame, pixels_bare;
+  std::array<Series, kRayKinds> kind_bare;
   std::array<Series, kStageCount> stages;
 
   void add(std::size_t i, const StageTimes& times, const std::array<double, kRayKinds>& kinds_ms,
-           double raw_pixels_ms) {
-    const double raw_rays = std::accumulate(kinds_ms.begin(), kinds_ms.end(), 0.0);
+           double bare_pixels_ms) {
+    const double bare_rays = std::accumulate(kinds_ms.begin(), kinds_ms.end(), 0.0);
     const double pixels = times[Stage::viewports];
     const double rays = times.frame_ms - pixels - times[Stage::overlays];
-    frame.add(i, times.frame_ms), raw.add(i, raw_rays + raw_pixels_ms);
-    ratio.add(i, times.frame_ms / (raw_rays + raw_pixels_ms));
-    rays_frame.add(i, rays), rays_raw.add(i, raw_rays), rays_ratio.add(i, raw_rays > 0 ? rays / raw_rays : 0);
-    pixels_frame.add(i, pixels), pixels_raw.add(i, raw_pixels_ms);
-    for (std::size_t k = 0; k < kRayKinds; ++k) kind_raw[k].add(i, kinds_ms[k]);
+    frame.add(i, times.frame_ms), bare.add(i, bare_rays + bare_pixels_ms);
+    ratio.add(i, times.frame_ms / (bare_rays + bare_pixels_ms));
+    rays_frame.add(i, rays), rays_bare.add(i, bare_rays),
+        rays_ratio.add(i, bare_rays > 0 ? rays / bare_rays : 0);
+    pixels_frame.add(i, pixels), pixels_bare.add(i, bare_pixels_ms);
+    for (std::size_t k = 0; k < kRayKinds; ++k) kind_bare[k].add(i, kinds_ms[k]);
     for (std::size_t s = 0; s < kStageCount; ++s) stages[s].add(i, times.ms[s]);
   }
 };
 
-std::array<double, kRayKinds> raw_kinds_ms(RawSide& raw) {
+std::array<double, kRayKinds> bare_kinds_ms(BareSide& bare) {
   std::array<double, kRayKinds> ms{};
-  for (std::size_t k = 0; k < kRayKinds; ++k) ms[k] = raw.rays_ms(k);
+  for (std::size_t k = 0; k < kRayKinds; ++k) ms[k] = bare.rays_ms(k);
   return ms;
 }
 
@@ -186,7 +187,7 @@ std::vector<BenchResult::Kind> kinds_of(const BenchResult& result, const Measure
     if (rays == 0) continue;
     kinds.push_back({name_of(static_cast<RayKind>(k)), static_cast<std::int64_t>(rays / frames),
                      samples > 0 ? rays / samples : 0,
-                     millions_per_second(rays / frames, measured.kind_raw[k].value()),
+                     millions_per_second(rays / frames, measured.kind_bare[k].value()),
                      millions_per_second(rays / frames, result.median_times[stage_of(k)])});
   }
   return kinds;
@@ -197,7 +198,7 @@ std::vector<BenchResult::Kind> kinds_of(const BenchResult& result, const Measure
 BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) {
   Renderer::Impl& impl = renderer.internals();
   BenchRun run;
-  double frames_ms = 0, raw_ms = 0, probes_ms = 0;
+  double frames_ms = 0, bare_ms = 0, probes_ms = 0;
   RenderedFrame out;
   sequence.render(0, out);
   while (frames_ms < 1e3 * seconds) {
@@ -206,13 +207,13 @@ BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) 
       sequence.render(i, out);
       frames_ms += out.times.frame_ms;
       probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
-      RawSide raw(impl, out.counters);
-      const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
-      raw_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), raw.pixels_ms());
+      BareSide bare(impl, out.counters);
+      const std::array<double, kRayKinds> kinds_ms = bare_kinds_ms(bare);
+      bare_ms += std::accumulate(kinds_ms.begin(), kinds_ms.end(), bare.pixels_ms());
     }
   }
   const double count = std::max(run.frames, 1);
-  run.frame_ms = frames_ms / count, run.raw_ms = raw_ms / count, run.probe_ms = probes_ms / count;
+  run.frame_ms = frames_ms / count, run.bare_ms = bare_ms / count, run.probe_ms = probes_ms / count;
   return run;
 }
 
@@ -228,9 +229,9 @@ BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeat
       sequence.render(i, out);
       widen(result.plan, renderer.plan());
       if (pass == 0) continue;  // warms up
-      RawSide raw(impl, out.counters);
-      const std::array<double, kRayKinds> kinds_ms = raw_kinds_ms(raw);
-      const double pixels_ms = raw.pixels_ms();
+      BareSide bare(impl, out.counters);
+      const std::array<double, kRayKinds> kinds_ms = bare_kinds_ms(bare);
+      const double pixels_ms = bare.pixels_ms();
       measured.add(static_cast<std::size_t>(i), out.times, kinds_ms, pixels_ms);
       result.counters += out.counters;
       ++result.measured_frames;
@@ -239,13 +240,13 @@ BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeat
 
   const double pixels = static_cast<double>(result.counters.viewport_pixels) /
                         static_cast<double>(std::max(result.measured_frames, 1));
-  result.frame_ms = measured.frame.value(), result.raw_ms = measured.raw.value();
+  result.frame_ms = measured.frame.value(), result.bare_ms = measured.bare.value();
   result.ratio = measured.ratio.value();
-  result.rays_frame_ms = measured.rays_frame.value(), result.rays_raw_ms = measured.rays_raw.value();
+  result.rays_frame_ms = measured.rays_frame.value(), result.rays_bare_ms = measured.rays_bare.value();
   result.rays_ratio = measured.rays_ratio.value();
-  result.pixels_frame_ms = measured.pixels_frame.value(), result.pixels_raw_ms = measured.pixels_raw.value();
+  result.pixels_frame_ms = measured.pixels_frame.value(), result.pixels_bare_ms = measured.pixels_bare.value();
   result.ns_per_pixel = pixels > 0 ? result.pixels_frame_ms * 1e6 / pixels : 0;
-  result.raw_ns_per_pixel = pixels > 0 ? result.pixels_raw_ms * 1e6 / pixels : 0;
+  result.bare_ns_per_pixel = pixels > 0 ? result.pixels_bare_ms * 1e6 / pixels : 0;
   for (std::size_t s = 0; s < kStageCount; ++s) result.median_times.ms[s] = measured.stages[s].value();
   result.median_times.frame_ms = result.frame_ms;
   result.kinds = kinds_of(result, measured);

@@ -38,7 +38,7 @@ struct RayPacket<16> {
 };
 
 // Bits of a ray's flags, which Embree carries and does not read. What hit filters (alpha_filter) do with it:
-inline constexpr unsigned kFrontOnly = 1;      // skips back faces where the instance asks for that
+inline constexpr unsigned kCullBackFaces = 1;  // skips back faces where the instance asks for that
 inline constexpr unsigned kSecondLook = 2;     // blended surfaces are there where they cover at least half
 inline constexpr unsigned kPassesThrough = 4;  // an occlusion ray of trace_passing: the lane in bits 8 ...
 inline constexpr unsigned kLaneShift = 8;

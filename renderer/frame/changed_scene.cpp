@@ -8,12 +8,12 @@ namespace herr {
 
 void Renderer::Impl::measure_reach() {
   const Bounds& all = boxes.all();
-  reach_m = all.upper.x >= all.lower.x ? 1.0 + 2.0 * glm::length(all.upper - all.lower) : 1.0;
+  beyond_scene_m = all.upper.x >= all.lower.x ? 1.0 + 2.0 * glm::length(all.upper - all.lower) : 1.0;
 }
 
 // True if another feature runs, or one no longer does. What memory was set up for stays: the probes, and
 // whether the ratio of catchers has channels of its own, are the same whatever is there at the moment.
-bool Renderer::Impl::plan_anew() {
+bool Renderer::Impl::replan() {
   FramePlan next = plan_frame(scene, settings, session_has_camera);
   const bool wider = next.coloured_ratio && !plan.coloured_ratio;
   if (plan.coloured_ratio && !next.coloured_ratio) {
@@ -34,13 +34,13 @@ bool Renderer::Impl::plan_anew() {
 bool Renderer::Impl::follow(const SceneUpdate& update) {
   boxes.update(update.slots);
   measure_reach();
-  return (update.other_traits() || update.relit) && plan_anew();
+  return (update.other_traits() || update.relit) && replan();
 }
 
 // Renderer::restart().
 void Renderer::Impl::restart(const SceneState& state) {
   SceneUpdate nobodys;
-  geometry->take_up(state, nobodys);
+  geometry->apply(state, nobodys);
   show_full_details();
   boxes.update(nobodys.slots);
   measure_reach();

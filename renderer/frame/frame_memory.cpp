@@ -38,7 +38,7 @@ void Renderer::Impl::allocate_scratch() {
     allocate_if(plan.catchers_occlude, scratch->blocked);
     allocate_if(plan.alpha_blend, scratch->layers);
     // Whether light samples are adaptive may change with each frame's number of them.
-    allocate_if(plan.first_light_samples > 0, scratch->adaptive);
+    allocate_if(plan.adaptive_min_samples > 0, scratch->adaptive);
   }
 }
 

@@ -14,7 +14,7 @@ namespace {
 struct Traits {
   std::size_t catchers_ever = 0, instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0,
               transparent = 0, textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0,
-              blended = 0, front_only = 0;
+              blended = 0, back_face_culling = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -43,7 +43,7 @@ Traits traits_of(const Scene& scene) {
     traits.detailed += has_details(scene, instance) ? 1 : 0;
     traits.blended += blends(scene, instance) ? 1 : 0;
     traits.masked += has_holes(scene, instance) && !blends(scene, instance) ? 1 : 0;
-    traits.front_only += shows_fronts_only(scene, instance) ? 1 : 0;
+    traits.back_face_culling += culls_back_faces(scene, instance) ? 1 : 0;
     traits.textured += has_textures(scene, instance) ? 1 : 0;
     if (instance.catcher) {
       ++traits.catchers;
@@ -71,12 +71,12 @@ bool all_light_is_grey(const Scene& scene) {
                      [](const AreaLight& light) { return is_grey(light.intensity_w_sr); });
 }
 
-bool insists(const RenderSettings& settings, const char* name) {
-  return std::find(settings.insist_on.begin(), settings.insist_on.end(), name) != settings.insist_on.end();
+bool forces(const RenderSettings& settings, const char* name) {
+  return std::find(settings.force.begin(), settings.force.end(), name) != settings.force.end();
 }
 
-void check_insisted(const RenderSettings& settings, const FramePlan& plan) {
-  for (const std::string& name : settings.insist_on) {
+void check_forced(const RenderSettings& settings, const FramePlan& plan) {
+  for (const std::string& name : settings.force) {
     const auto named = [&](const PlanEntry& entry) { return entry.name == name; };
     if (std::any_of(plan.entries.begin(), plan.entries.end(), named)) continue;
     throw std::invalid_argument("the frame plan has no entry '" + name + "'");
@@ -91,8 +91,8 @@ std::string share(std::size_t count, std::size_t all, const char* what) {
 
 LightSampling FramePlan::light_sampling(int samples) const {
   const bool adaptive =
-      first_light_samples > 0 && first_light_samples < samples && samples <= kMostOrderedSamples;
-  return {samples, adaptive ? first_light_samples : samples};
+      adaptive_min_samples > 0 && adaptive_min_samples < samples && samples <= kMostOrderedSamples;
+  return {samples, adaptive ? adaptive_min_samples : samples};
 }
 
 FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera) {
@@ -100,12 +100,12 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   FramePlan plan;
   const auto decide = [&](bool& feature, bool runs, const char* name, const std::string& why,
                           const std::string& why_not, bool unneeded = false) {
-    const bool insisted = unneeded && insists(settings, name);
-    feature = runs || insisted;
+    const bool forced = unneeded && forces(settings, name);
+    feature = runs || forced;
     plan.entries.push_back({name, feature,
-                            runs       ? why
-                            : insisted ? why_not + ", but it is insisted on"
-                                       : why_not,
+                            runs     ? why
+                            : forced ? why_not + ", but it is forced"
+                                     : why_not,
                             unneeded});
   };
   const auto need = [&](bool& feature, const char* name, const char* user) {
@@ -131,11 +131,11 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "no surface has holes", t.masked == 0);
   decide(plan.alpha_blend, t.blended > 0, "alpha layers",
          share(t.blended, t.instances, "blend; eyes look through at most ") + std::to_string(kMostLayers),
-         "no surface blends", t.blended == 0 && settings.first_light_samples == 0);
+         "no surface blends", t.blended == 0 && settings.adaptive_min_samples == 0);
   if (plan.alpha_blend) need(plan.surface_details, "surface details", "alpha layers");
-  decide(plan.front_only, t.front_only > 0, "back faces left out",
-         share(t.front_only, t.instances, "are open and single-sided"),
-         "every surface is closed or double-sided", t.front_only == 0);
+  decide(plan.back_face_culling, t.back_face_culling > 0, "back faces left out",
+         share(t.back_face_culling, t.instances, "are open and single-sided"),
+         "every surface is closed or double-sided", t.back_face_culling == 0);
   decide(plan.specular, t.specular > 0, "specular lobe",
          share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight",
          t.specular == 0);
@@ -147,10 +147,10 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(settings.light_samples) + " jittered strata per light",
          "one sample: the light's centre");
   // Where surfaces blend, what is seen of a sample is no yes or no that its neighbours could predict.
-  plan.first_light_samples = plan.alpha_blend ? 0 : settings.first_light_samples;
+  plan.adaptive_min_samples = plan.alpha_blend ? 0 : settings.adaptive_min_samples;
   decide(adaptive, plan.light_sampling(settings.light_samples).adaptive(), "adaptive light samples",
-         std::to_string(settings.first_light_samples) + " strata first, the rest where they disagree",
-         settings.first_light_samples > 0 && settings.light_samples > kMostOrderedSamples
+         std::to_string(settings.adaptive_min_samples) + " strata first, the rest where they disagree",
+         settings.adaptive_min_samples > 0 && settings.light_samples > kMostOrderedSamples
              ? "more than " + std::to_string(kMostOrderedSamples) + " samples are all traced"
          : many && plan.alpha_blend ? "blended surfaces let shares of the light pass"
          : many                     ? "all strata for every hit"
@@ -200,7 +200,7 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "the session has a camera feed",
          session_has_camera ? "switched off by settings" : "the session has no camera feed");
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
-  check_insisted(settings, plan);
+  check_forced(settings, plan);
   return plan;
 }
 

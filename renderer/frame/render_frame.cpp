@@ -99,9 +99,9 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   }
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
   if (impl.plan.probes) impl.update_probes(sample, state, out);
-  timed(out.times, Stage::polar_rays, [&] { impl.aim_rays(sample, out.quality.polar_width); });
+  timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width); });
   if (!impl.trace_tiles(out.times, abandon)) return false;
-  timed(out.times, Stage::viewports, [&] { impl.aim_viewports(sample, out); });
+  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
   if (!impl.composite_viewports(out.times, abandon)) return false;
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
@@ -113,7 +113,7 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
   return true;
 }
 
-void Renderer::pass_over(const FrameSample& sample, const SceneState& state) {
+void Renderer::skip_frame(const FrameSample& sample, const SceneState& state) {
   require_usable(sample.head.world_from_head);
   impl_->follow_gaze(sample);
   const SceneUpdate update = impl_->update_acceleration(sample, state);
@@ -148,7 +148,7 @@ void Renderer::Impl::place_eyes(const FrameSample& sample) {
 SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const SceneState& state) {
   SceneUpdate update;
   place_eyes(sample);
-  geometry->take_up(state, update);
+  geometry->apply(state, update);
   if (update.other_traits()) show_full_details();
   geometry->bend(state, threads);
   if (plan.detail_levels) choose_details();
@@ -184,7 +184,7 @@ void Renderer::Impl::choose_details() {
 }
 
 void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
-  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), reach_m,
+  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), beyond_scene_m,
                 lights);
   shading.plan = &plan;
   shading.scene = geometry->top();
@@ -208,7 +208,7 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.debug_tiles = settings.debug_tiles;
 }
 
-void Renderer::Impl::aim_rays(const FrameSample& sample, int polar_width) {
+void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width) {
   first_tile[0] = 0;
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const auto eye = plan.polar ? static_cast<Eye>(i) : profile.viewports[i].eye;
@@ -246,7 +246,7 @@ bool Renderer::Impl::trace_tiles(StageTimes& times, const std::atomic<bool>* aba
   return whole;
 }
 
-void Renderer::Impl::aim_viewports(const FrameSample& sample, RenderedFrame& out) {
+void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& out) {
   out.viewports.resize(profile.viewports.size());
   for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
     const Viewport& viewport = profile.viewports[i];

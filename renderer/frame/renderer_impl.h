@@ -31,7 +31,7 @@ struct Renderer::Impl {
   std::array<DetailEye, 2> detail_eyes;
   InstanceBoxes boxes;
   bool session_has_camera = false;
-  double reach_m = 1;  // leaves the scene from any place in it
+  double beyond_scene_m = 1;  // leaves the scene from any place in it
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
@@ -71,16 +71,16 @@ struct Renderer::Impl {
   void choose_details();
   void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
-  void aim_rays(const FrameSample& sample, int polar_width);
+  void set_up_rays(const FrameSample& sample, int polar_width);
   bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
-  void aim_viewports(const FrameSample& sample, RenderedFrame& out);
+  void set_up_viewports(const FrameSample& sample, RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
 
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();
-  bool plan_anew();
+  bool replan();
   bool follow(const SceneUpdate& update);
   void restart(const SceneState& state);
   void allocate_buffers();  // frame_memory.cpp

@@ -53,7 +53,7 @@ void Renderer::Impl::plan_probes() {
 void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state, int most) {
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns, kProbeKey, settings.seed), probes->node_directions);
-  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), reach_m, probe_lights);
+  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), beyond_scene_m, probe_lights);
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
     probe_views[set] = probes->view(static_cast<int>(set), geometry->anchor());
     ShadingInputs& by_probes = probe_shading[set] = shading;

@@ -97,7 +97,7 @@ bool has_holes(const Hit& hit) {
 }
 
 bool stops(const Hit& hit) {
-  if ((hit.flags & kFrontOnly) != 0 && hit.instance->front_only && hit.facing > 0) return false;
+  if ((hit.flags & kCullBackFaces) != 0 && hit.instance->back_face_culling && hit.facing > 0) return false;
   if (!has_holes(hit)) return true;
   const DetailRecord& detail = *hit.instance->detail;
   if (detail.alpha_mode == AlphaMode::mask) return alpha_of(hit) >= detail.alpha_cutoff;

@@ -17,7 +17,7 @@ struct InstanceTable {
 // - Masked: a hit counts where alpha reaches the cutoff.
 // - Blended: rays from eyes stop where alpha is at least 1/255, those with kSecondLook at 1/2; occlusion rays
 //   with kPassesThrough never stop, but multiply what passes, others stop at 1/2.
-// - Back faces of front-only surfaces: passed by rays with kFrontOnly.
+// - Back faces of front-only surfaces: passed by rays with kCullBackFaces.
 void filter_hits(RTCGeometry geometry, const InstanceTable& instances);
 
 // Alpha of a surface at barycentric (u, v) of triangle `triangle`: factor x texture x vertices. `width2`: the

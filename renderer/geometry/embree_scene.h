@@ -38,7 +38,7 @@ struct SceneUpdate {
   int restyled = 0;                    // instances with another material or mesh
   int refitted = 0, rebuilt = 0;       // meshes that bent: boxes moved along, or sorted anew
   bool relit = false;                  // lights shine otherwise
-  std::span<const ChangedSlot> slots;  // which instances; valid until the next take_up()
+  std::span<const ChangedSlot> slots;  // which instances; valid until the next apply()
   bool anything() const { return commits > 0 || restyled > 0 || relit; }
   bool other_traits() const { return spawned > 0 || removed > 0 || restyled > 0; }
 };
@@ -61,11 +61,11 @@ class EmbreeScene {
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
   // Moves the anchor when the head is more than 24 m from it. Takes effect with commit_changes(), as do
-  // take_up() and show_mesh().
+  // apply() and show_mesh().
   void follow(const glm::dvec3& head_position);
   // Takes up what the state says has changed since the last call (the first: since this was built), and looks
   // at nothing else of the scene. Allocates only for instances beyond the most that were ever there.
-  void take_up(const SceneState& state, SceneUpdate& done);
+  void apply(const SceneState& state, SceneUpdate& done);
   // Outside the arena: bends the meshes whose pose is new, on all threads.
   void bend(const SceneState& state, RenderThreads& threads);
   // Lets an instance of kind mesh show another mesh with the same material.

@@ -77,7 +77,7 @@ void EmbreeScene::commit_bent(SceneUpdate& done) {
   changed_ = changed_ || any;
 }
 
-void EmbreeScene::take_up(const SceneState& state, SceneUpdate& done) {
+void EmbreeScene::apply(const SceneState& state, SceneUpdate& done) {
   state.changes.since(seen_, changes_);
   done.relit = state.changes.relit_since(seen_);
   seen_ = std::max(seen_, state.changes.latest());

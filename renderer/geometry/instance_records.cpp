@@ -72,7 +72,7 @@ InstanceRecord instance_record(const Scene& scene, const Instance& instance, con
   InstanceRecord record;
   record.kind = instance.kind;
   record.catcher = instance.catcher;
-  record.front_only = shows_fronts_only(scene, instance);
+  record.back_face_culling = culls_back_faces(scene, instance);
   set_matrix(instance, record);
   set_material(material, record);
   if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) set_shape(instance, record);

@@ -82,7 +82,7 @@ struct InstanceRecord {
   float shape_offset_m = 0;              // of kind sphere or box: secondary rays start at least this far off
   const DetailRecord* detail = nullptr;  // null: nothing more
   float object_per_world2 = 1;           // squared length in object space of a metre (mean over directions)
-  bool front_only = false;               // eyes do not see its back faces
+  bool back_face_culling = false;        // eyes do not see its back faces
   bool catcher = false;
   ShapeKind kind = ShapeKind::mesh;
 };

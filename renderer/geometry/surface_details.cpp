@@ -21,7 +21,7 @@ bool has_further_textures(const Material& m) {
 
 }  // namespace
 
-bool shows_fronts_only(const Scene& scene, const Instance& instance) {
+bool culls_back_faces(const Scene& scene, const Instance& instance) {
   const Material& material = scene.materials[instance.material];
   const TriangleMesh* mesh = mesh_of(scene, instance);
   return mesh != nullptr && !material.double_sided && !mesh->closed && material.transmission == 0 &&

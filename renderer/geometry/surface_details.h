@@ -13,7 +13,7 @@ namespace herr {
 
 // Eyes see the fronts of its triangles only: a single-sided material on an open mesh. Shadows, mirrors and
 // probes take both sides for solid, and so do eyes where light passes the surface or the mesh is closed.
-bool shows_fronts_only(const Scene& scene, const Instance& instance);
+bool culls_back_faces(const Scene& scene, const Instance& instance);
 // Any texture of its material is read.
 bool has_textures(const Scene& scene, const Instance& instance);
 // Part of its surface, or all of it, may be missing: alpha below the cutoff, or blended.

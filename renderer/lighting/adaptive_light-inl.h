@@ -62,7 +62,7 @@ HWY_INLINE void sum_seen(const std::array<Lane<std::uint8_t>, kMostOrderedSample
 
 // Foretells sample `s` of undecided hits where all the strata around it that are known agree: the edge of
 // what hides the light does not pass there. Takes three of them at least. Elsewhere undecided hits ask.
-HWY_NOINLINE inline void foretell(const TileJob& job, const LightRecord& light, int s, int count) {
+HWY_NOINLINE inline void predict(const TileJob& job, const LightRecord& light, int s, int count) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
   const bool catchers = job.shading->plan->catchers_occlude;
   const KnownNeighbours known = known_neighbours(light, s);
@@ -73,9 +73,9 @@ HWY_NOINLINE inline void foretell(const TileJob& job, const LightRecord& light, 
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     adaptive.asks[i] = 0.0f;
     if (adaptive.undecided[i] == 0) continue;
-    const bool foretold =
+    const bool predicted =
         adaptive.glossy[i] == 0 && known.count >= 3 && same(sum[i]) && (!catchers || same(sum_without[i]));
-    adaptive.asks[i] = foretold ? 0.0f : 1.0f;
+    adaptive.asks[i] = predicted ? 0.0f : 1.0f;
     adaptive.agreed[i] = sum[i] != 0 ? 1.0f : 0.0f;
     adaptive.agreed_without[i] = !catchers || sum_without[i] != 0 ? 1.0f : 0.0f;
   }
@@ -142,7 +142,7 @@ HWY_NOINLINE inline void first_visibility(const TileJob& job, const LightRecord&
   }
 }
 
-// Finds what hits see of a later sample: by a ray where a hit asks, else by what was decided or foretold.
+// Finds what hits see of a later sample: by a ray where a hit asks, else by what was decided or predicted.
 HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord& light, int s,
                                           const HitBatch& hits, int count, RayKind kind) {
   TileScratch& scratch = *job.scratch;
@@ -222,7 +222,7 @@ HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, H
       first_visibility(job, light, s, hits, count, kind);
     } else {
       if (s == light.first_samples) decide(hits, count, adaptive);
-      foretell(job, light, s, count);
+      predict(job, light, s, count);
       later_visibility(job, light, s, hits, count, kind);
     }
     note_seen(job, light, s, hits, count);

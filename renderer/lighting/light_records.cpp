@@ -54,7 +54,7 @@ void order_strata(LightRecord& light) {
 }
 
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
-                   double reach_m, std::vector<LightRecord>& out) {
+                   double beyond_scene_m, std::vector<LightRecord>& out) {
   out.clear();
   for (const AreaLight& light : lights) {
     if (light.intensity_w_sr == glm::vec3{0.0f}) continue;
@@ -78,7 +78,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
       record.cone_scale = static_cast<float>(scale);
       record.cone_offset = static_cast<float>(-outer * scale);
     }
-    record.reach = static_cast<float>(reach_m);
+    record.reach = static_cast<float>(beyond_scene_m);
     // All samples of a light without extent would be the same.
     const bool extended = light.size.x > 0 || light.size.y > 0 || light.size.z > 0;
     record.samples = extended ? sampling.samples : 1;

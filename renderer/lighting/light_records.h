@@ -22,10 +22,10 @@ int spreading_stride(int n);
 // Fills stratum_of and sample_of of a light of at most kMostOrderedSamples samples.
 void order_strata(LightRecord& light);
 
-// Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`. `reach_m`: a distance
-// that leaves the scene from any place in it.
+// Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`. `beyond_scene_m`: a
+// distance that leaves the scene from any place in it.
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
-                   double reach_m, std::vector<LightRecord>& out);
+                   double beyond_scene_m, std::vector<LightRecord>& out);
 
 // Irradiance that these lights would give, unblocked and head on, at the point of `boxes` (world space)
 // farthest from each, per channel: a scale of what catchers receive that no light near one of them can blow

@@ -26,8 +26,8 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
   for (int p = 0; p < packet_count; ++p) {
     if (sparse && hn::AllFalse(kF, traced_lanes(p))) continue;
     const int* valid = scratch.packet_valid[static_cast<std::size_t>(p)].data();
-    const bool filters = plan.front_only || plan.alpha_mask || plan.alpha_blend;
-    if (filters) hn::Store(hn::Set(kU, kFrontOnly), kU, packets[p].ray.flags);
+    const bool filters = plan.back_face_culling || plan.alpha_mask || plan.alpha_blend;
+    if (filters) hn::Store(hn::Set(kU, kCullBackFaces), kU, packets[p].ray.flags);
     if constexpr (kDetail != SurfaceDetail::plain) {
       if (filters || plan.voxels) widen(packets[p].ray, scratch.first, p * kLanes);
     }
@@ -72,7 +72,7 @@ HWY_NOINLINE void trace_tile_with(const TileJob& job) {
   cycles.lap(Stage::polar_rays);
   if (packet_count == 0) return;
 
-  if constexpr (kDetail != SurfaceDetail::plain) aim_cones(job, packet_count);
+  if constexpr (kDetail != SurfaceDetail::plain) set_up_cones(job, packet_count);
   if (!plan.alpha_blend) {
     trace_layer<kDetail, kLobe>(job, packet_count, RayKind::primary);
     resolve(job, packet_count);

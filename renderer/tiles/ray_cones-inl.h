@@ -19,7 +19,7 @@ HWY_INLINE VF spread_of(const RayGrid& grid, int x, const V3& direction) {
   return hn::Mul(set(grid.finest_pixel_rad), hn::Mul(cosine, hn::Sqrt(cosine)));
 }
 
-HWY_NOINLINE inline void aim_cones(const TileJob& job, int packets) {
+HWY_NOINLINE inline void set_up_cones(const TileJob& job, int packets) {
   TileScratch& scratch = *job.scratch;
   const RayHit* rays = packets_of(scratch);
   for (int p = 0; p < packets; ++p) {

@@ -71,7 +71,7 @@ class VoxelMarch {
     // it.
     const VF start =
         hn::Div(hn::Mul(set(kNodesPassedOver * kHidingPerWidth), rays_.width), hn::Sqrt(dot(d_, d_)));
-    passed_over_ = hn::IfThenElse(hn::Ge(rays_.width, set(2.0f / kHidingPerWidth)), start, set(-1.0f));
+    skipped_ = hn::IfThenElse(hn::Ge(rays_.width, set(2.0f / kHidingPerWidth)), start, set(-1.0f));
     while (!hn::AllFalse(kF, active)) active = step<kColours>(active, out);
     return hn::Lt(out.passes, set(1.0f));
   }
@@ -180,7 +180,7 @@ class VoxelMarch {
              wall_z = wall(lower.z, o_.z, inverse_.z, forward_z_);
     const VF nearest = hn::Min(wall_x, hn::Min(wall_y, wall_z));
     const VF exit = hn::Max(nearest, t_);
-    filled = hn::And(filled, hn::Ge(t_, passed_over_));
+    filled = hn::And(filled, hn::Ge(t_, skipped_));
     run_passes_ = hn::IfThenElse(filled, run_passes_, out.passes);
     if (!hn::AllFalse(kF, filled)) {
       active =
@@ -305,7 +305,7 @@ class VoxelMarch {
   const VoxelRays& rays_;
   V3 o_, d_, inverse_;
   MF forward_x_, forward_y_, forward_z_;
-  VF t_, leave_, shows_most_, passed_over_;
+  VF t_, leave_, shows_most_, skipped_;
   VF run_passes_;  // what came through before the run of nodes in work
   VI axis_;
   V3i cell_;

@@ -1,4 +1,4 @@
-// `herr bench`: frame time against the raw time of its own rays and pixels, as a table or as JSON.
+// `herr bench`: frame time against the bare time of its own rays and pixels, as a table or as JSON.
 #pragma once
 
 #include "server/bench/bench_options.h"

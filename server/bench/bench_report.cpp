@@ -90,17 +90,17 @@ std::string readable(std::string name) {
 }
 
 std::string merit_rows(const BenchResult& result) {
-  const auto row = [](const std::string& name, double frame, double raw, double ratio, int decimals) {
-    return line(name, {fixed_text(frame, decimals), fixed_text(raw, decimals), fixed_text(ratio, 3)});
+  const auto row = [](const std::string& name, double frame, double bare, double ratio, int decimals) {
+    return line(name, {fixed_text(frame, decimals), fixed_text(bare, decimals), fixed_text(ratio, 3)});
   };
   const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
   return line("", {"frame", "raw", "frame / raw"}) +
-         row("whole frame, ms", result.frame_ms, result.raw_ms, result.ratio, 2) +
-         row("rays and light, ms", result.rays_frame_ms, result.rays_raw_ms, result.rays_ratio, 2) +
-         row("pixels, ms", result.pixels_frame_ms, result.pixels_raw_ms,
-             over(result.pixels_frame_ms, result.pixels_raw_ms), 2) +
-         row("pixels, ns per pixel", result.ns_per_pixel, result.raw_ns_per_pixel,
-             over(result.ns_per_pixel, result.raw_ns_per_pixel), 3);
+         row("whole frame, ms", result.frame_ms, result.bare_ms, result.ratio, 2) +
+         row("rays and light, ms", result.rays_frame_ms, result.rays_bare_ms, result.rays_ratio, 2) +
+         row("pixels, ms", result.pixels_frame_ms, result.pixels_bare_ms,
+             over(result.pixels_frame_ms, result.pixels_bare_ms), 2) +
+         row("pixels, ns per pixel", result.ns_per_pixel, result.bare_ns_per_pixel,
+             over(result.ns_per_pixel, result.bare_ns_per_pixel), 3);
 }
 
 std::string ray_rows(const BenchResult& result) {
@@ -108,7 +108,7 @@ std::string ray_rows(const BenchResult& result) {
   for (const BenchResult::Kind& kind : result.kinds) {
     if (kind.rays == 0) continue;
     text += line(kind.name, {std::to_string(kind.rays), fixed_text(kind.rays_per_sample, 3),
-                             fixed_text(kind.frame_mrays_per_s, 1), fixed_text(kind.raw_mrays_per_s, 1)});
+                             fixed_text(kind.frame_mrays_per_s, 1), fixed_text(kind.bare_mrays_per_s, 1)});
   }
   return text;
 }
@@ -154,7 +154,7 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
     kinds[kind.name] = {{"rays", kind.rays},
                         {"rays_per_sample", kind.rays_per_sample},
                         {"mrays_per_s", kind.frame_mrays_per_s},
-                        {"raw_mrays_per_s", kind.raw_mrays_per_s}};
+                        {"raw_mrays_per_s", kind.bare_mrays_per_s}};
   }
   Json stages = Json::object();
   for (std::size_t i = 0; i < kStageCount; ++i) {
@@ -169,15 +169,15 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
   Json json{{"format_version", 1},
             {"program", program_with_version()},
             {"frame_ms", result.frame_ms},
-            {"raw_ms", result.raw_ms},
+            {"raw_ms", result.bare_ms},
             {"ratio", result.ratio},
             {"rays_frame_ms", result.rays_frame_ms},
-            {"rays_raw_ms", result.rays_raw_ms},
+            {"rays_raw_ms", result.rays_bare_ms},
             {"rays_ratio", result.rays_ratio},
             {"pixels_frame_ms", result.pixels_frame_ms},
-            {"pixels_raw_ms", result.pixels_raw_ms},
+            {"pixels_raw_ms", result.pixels_bare_ms},
             {"ns_per_pixel", result.ns_per_pixel},
-            {"raw_ns_per_pixel", result.raw_ns_per_pixel},
+            {"raw_ns_per_pixel", result.bare_ns_per_pixel},
             {"rays", kinds},
             {"stages", stages},
             {"polar_samples", std::llround(polar_samples_of(result))},

@@ -43,7 +43,7 @@ Json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject&
       cells.push_back({{"polar", size_text(row)},
                        {"light_samples", kTableLightSamples[i]},
                        {"frame_ms", run.frame_ms},
-                       {"raw_ms", run.raw_ms},
+                       {"raw_ms", run.bare_ms},
                        {"ratio", run.ratio()},
                        {"probe_ms", run.probe_ms},
                        {"frames", run.frames}});

@@ -1,5 +1,5 @@
 // Average frame times by size of the polar buffer and number of light samples: the form of Table 1 of the
-// paper ("Performance Measurements", averages of 10 seconds), with frame / raw beside each.
+// paper ("Performance Measurements", averages of 10 seconds), with frame / bare beside each.
 // Before: bench_command opened session and scene. After: printed, for people or as JSON.
 #pragma once
 

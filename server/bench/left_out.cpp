@@ -116,16 +116,16 @@ LeftOutResult measure_left_out(const LeftOutSubject& subject, SessionSequence& s
   result.repeats = repeats;
   const std::vector<std::string> names = left_out(planned->plan());
   std::vector<double> planned_ms;
-  const auto measure = [&](const std::vector<std::string>& insist_on) {
-    RenderSettings insisting = subject.settings;
-    insisting.insist_on = insist_on;
+  const auto measure = [&](const std::vector<std::string>& force) {
+    RenderSettings forcing = subject.settings;
+    forcing.force = force;
     LeftOut entry;
     FastestFrames times;
     sequence.rewind();
     for (int frame = 0; frame < sequence.frames(); ++frame) {
       const FrameStep& prepared = sequence.prepare(frame);
       // Each with new renderers: where their buffers happen to lie in memory moves a frame by up to 5 %.
-      Pair pair{renderer(subject.settings), renderer(insisting), {}, {}};
+      Pair pair{renderer(subject.settings), renderer(forcing), {}, {}};
       if (frame == 0) {
         entry.added_bytes = planned_bytes(pair.full->memory()) - planned_bytes(pair.planned->memory());
       }

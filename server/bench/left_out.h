@@ -1,4 +1,4 @@
-// What the frame plan leaves out of a scene, and what that saves: each stage and kernel feature is insisted
+// What the frame plan leaves out of a scene, and what that saves: each stage and kernel feature is forced
 // on in a second renderer, whose frames are timed in alternation with those of the planned one. Before:
 // bench_command opened session and scene. After: printed, for people or as JSON.
 #pragma once

@@ -39,8 +39,8 @@ void FrameStep::describe(const RenderedFrame& rendered, const FramePacing& pacin
   describe_pacing(pacing.pacer->finish(started_ns_, finished_ns_), pacing.dropped, record_);
 }
 
-void FrameStep::pass_over() {
-  opened_.renderer->pass_over(sample_, scene_state());
+void FrameStep::skip_frame() {
+  opened_.renderer->skip_frame(sample_, scene_state());
 }
 
 void FrameStep::begin_lap() {

@@ -38,7 +38,7 @@ class FrameStep {
   // neither `out` nor record() is of use. Throws as Renderer::render_frame.
   bool render(RenderedFrame& out, const std::atomic<bool>* abandon = nullptr, const FramePacing& pacing = {});
   // In place of render(): the renderer takes up what the frame changes in its state.
-  void pass_over();
+  void skip_frame();
 
   // After the frames of an earlier run of this session, as their rows tell.
   void go_on_after(const StutterWatch& earlier) { stutter_ = earlier; }

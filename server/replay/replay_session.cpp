@@ -67,7 +67,7 @@ class SessionReplay {
   void open_writer(const EarlierFrames& earlier);
   void take_over(EarlierFrames earlier);
   EarlierFrames earlier_frames() const;
-  void pass_over_frames_before(std::int64_t frame);
+  void skip_frames_before(std::int64_t frame);
   void render_frames();
   void render_paced_frames();
   bool stopped();
@@ -143,7 +143,7 @@ void SessionReplay::start_output() {
     write_whole_file(folder_.checkpoint_json(), checkpoint_text(fingerprint_, tracker_->whole_state()));
   }
   open_writer(earlier);
-  pass_over_frames_before(earlier.next_frame);
+  skip_frames_before(earlier.next_frame);
 }
 
 EarlierFrames SessionReplay::earlier_frames() const {
@@ -217,12 +217,12 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
 }
 
 // What the frames between the checkpoint and the first missing one change in session and renderer.
-void SessionReplay::pass_over_frames_before(std::int64_t frame) {
+void SessionReplay::skip_frames_before(std::int64_t frame) {
   while (tracker_->state().next_frame < frame) {
     if (stopped()) return;
     step_->prepare(tracker_->state().next_frame);
     tracker_->sampled(step_->sample());
-    step_->pass_over();
+    step_->skip_frame();
     tracker_->frame_done();
   }
 }

@@ -73,7 +73,7 @@ bool settle(Renderer& renderer, const ProbeScene& from, int updates) {
   for (int i = 0; i < updates; ++i) {
     if (stop_signal() != 0) return false;
     sample.t_ns = static_cast<TimeNs>(std::llround(1e9 * i / from.display_hz));
-    renderer.pass_over(sample, state);
+    renderer.skip_frame(sample, state);
     bar.update(i + 1);
   }
   return true;

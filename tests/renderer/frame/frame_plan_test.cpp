@@ -35,11 +35,11 @@ struct PlannedFrame {
   FramePlan plan;
 };
 
-PlannedFrame render_insisting(const Scene& scene, std::vector<std::string> insist_on) {
+PlannedFrame render_forcing(const Scene& scene, std::vector<std::string> force) {
   RenderSettings settings = test::small_settings();
   settings.light_samples = 4;
   settings.isa = Isa::best;
-  settings.insist_on = std::move(insist_on);
+  settings.force = std::move(force);
   FrameSample sample = test::sample_from({0, 0, 0}, test::gaze_deg(5, -5));
   static const test::TestCamera camera = test::TestCamera::pinhole(16, 16, 60, [](int x, int y) {
     return std::array<std::uint16_t, 4>{test::to_half(0.05 * x), test::to_half(0.05 * y), 0x3800, 0x3c00};
@@ -54,9 +54,9 @@ PlannedFrame render_insisting(const Scene& scene, std::vector<std::string> insis
 
 // Insists on what the plan leaves out: same picture, and of each kind as many rays, but for those that
 // catchers send once more where they are blocked.
-void expect_same_picture(const Scene& scene, const std::vector<std::string>& insist_on,
+void expect_same_picture(const Scene& scene, const std::vector<std::string>& force,
                          const std::vector<bool FramePlan::*>& features) {
-  const PlannedFrame lean = render_insisting(scene, {}), full = render_insisting(scene, insist_on);
+  const PlannedFrame lean = render_forcing(scene, {}), full = render_forcing(scene, force);
   for (const auto feature : features) {
     ASSERT_FALSE(lean.plan.*feature) << "the scene needs it: this test would compare a frame with itself";
     ASSERT_TRUE(full.plan.*feature);
@@ -87,7 +87,7 @@ TEST(FramePlanTest, CodeForSurfaceDetailsDoesNotChangeASceneWithoutThem) {
 
 TEST(FramePlanTest, CodeForHolesAndSidesDoesNotChangeASceneWithoutThem) {
   expect_same_picture(plain_scene(), {"alpha masks"}, {&FramePlan::alpha_mask});
-  expect_same_picture(plain_scene(), {"back faces left out"}, {&FramePlan::front_only});
+  expect_same_picture(plain_scene(), {"back faces left out"}, {&FramePlan::back_face_culling});
 }
 
 TEST(FramePlanTest, CodeForLayersDoesNotChangeASceneWithoutBlendedSurfaces) {
@@ -113,8 +113,8 @@ TEST(FramePlanTest, SecondRaysDoNotChangeASceneWhereNothingSendsThem) {
 TEST(FramePlanTest, ShadowRaysAmongCatchersDoNotChangeAFlatOne) {
   const Scene scene = catcher_scene();
   expect_same_picture(scene, {"catcher shadow rays"}, {&FramePlan::catchers_occlude});
-  const auto rays = [&](std::vector<std::string> insist_on) {
-    return render_insisting(scene, std::move(insist_on)).frame.counters.rays[RayKind::catcher_shadow];
+  const auto rays = [&](std::vector<std::string> force) {
+    return render_forcing(scene, std::move(force)).frame.counters.rays[RayKind::catcher_shadow];
   };
   EXPECT_EQ(rays({}), 0);
   EXPECT_GT(rays({"catcher shadow rays"}), 0) << "the sphere's shadow must send them, or nothing was tested";
@@ -126,10 +126,10 @@ TEST(FramePlanTest, ARatioPerChannelIsTheSameUnderWhiteLight) {
 
 TEST(FramePlanTest, EverythingThatIsLeftOutChangesNoBitTogether) {
   for (const Scene& scene : {plain_scene(), catcher_scene()}) {
-    const PlannedFrame lean = render_insisting(scene, {});
+    const PlannedFrame lean = render_forcing(scene, {});
     const std::vector<std::string> names = left_out(lean.plan);
     EXPECT_GE(names.size(), 8u);
-    const PlannedFrame full = render_insisting(scene, names);
+    const PlannedFrame full = render_forcing(scene, names);
     for (const PlanEntry& entry : full.plan.entries) EXPECT_TRUE(entry.runs || !entry.unneeded) << entry.name;
     test::expect_same_bits(lean.frame, full.frame);
   }
@@ -137,7 +137,7 @@ TEST(FramePlanTest, EverythingThatIsLeftOutChangesNoBitTogether) {
 
 TEST(FramePlanTest, RefusesToInsistOnWhatIsNoEntry) {
   RenderSettings settings;
-  settings.insist_on = {"texture"};
+  settings.force = {"texture"};
   EXPECT_THROW(plan_frame(plain_scene(), settings, true), std::invalid_argument);
 }
 
@@ -146,7 +146,7 @@ TEST(FramePlanTest, InsistingDoesNotOverruleTheOtherSettings) {
   scene.materials[1].mirror = 0.5f;
   RenderSettings settings;
   settings.reflections = false;
-  settings.insist_on = {"mirror rays"};
+  settings.force = {"mirror rays"};
   EXPECT_FALSE(plan_frame(scene, settings, true).mirror_rays) << "it would change the picture";
 }
 

@@ -53,7 +53,7 @@ TEST(FrameQualityTest, FewerAdaptiveLightSamplesAreThoseOfARendererOfThatNumber)
   const FrameSample sample = test::sample_from({0.1, 0.2, 0.3});
   RenderSettings settings = test::small_settings();
   settings.light_samples = 64;
-  settings.first_light_samples = 8;
+  settings.adaptive_min_samples = 8;
   Renderer renderer(scene, test::small_profile(), settings, false);
   RenderedFrame frame;
   for (const int samples : {16, 8, 4, 1, 64}) {

@@ -70,7 +70,7 @@ TEST(MemoryUseTest, EachPartIsThereWhereTheSceneAsksForIt) {
   EXPECT_GT(bytes_for(plain_scene(), "probes", settings), 8 * 8 * 8 * 240 * 4);
   settings = test::small_settings();
   settings.light_samples = 16;
-  settings.first_light_samples = 4;
+  settings.adaptive_min_samples = 4;
   EXPECT_GT(bytes_for(plain_scene(), "adaptive light samples", settings), 0);
 }
 

@@ -79,11 +79,11 @@ TEST(RendererStateTest, ARendererGoesOnFromTheStateOfAnother) {
   test::expect_same_bits(frame, expected);
 
   Renderer passed(scene, test::small_profile(), test::small_settings(), false);
-  passed.pass_over(head_at(0), state);
-  passed.pass_over(head_at(20), state);
+  passed.skip_frame(head_at(0), state);
+  passed.skip_frame(head_at(20), state);
   EXPECT_EQ(passed.state().anchor, glm::dvec3(0));
   Renderer fresh(scene, test::small_profile(), test::small_settings(), false);
-  fresh.pass_over(head_at(21), state);
+  fresh.skip_frame(head_at(21), state);
   EXPECT_EQ(fresh.state().anchor, glm::dvec3(16, 0, 0)) << "without the past it lies elsewhere";
 }
 

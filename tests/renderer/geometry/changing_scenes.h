@@ -50,7 +50,7 @@ inline RenderedFrame fresh(const Scene& scene, const SceneState& state, const Re
 inline SceneUpdate bring_up_to_date(EmbreeScene& geometry, const SceneState& state) {
   SceneUpdate update;
   geometry.follow(glm::dvec3(0.0));
-  geometry.take_up(state, update);
+  geometry.apply(state, update);
   geometry.commit_changes(update);
   return update;
 }

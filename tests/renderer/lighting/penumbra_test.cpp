@@ -68,7 +68,7 @@ double penumbra_error(const glm::vec3& light_size, int samples, int first_sample
   }();
   RenderSettings settings = test::planar_settings();
   settings.light_samples = samples;
-  settings.first_light_samples = first_samples;
+  settings.adaptive_min_samples = first_samples;
   const RenderedFrame frame =
       test::render(scene, profile, settings, test::looking_down({0, kEyeHeight_m, 0}));
   Scene open = scene;
@@ -136,7 +136,7 @@ TEST(AdaptiveLightTest, APenumbraKeepsItsErrorAndTheRestOfTheFloorTracesFewerRay
   std::cout << "mean error " << error_all << " and " << error_adaptive << " with " << saved
             << " times fewer rays\n";
   // The penumbra of a light of 0.3 m is a quarter of the floor that is seen: were every hit of it to trace 64
-  // rays and the others 4, that would be 64 / (0.25 * 64 + 0.75 * 4) = 3.4 times fewer; foretold strata make
+  // rays and the others 4, that would be 64 / (0.25 * 64 + 0.75 * 4) = 3.4 times fewer; predicted strata make
   // it more.
   EXPECT_GT(saved, 3.4);
   EXPECT_LE(error_adaptive, error_all + 1e-3);
@@ -148,7 +148,7 @@ TEST(AdaptiveLightTest, AsManyFirstSamplesAsThereAreIsTheSamePicture) {
   settings.light_samples = 16;
   const RenderedFrame plain =
       test::render(scene, test::small_profile(), settings, test::looking_down({0, 0.9, 0}));
-  settings.first_light_samples = 16;
+  settings.adaptive_min_samples = 16;
   test::expect_same_bits(
       plain, test::render(scene, test::small_profile(), settings, test::looking_down({0, 0.9, 0})));
 }
@@ -161,7 +161,7 @@ TEST(AdaptiveLightTest, WithoutAnythingInTheWayThePictureIsTheSameBitForBit) {
   settings.light_samples = 64;
   const RenderedFrame plain =
       test::render(scene, test::small_profile(), settings, test::looking_down({0, 1, 0}));
-  settings.first_light_samples = 4;
+  settings.adaptive_min_samples = 4;
   const RenderedFrame adaptive =
       test::render(scene, test::small_profile(), settings, test::looking_down({0, 1, 0}));
   test::expect_same_bits(plain, adaptive);
@@ -221,7 +221,7 @@ TEST(AdaptiveLightTest, SamplesTakeEveryStratumOnceAndTheEvenLatticeFirst) {
 TEST(AdaptiveLightTest, ThePlanSaysWhenTooManySamplesAreAllTraced) {
   const Scene scene = edge_scene({1, 0, 1});
   RenderSettings settings = test::small_settings();
-  settings.first_light_samples = 8;
+  settings.adaptive_min_samples = 8;
   settings.light_samples = 256;
   EXPECT_TRUE(plan_frame(scene, settings, false).light_sampling(256).adaptive());
   settings.light_samples = 257;

@@ -37,8 +37,8 @@ TEST_P(SampleLeftOutTest, EverythingOnGivesTheSameBits) {
   lean.threads = 2;
   lean.isa = Isa::best;
   RenderSettings full = lean;
-  full.insist_on = left_out(plan_frame(scene, lean, true));
-  ASSERT_FALSE(full.insist_on.empty()) << "nothing is left out: this test would compare a frame with itself";
+  full.force = left_out(plan_frame(scene, lean, true));
+  ASSERT_FALSE(full.force.empty()) << "nothing is left out: this test would compare a frame with itself";
   const test::TestCamera camera = test::gradient_camera();
   Renderer as_planned(scene, test::small_profile(160, 240, 144), lean, true),
       everything_on(scene, test::small_profile(160, 240, 144), full, true);

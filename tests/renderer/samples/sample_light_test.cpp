@@ -47,7 +47,7 @@ TEST(SampleLightTest, AdaptiveSamplesOfTheGeneralSceneTraceAThirdOfTheRays) {
   RenderSettings settings;  // 1576 x 768 for both eyes together
   settings.light_samples = 64;
   Renderer plain(scene, xr1_half_profile(), settings, true);
-  settings.first_light_samples = 8;
+  settings.adaptive_min_samples = 8;
   Renderer adaptive(scene, xr1_half_profile(), settings, true);
   RenderedFrame all, some;
   for (const double at_s : {0.5, 1.5}) {

@@ -144,7 +144,7 @@ TEST_F(FrameStepTest, FramesAfterThosePassedOverAreTheSame) {
   step.rewind();
   for (std::int64_t i = 0; i < 8; ++i) {
     step.prepare(opened->report.range.first + i);
-    step.pass_over();
+    step.skip_frame();
   }
   all.erase(all.begin(), all.begin() + 8);
   expect_same(pictures(step, opened->report.range, 8), all);

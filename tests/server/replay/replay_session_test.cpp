@@ -141,7 +141,7 @@ TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
   };
   EXPECT_EQ(header(), "polar 128x64, light samples 1, reflections, camera, isa sse4, profile small");
   options_.render.light_samples = 16;
-  options_.render.first_light_samples = 4;
+  options_.render.adaptive_min_samples = 4;
   options_.render.seed = 7;
   options_.session.sampling = SamplingMode::interpolate;
   EXPECT_EQ(header(),

@@ -74,7 +74,7 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
   options.render.isa = Isa::avx2;
   EXPECT_EQ(settings_text(options),
             "polar 1576x768, light samples 1, reflections, camera, isa avx2, profile xr1");
-  options.render.first_light_samples = 4;
+  options.render.adaptive_min_samples = 4;
   options.render.occlusion_rays = 8;
   options.render.occlusion_radius_m = 0.5;
   options.render.refraction = false;
