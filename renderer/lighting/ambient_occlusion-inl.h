@@ -41,7 +41,7 @@ HWY_INLINE void local_direction(std::uint32_t key, int ray, int rays, float loca
 }
 
 // One ray per hit of first hits [0, count), into the queue. A direction that the interpolated normal bends
-// below the surface is left out and counts as open: it is no corner that could be dark.
+// below the surface is left out and counts as open: no geometry stands there.
 HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
   TileScratch& scratch = *job.scratch;
   const HitBatch& hits = scratch.first;

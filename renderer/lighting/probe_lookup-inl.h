@@ -67,7 +67,7 @@ HWY_INLINE VF norm_of(const V3& d) {
 }
 
 // The first lane of `some` in every lane. Hits of a packet mostly share their cell, and on flat surfaces the
-// normal: what they then read is one value, not a gather.
+// normal: what they then read is one value for all lanes.
 HWY_INLINE VI first_of(VI value, MF some) {
   alignas(64) std::int32_t lanes[kMaxLanes];
   hn::Store(value, kI, lanes);

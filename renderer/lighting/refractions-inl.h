@@ -44,8 +44,8 @@ HWY_INLINE Refraction refract(const V3& v, const V3& n, const V3& g, VF eta, VF 
 
 // Sends light of hits [0, count) of a batch onward through their surfaces, into the queue `onward`.
 // `senders(slot)`: the first hits they belong to, whose weights are set at the first interface and multiplied
-// at later ones. Behind the first, a hit that lets its light through shows nothing of its own and becomes
-// none.
+// at later ones. Behind the first interface, a hit that lets its light through gets the kind `none`: its own
+// light is not added.
 template <typename Senders>
 HWY_NOINLINE void queue_refractions(const TileJob& job, HitBatch& hits, int count, bool first_interface,
                                     const Senders& senders) {

@@ -15,8 +15,8 @@ namespace HWY_NAMESPACE {
 
 // A change of a quarter is large; from a half on, probes forget 16 times as fast.
 constexpr float kLargeChange = 0.25f, kLargestChange = 0.5f;
-// And by more than this many standard errors of as many independent rays, of now or of before: a ray that
-// meets a small bright spot is no change.
+// A change is also larger than this many standard errors of as many independent rays, now or before: one ray
+// that meets a small bright spot counts as noise.
 constexpr float kSurelyChanged = 1.5f;
 
 HWY_INLINE VF fifth_root(VF x) {

@@ -1,5 +1,5 @@
 // Where the probes of a volume really stand, which of them can ever matter, and how far each sees: worked out
-// once, when the renderer is built, because geometry does not move.
+// once, when the renderer is built, with the scene as it is then.
 // Before: EmbreeScene has the geometry in place. After: frames only gather light.
 #pragma once
 

@@ -32,7 +32,7 @@ inline constexpr int kUpdatesToSleep = 16;     // dark ones in a row: light need
 // One world that probes look at: everything, or the catchers alone (DESIGN: differential rendering).
 struct ProbeSet {
   unsigned mask = ~0u;                   // of the geometry that is there
-  std::vector<std::uint32_t> distances;  // as ProbeView, made once: geometry does not move
+  std::vector<std::uint32_t> distances;  // as ProbeView, made once, of the scene as loaded
   std::vector<float> places;             // as ProbeView
   std::vector<std::uint32_t> light;      // as ProbeView, as of the last frame
   std::vector<float> gathered;           // kLightFloats per probe: radiance^(1/gamma), channel by channel
@@ -54,8 +54,8 @@ class ProbeVolume {
 
   // Chooses the probes of this frame, `most` of them and those of the budget at most, and the share that each
   // keeps of what it had. `power`: summed intensity
-  // of all lights; when it doubles, sleeping probes wake. The time of the last frame once more is that frame
-  // once more: no probe is updated. No allocation.
+  // of all lights; when it doubles, sleeping probes wake. At the time of the last frame again, no probe is
+  // updated. No allocation.
   void begin_frame(std::int64_t t_ns, double power, int most);
   // As if there had been no frame.
   void start_anew();

@@ -23,7 +23,7 @@ class ModelPose {
 
   void pose(double time_s);
   const glm::dmat4x3& model_from_node(int node) const { return matrices_[static_cast<std::size_t>(node)]; }
-  // Fills `out`, whose version is another one if anything differs from what it held.
+  // Fills `out`; its version changes when anything differs from what it held.
   void bend(const MeshDeformation& deformation, DeformationPose& out) const;
 
  private:

@@ -24,7 +24,7 @@ PlacedCatcher box_catcher(const glm::dvec3& lower, const glm::dvec3& upper);
 // Two triangles; the corners run counter-clockwise as seen from the front.
 PlacedCatcher quad_catcher(const std::array<glm::dvec3, 4>& corners);
 
-// What is wrong with four corners (no area, not flat, not convex), or none.
+// What is wrong with four corners (no area, not flat, not convex); empty when they are good.
 std::optional<std::string> quad_problem(const std::array<glm::dvec3, 4>& corners);
 
 }  // namespace herr

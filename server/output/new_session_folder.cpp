@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 12> kSessionEntries{
     "session.json", "events.jsonl",  "pose",      "pose/data.csv", "gaze",          "gaze/data.csv",
     "cam0",         "cam0/data.csv", "cam0/data", "cam1",          "cam1/data.csv", "cam1/data"};
 
-// The first thing in a session's folder that is no part of the session. `folder`: relative to the session.
+// The first file in a session's folder that the format does not name. `folder`: relative to the session.
 std::optional<fs::path> foreign_entry(const fs::path& session, const fs::path& folder,
                                       std::error_code& error) {
   for (const std::string& name : list_folder(session / folder, error)) {

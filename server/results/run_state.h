@@ -54,7 +54,7 @@ class RunTracker {
   const SessionFindings opened_;
   RunState state_;
   std::int64_t sanitised_values_ = 0;
-  // Of the session's own findings, what is none of this run: found on opening, or once more while restoring.
+  // How many of the session's findings were there before this run: from opening it, and from restoring.
   std::int64_t skipped_before_;
   std::size_t warnings_before_;
   std::array<std::shared_ptr<const CameraImage>, 2> shown_images_;

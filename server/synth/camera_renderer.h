@@ -15,8 +15,8 @@ class CameraRenderer {
  public:
   // `room` must outlive this object. `threads`: 0 for all that this process may use; the picture is the same.
   CameraRenderer(const Scene& room, const CameraModel& camera, int threads);
-  // RGB, 16 rays per pixel. `time_s`: since the session's start. False, and `out` is no picture: a signal
-  // asked for the end meanwhile.
+  // RGB, 16 rays per pixel. `time_s`: since the session's start. False when a signal asked for the end
+  // meanwhile; `out` is then not whole.
   bool render(const Pose& world_from_camera, double time_s, Srgb8Image& out);
 
  private:

@@ -1,5 +1,5 @@
-// Writing a file failed: disk full, quota, no permission, a fault of the disk. The other side of InputError:
-// not the user's data but the place for it. Thrown by everything that writes; the program exits with 75, or
+// Writing a file failed: disk full, quota, no permission, a fault of the disk. Thrown by everything that
+// writes; the program exits with 75, or
 // with 2 where the user may not write.
 #pragma once
 

@@ -91,7 +91,7 @@ void ForeignTable::split(std::string_view line) {
   }
 }
 
-// Blank lines and comments are no rows.
+// Skips blank lines and comments.
 bool ForeignTable::next_line() {
   while (reader_.next(line_)) {
     if (!line_.whole) {

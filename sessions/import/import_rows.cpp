@@ -136,7 +136,7 @@ void import_poses(const ImportRequest& request, const ImportSink& sink, ImportRe
   });
 }
 
-// What the eyes of one row see. No ray is read where no pupil was seen: what stands there is none.
+// The gaze of one row. Rays are read where a pupil was seen; elsewhere trackers write anything.
 void read_rays(const ForeignTable& table, const std::vector<RayReader>& readers,
                const std::vector<FilterReader>& pupils, const AxisDirections& axes, GazeRow& row,
                ImportedStream& stream) {

@@ -21,8 +21,7 @@ class StreamCensus {
   TimeNs last_ns() const { return last_ns_; }
 
   // Throws InputError when most neighbours are less than 0.1 ms apart or, if `slow_refused`, more than 10 s:
-  // the stamps are then in another unit. Most, not the mean: one long pause does not make a recording
-  // implausible.
+  // the stamps are then in another unit. Most neighbours decide, so that one long pause is allowed.
   void check_rate(const std::filesystem::path& file, bool slow_refused) const;
   // A line about gaps of more than a second, when there are any.
   std::optional<InputError> gap_warning(const std::filesystem::path& file) const;

@@ -1,5 +1,5 @@
-// Two things that were measured differ in more than the program: no verdict can be given, and nothing is
-// wrong with either. Before: whoever compares throws. After: the verdict "not comparable", exit code 4.
+// Two things that were measured differ in more than the program: no verdict can be given. Each by itself may
+// be sound. Before: whoever compares throws. After: the verdict "not comparable", exit code 4.
 #pragma once
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
-// Runs of today against runs that were stored when the other program was still there. The clock of the
-// machine has drifted in between, and the calibration takes out most of it, not all: the limit is wider than
-// for pairs. Before: baseline_file, fresh runs. After: a verdict; there is no second look.
+// Runs of now against stored runs of another program. The clock of the machine has drifted in between; the
+// calibration takes out most of that, so the limit is wider than for pairs. Before: baseline_file, fresh
+// runs. After: a verdict, after one look.
 #pragma once
 
 #include <span>
