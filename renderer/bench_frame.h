@@ -1,6 +1,6 @@
-// The figure of merit: a frame's time against its bare time ("raw" in tables and JSON) - the same rays through bare Embree packets and
-// the same pixels through a bare fetch-blend-store kernel, measured frame by frame in the same run on the
-// same threads.
+// The figure of merit: a frame's time against its bare time ("raw" in tables and JSON) - the same rays
+// through bare Embree packets and the same pixels through a bare fetch-blend-store kernel, measured frame by
+// frame in the same run on the same threads.
 #pragma once
 
 #include <cstdint>

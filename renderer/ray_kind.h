@@ -1,5 +1,5 @@
-// The kinds of rays that a frame traces, and counts of rays by kind: one list for kernels, bench and every
-// report.
+// The kinds of rays that a frame traces, and counts of rays by kind: one list for
+// kernels, bench and every report.
 #pragma once
 
 #include <array>

@@ -51,8 +51,8 @@ struct RendererState {
   std::vector<std::byte> details;    // which form of each mesh is shown; empty without coarser forms
 };
 
-// Thread safety: one thread calls; the renderer runs its own workers. Throws std::runtime_error when Embree
-// fails.
+// Thread safety: one thread calls; the renderer runs its own workers. Throws
+// std::runtime_error when Embree fails.
 class Renderer {
  public:
   // Builds the acceleration structures. `scene` must outlive the renderer; it may change between frames as

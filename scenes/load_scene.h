@@ -8,8 +8,8 @@
 
 namespace herr {
 
-// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its bounds). Throws
-// InputError.
+// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its
+// bounds). Throws InputError.
 Scene load_scene(const std::filesystem::path& file, TexturePixels pixels = TexturePixels::decoded);
 
 }  // namespace herr

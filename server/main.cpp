@@ -1,5 +1,5 @@
-// herr: replays recorded XR sessions and ray-traces each frame. A table of contents; every command is in a
-// folder.
+// herr: replays recorded XR sessions and ray-traces each frame. A table of contents;
+// every command is in a folder.
 #include "server/bench/bench_command.h"
 #include "server/check/check_command.h"
 #include "server/cli/command_line.h"

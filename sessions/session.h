@@ -29,8 +29,8 @@ class Session {
   const SessionHeader& header() const;
   const SessionFindings& findings() const;
   const std::filesystem::path& folder() const;
-  // The span that can be replayed: from the first pose to the last (or as the header narrows it). end >=
-  // start.
+  // The span that can be replayed: from the first pose to the last (or as the header
+  // narrows it). end >= start.
   TimeNs start_ns() const;
   TimeNs end_ns() const;
 

@@ -1,6 +1,5 @@
 // Pixels through a bare kernel - fetch, blend, store - with coordinates that were computed beforehand: the
-// speed of light that `bench` holds the viewport stage against. The counterpart for rays is
-// bare_rays.h.
+// speed of light that `bench` holds the viewport stage against. The counterpart for rays is bare_rays.h.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // Rays through bare Embree, nothing else: the speed of light that `bench` holds a frame against.
-// Packets follow the order in which the rays were made, with the best flag for their kind; gaps are idle
-// lanes.
+// Packets follow the order in which the rays were made, with the best flag for their
+// kind; gaps are idle lanes.
 #pragma once
 
 #include <cstddef>

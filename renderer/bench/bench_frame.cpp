@@ -244,7 +244,8 @@ BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeat
   result.ratio = measured.ratio.value();
   result.rays_frame_ms = measured.rays_frame.value(), result.rays_bare_ms = measured.rays_bare.value();
   result.rays_ratio = measured.rays_ratio.value();
-  result.pixels_frame_ms = measured.pixels_frame.value(), result.pixels_bare_ms = measured.pixels_bare.value();
+  result.pixels_frame_ms = measured.pixels_frame.value(),
+  result.pixels_bare_ms = measured.pixels_bare.value();
   result.ns_per_pixel = pixels > 0 ? result.pixels_frame_ms * 1e6 / pixels : 0;
   result.bare_ns_per_pixel = pixels > 0 ? result.pixels_bare_ms * 1e6 / pixels : 0;
   for (std::size_t s = 0; s < kStageCount; ++s) result.median_times.ms[s] = measured.stages[s].value();

@@ -17,8 +17,8 @@ inline constexpr int kCalibrationVersion = 1;
 
 class CalibrationRays {
  public:
-  // Construct inside the arena of the render threads (Embree builds there). `isa` is resolved. Throws as
-  // EmbreeDevice.
+  // Construct inside the arena of the render threads (Embree builds there). `isa` is
+  // resolved. Throws as EmbreeDevice.
   CalibrationRays(Isa isa, int threads);
 
   // About a fifth of a millisecond each; as much work for every thread, however many there are.

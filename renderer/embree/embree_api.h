@@ -1,6 +1,6 @@
-// The one place that knows which Embree this is: version 3 (Debian 12) or 4, and packets of 4, 8 or 16 rays.
-// Occlusion packets never carry the COHERENT flag: rtcOccluded16 of Embree 3.13 does not return with it on
-// AVX-512.
+// The one place that knows which Embree this is: version 3 (Debian 12) or 4, and packets of 4, 8 or
+// 16 rays. Occlusion packets never carry the COHERENT flag: rtcOccluded16 of Embree 3.13 does not
+// return with it on AVX-512.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)

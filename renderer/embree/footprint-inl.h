@@ -1,8 +1,8 @@
-// How wide a ray is: what it stands for along its way, so that voxels are traversed at the level of detail
-// that it asks for. Two numbers travel through Embree in the ray's id, 16 bits each (the upper half of a
-// float's bits without its sign): the width at the origin and what it grows by per unit of t, both over the
-// direction's length, since instances scale directions and positions alike. 0 is a ray without width: full
-// detail.
+// How wide a ray is: what it stands for along its way, so that voxels are traversed at the level of
+// detail that it asks for. Two numbers travel through Embree in the ray's id, 16 bits each (the upper
+// half of a float's bits without its sign): the width at the origin and what it grows by per unit of t,
+// both over the direction's length, since instances scale directions and positions alike. 0 is a ray
+// without width: full detail.
 #pragma once
 
 #include "renderer/embree/embree_api.h"

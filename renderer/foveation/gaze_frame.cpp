@@ -39,8 +39,8 @@ namespace {
 // Farthest point from the gaze on the arc between two directions of a border.
 double farthest_on_arc_deg(const glm::dvec3& gaze, const glm::dvec3& from, const glm::dvec3& to) {
   double farthest = std::max(eccentricity_deg(gaze, from), eccentricity_deg(gaze, to));
-  // On the great circle through both, it is the projection of -gaze onto the circle's plane, if that is on
-  // the arc.
+  // On the great circle through both, it is the projection of -gaze onto the circle's
+  // plane, if that is on the arc.
   const glm::dvec3 normal = glm::cross(from, to);
   const double normal_length2 = glm::dot(normal, normal);
   if (normal_length2 <= 0) return farthest;

@@ -10,8 +10,8 @@
 
 namespace herr {
 
-// Orthonormal, in eye space: columns right, up, gaze. phi runs counter-clockwise from `right` as the eye sees
-// it.
+// Orthonormal, in eye space: columns right, up, gaze. phi runs counter-clockwise from
+// `right` as the eye sees it.
 struct GazeFrame {
   glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, gaze{0, 0, -1};
 };
@@ -25,9 +25,9 @@ GazeFrame gaze_frame(const glm::dvec3& gaze_in_eye);
 // poles.
 double eccentricity_deg(const glm::dvec3& gaze, const glm::dvec3& direction);
 
-// Largest eccentricity in degrees of any point of this eye's viewports: corners, the farthest points of the
-// borders, and 180 when a viewport contains the direction opposite to the gaze. 0 when the eye has no
-// viewport.
+// Largest eccentricity in degrees of any point of this eye's viewports: corners, the farthest
+// points of the borders, and 180 when a viewport contains the direction opposite to the gaze. 0
+// when the eye has no viewport.
 double theta_max_deg(const GazeFrame& frame, std::span<const Viewport> viewports, Eye eye);
 
 // Four inward unit normals of a viewport's frustum in eye space (left, right, down, up).

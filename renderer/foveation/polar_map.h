@@ -29,8 +29,8 @@ struct PolarMap {
   static double angular_density(double theta_deg, double height) {
     return height / (360.0 * std::sin(theta_deg / kDegreesPerRadian));
   }
-  // Width at which the radial density is the paper's acuity, 200 / (theta + 1): 766 (rounded up) at 45
-  // degrees.
+  // Width at which the radial density is the paper's acuity, 200 / (theta + 1): 766
+  // (rounded up) at 45 degrees.
   double paper_width() const { return kAcuityPixelsPerDegree * log_range; }
 };
 

@@ -10,9 +10,9 @@
 
 namespace herr {
 
-// Polar layout: column c + 1 holds radial sample c; column 0 holds the sample across the pole (phi + pi),
-// column W + 1 repeats the last; row H repeats row 0. So every bilinear fetch reads (x, x+1) x (y, y+1) with
-// no branch.
+// Polar layout: column c + 1 holds radial sample c; column 0 holds the sample across the pole (phi +
+// pi), column W + 1 repeats the last; row H repeats row 0. So every bilinear fetch reads (x, x+1) x
+// (y, y+1) with no branch.
 class RadianceBuffer {
  public:
   // `columns` and `rows` count the padding.

@@ -20,8 +20,8 @@ double pixel_rad(const Viewport& v) {
   return std::sqrt((v.tan_right - v.tan_left) / v.width_px * (v.tan_up - v.tan_down) / v.height_px);
 }
 
-// A viewport that lies within another of the same eye adds nothing to what the eye can see. Of equal ones the
-// first counts.
+// A viewport that lies within another of the same eye adds nothing to what the eye can see. Of
+// equal ones the first counts.
 bool is_covered(std::span<const Viewport> viewports, std::size_t index) {
   for (std::size_t other = 0; other < viewports.size(); ++other) {
     if (other == index || viewports[other].eye != viewports[index].eye) continue;

@@ -1,8 +1,7 @@
 // A frame, stage by stage (paper, Figure 4). Read this page first.
 // sample of the session -> gaze -> acceleration structures follow the head ->
-// lights -> probes -> polar rays -> first hits, light rays, second rays (tile
-// by tile) -> viewports over the camera feed -> overlays. No I/O, no
-// allocation, no lock.
+// lights -> probes -> polar rays -> first hits, light rays, second rays (tile by tile) -> viewports over the
+// camera feed -> overlays. No I/O, no allocation, no lock.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -125,8 +124,7 @@ void Renderer::skip_frame(const FrameSample& sample, const SceneState& state) {
   impl_->update_probes(sample, state, nobodys);
 }
 
-// Where each eye looks, in its own space, and how far from there its viewports
-// reach.
+// Where each eye looks, in its own space, and how far from there its viewports reach.
 void Renderer::Impl::follow_gaze(const FrameSample& sample) {
   for (const Eye eye : kEyes) {
     const auto e = static_cast<std::size_t>(eye);
@@ -161,8 +159,7 @@ SceneUpdate Renderer::Impl::update_acceleration(const FrameSample& sample, const
   return update;
 }
 
-// Which instances have a choice is measured anew; the full mesh stands there
-// until the next choice.
+// Which instances have a choice is measured anew; the full mesh stands there until the next choice.
 void Renderer::Impl::show_full_details() {
   details.measure_anew([this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }

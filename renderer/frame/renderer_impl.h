@@ -1,5 +1,5 @@
-// What a renderer keeps between frames. Everything is allocated at construction: the frame loop allocates
-// nothing.
+// What a renderer keeps between frames. Everything is allocated at construction: the
+// frame loop allocates nothing.
 #pragma once
 
 #include <memory>

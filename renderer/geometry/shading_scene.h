@@ -1,6 +1,6 @@
-// The scene as the shading kernels read it: plain records, one per triangle, instance, texture and light.
-// Positions are float, relative to the anchor. Instance index = Embree instance id; one material per
-// instance.
+// The scene as the shading kernels read it: plain records, one per triangle, instance, texture
+// and light. Positions are float, relative to the anchor. Instance index = Embree instance id;
+// one material per instance.
 #pragma once
 
 #include <array>

@@ -44,8 +44,8 @@ class SphereCrossing {
     const V discriminant = hn::Sub(one, dot<D>(closest_, closest_));
     meets = hn::Ge(discriminant, hn::Zero(D()));
     half_ = hn::Sqrt(hn::Mul(hn::Max(discriminant, hn::Zero(D())), inverse2));
-    // closest - half and closest + half: the one nearer to 0 would cancel, and is their product over the
-    // other.
+    // closest - half and closest + half: the one nearer to 0 would cancel, and is their
+    // product over the other.
     const V larger = hn::Add(closest, hn::CopySign(half_, closest));
     const V product = hn::Mul(hn::Sub(dot<D>(o, o), one), inverse2);
     const V smaller = hn::Div(product, larger);
@@ -80,8 +80,8 @@ class BoxCrossing {
     meets = hn::Le(enter, leave);
   }
 
-  // Outward normal of the face through which the line enters (`entering`) or leaves; on an edge x before y
-  // before z.
+  // Outward normal of the face through which the line enters (`entering`) or leaves; on an
+  // edge x before y before z.
   HWY_INLINE Point<D> normal(hn::Mask<D> entering) const {
     const V zero = hn::Zero(D()), t = hn::IfThenElse(entering, enter, leave);
     const auto on = [&](const Slab& slab)

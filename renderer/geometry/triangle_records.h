@@ -1,6 +1,6 @@
 // Bakes a mesh's per-corner attributes into the 32-byte records that shading gathers by triangle.
-// Octahedral normals: Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors"
-// (2014).
+// Octahedral normals: Cigolle et al., "A Survey of Efficient Representations for
+// Independent Unit Vectors" (2014).
 #pragma once
 
 #include <cstdint>

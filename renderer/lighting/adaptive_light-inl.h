@@ -110,8 +110,8 @@ HWY_NOINLINE inline void find_pairs(const HitBatch& hits, int count, AdaptiveLig
   }
 }
 
-// Hits that take first sample `s` from their neighbour's ray: even ones the odd samples, odd ones the even
-// samples.
+// Hits that take first sample `s` from their neighbour's ray: even ones the odd samples,
+// odd ones the even samples.
 HWY_INLINE MF borrows(const AdaptiveLight& adaptive, int s, int slot, MF lit) {
   const VI odd = hn::And(hn::Iota(kI, 0), hn::Set(kI, 1));
   const MF not_mine = hn::RebindMask(kF, hn::Ne(odd, hn::Set(kI, s & 1)));
@@ -187,9 +187,9 @@ HWY_INLINE void count_seen(const TileJob& job, const LightRecord& light, int s, 
   add_to(scratch.adaptive->seen_without, slot, hn::IfThenElseZero(lit, load(&scratch.visible_without[slot])));
 }
 
-// Decides for each hit, from the first samples, whether it sees all of the light, nothing of it, or must ask
-// on: where samples within its 4x4 block disagree. Blocks are the same on every instruction set, and so is
-// the decision.
+// Decides for each hit, from the first samples, whether it sees all of the light, nothing of it, or
+// must ask on: where samples within its 4x4 block disagree. Blocks are the same on every instruction
+// set, and so is the decision.
 HWY_NOINLINE inline void decide(const HitBatch& hits, int count, AdaptiveLight& adaptive) {
   enum : std::uint8_t { kDark = 1, kBright = 2, kMixed = kDark | kBright };
   std::array<std::uint8_t, kBlocksInTile> with{}, without{};

@@ -12,8 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// A vector in the frame of each normal (Duff et al., "Building an Orthonormal Basis, Revisited", 2017); z =
-// along it.
+// A vector in the frame of each normal (Duff et al., "Building an Orthonormal Basis,
+// Revisited", 2017); z = along it.
 HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
   const VF one = set(1.0f);
   const VF sign = hn::CopySign(one, n.z);

@@ -1,5 +1,5 @@
-// Radiance that comes from outside the scene: one colour, or an equirectangular picture with bilinear
-// filtering.
+// Radiance that comes from outside the scene: one colour, or an equirectangular picture
+// with bilinear filtering.
 #pragma once
 
 #include "renderer/simd/vector_angles-inl.h"
@@ -9,8 +9,8 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// u to the right from the azimuth -180 degrees of an unturned picture, v downwards from the zenith; [0, 1]
-// each.
+// u to the right from the azimuth -180 degrees of an unturned picture, v downwards from
+// the zenith; [0, 1] each.
 HWY_INLINE V3 environment_texel(const EnvironmentRecord& map, const V3& direction) {
   constexpr float kTurnsPerRadian = 0.159154943f;
   const VF zero = hn::Zero(kF), one = set(1.0f), half = set(0.5f);

@@ -35,9 +35,9 @@ int spreading_stride(int n) {
 }
 
 void order_strata(LightRecord& light) {
-  // Strata by the parity of their coordinates x, y, z: even ones first, a lattice of every other stratum,
-  // then those between four or eight of the lattice, then the rest. Within a class the golden ratio spreads
-  // them out.
+  // Strata by the parity of their coordinates x, y, z: even ones first, a lattice of every other
+  // stratum, then those between four or eight of the lattice, then the rest. Within a class the
+  // golden ratio spreads them out.
   constexpr std::array<int, 8> kClasses{0b000, 0b111, 0b011, 0b101, 0b110, 0b001, 0b010, 0b100};
   const int stride = spreading_stride(light.samples);
   const int nx = light.strata[0], ny = light.strata[1];

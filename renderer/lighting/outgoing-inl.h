@@ -17,9 +17,8 @@ HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, bool probes) {
 }
 
 // Radiance that hits [slot, slot + kLanes) send back: emission, direct light, and light from all sides
-// (constant, or from probes). The mirror ray
-// stands for the mirror's share of the specular ambient light, where one is traced; ambient light reaches the
-// `open` share of a hit where short rays were traced.
+// (constant, or from probes). The mirror ray stands for the mirror's share of the specular ambient light,
+// where one is traced; ambient light reaches the `open` share of a hit where short rays were traced.
 HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced,
                        bool occlusion_traced) {
   const VF one = set(1.0f);

@@ -1,5 +1,5 @@
-// Stage: second rays by reflection. One mirror bounce for hits whose material asks for it, objects and
-// catchers.
+// Stage: second rays by reflection. One mirror bounce for hits whose material asks for
+// it, objects and catchers.
 #pragma once
 
 #include "renderer/lighting/second_rays-inl.h"

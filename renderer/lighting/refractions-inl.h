@@ -1,7 +1,7 @@
-// Stage: second rays by refraction. Light that passes transparent surfaces is followed from interface to
-// interface by Snell's law, mirrored where it is reflected totally, until it meets something opaque or leaves
-// the scene; that is lit like a first hit. At each interface the share 1 - F (Schlick) times the base colour
-// goes on.
+// Stage: second rays by refraction. Light that passes transparent surfaces is followed from interface
+// to interface by Snell's law, mirrored where it is reflected totally, until it meets something opaque
+// or leaves the scene; that is lit like a first hit. At each interface the share 1 - F (Schlick) times
+// the base colour goes on.
 #pragma once
 
 #include <utility>
@@ -35,8 +35,8 @@ HWY_INLINE Refraction refract(const V3& v, const V3& n, const V3& g, VF eta, VF 
   out.direction = select(out.total, mirrored(v, n, g), normalise(through));
   // Schlick's angle is the one in the thinner medium.
   const VF angle = schlick_weight(hn::IfThenElse(hn::Gt(eta, one), below, cosine));
-  // What has (nearly) no step of the index reflects nothing at grazing angles either, as Schlick's curve
-  // would.
+  // What has (nearly) no step of the index reflects nothing at grazing angles either,
+  // as Schlick's curve would.
   const VF grazing = hn::Mul(angle, hn::Min(hn::Mul(f0, set(1e4f)), one));
   out.passes = hn::IfThenElse(out.total, one, hn::NegMulAdd(hn::Sub(one, f0), grazing, hn::Sub(one, f0)));
   return out;

@@ -86,9 +86,9 @@ HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
   job.cycles->lap(Stage::indirect_light);
 }
 
-// Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to all, what
-// is not virtual to objects only, since a catcher's feed shows the real room already. Rays of kind none bring
-// nothing.
+// Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to
+// all, what is not virtual to objects only, since a catcher's feed shows the real room already. Rays of
+// kind none bring nothing.
 HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays) {
   HitBatch& first = job.scratch->first;
   const SecondRays& sent = *job.scratch->second;

@@ -1,5 +1,5 @@
-// Where the probes of a volume stand: a regular grid over a box, probe i of an axis at
-// min + (i + 1/2) * extent / n, so that none lies in the box's own walls.
+// Where the probes of a volume stand: a regular grid over a box, probe i of an axis at min + (i + 1/2) *
+// extent / n, so that none lies in the box's own walls.
 // Before: scenes/ states the grid or the scene's bounds are taken. After: probe_placement moves single probes
 // out of the way of geometry.
 #pragma once

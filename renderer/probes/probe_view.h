@@ -13,9 +13,9 @@ using LightNodes =
     OctahedralNodes<kLightNodes>;  // mean incoming radiance per direction of the surface's normal
 using DistanceNodes = OctahedralNodes<kDistanceNodes>;  // inverse distance to geometry per direction of sight
 
-// A node of light is three floats of 21 bits in two words: r and g in the upper 21 bits of each, b in the
-// lower 11 bits of the first and the lower 10 of the second. 13 bits of mantissa, no sign, the range of
-// float.
+// A node of light is three floats of 21 bits in two words: r and g in the upper 21 bits of each,
+// b in the lower 11 bits of the first and the lower 10 of the second. 13 bits of mantissa, no
+// sign, the range of float.
 inline constexpr int kLightWords = 2;
 
 // A node of distance is one word: low 16 bits the inverse distance, high 16 bits its deviation, both in units

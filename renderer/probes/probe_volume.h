@@ -53,9 +53,8 @@ class ProbeVolume {
   ProbeVolume(const ProbeGrid& grid, const ProbeSettings& settings, int sets);
 
   // Chooses the probes of this frame, `most` of them and those of the budget at most, and the share that each
-  // keeps of what it had. `power`: summed intensity
-  // of all lights; when it doubles, sleeping probes wake. At the time of the last frame again, no probe is
-  // updated. No allocation.
+  // keeps of what it had. `power`: summed intensity of all lights; when it doubles, sleeping probes wake. At
+  // the time of the last frame again, no probe is updated. No allocation.
   void begin_frame(std::int64_t t_ns, double power, int most);
   // As if there had been no frame.
   void start_anew();

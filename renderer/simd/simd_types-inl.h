@@ -1,6 +1,6 @@
 // Vector types and small helpers shared by the tile stages; compiled once per instruction set.
-// Multiply-add is written out as MulAdd, never left to the compiler, so every specialisation gives the same
-// bits.
+// Multiply-add is written out as MulAdd, never left to the compiler, so every
+// specialisation gives the same bits.
 #pragma once
 
 #include <hwy/highway.h>
@@ -78,8 +78,8 @@ HWY_INLINE void store_lanes(VF value, MF lanes, float* p) {
   hn::Store(hn::IfThenElse(lanes, value, hn::Load(kF, p)), kF, p);
 }
 
-// Float ready to be demoted to half with rounding to nearest: Highway's SSE4 demotion cuts the low bits off
-// instead.
+// Float ready to be demoted to half with rounding to nearest: Highway's SSE4 demotion cuts
+// the low bits off instead.
 template <class D, class V>
 HWY_INLINE V half_rounded(D d, V value) {
 #if HWY_TARGET == HWY_SSE4

@@ -1,6 +1,6 @@
 // A material where rays hit it: factors times the two textures that most materials have at most.
-// Before: surfaces knows triangle and place. After: surface_details adds the rest; surfaces stores the
-// outcome.
+// Before: surfaces knows triangle and place. After: surface_details adds the rest;
+// surfaces stores the outcome.
 #pragma once
 
 #include "renderer/surfaces/texture-inl.h"

@@ -36,8 +36,8 @@ HWY_INLINE V3 interpolate_directions(const std::uint32_t* words, VI record, cons
 // Normals of `lanes`, turned to the viewer's side.
 HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
                               const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
-  // Embree's normal has the triangle's area for its length: brought near 1 first, or a sliver's would
-  // underflow.
+  // Embree's normal has the triangle's area for its length: brought near 1 first, or a
+  // sliver's would underflow.
   const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
   const VF largest =
       hn::Max(hn::Max(hn::Abs(area.x), hn::Abs(area.y)), hn::Max(hn::Abs(area.z), set(1e-37f)));
@@ -52,16 +52,16 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   store_lanes(hn::IfThenElse(g_behind, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
   // The shading normal follows the geometric one's side, so that both see the same lights.
   n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
-  // A flat triangle's stored normal is its own but for rounding to 16 bits (6.6e-5 rad at most): glass shows
-  // that.
+  // A flat triangle's stored normal is its own but for rounding to 16 bits (6.6e-5 rad at
+  // most): glass shows that.
   const V3 bend = sub(n, g);
   n = select(hn::Lt(dot(bend, bend), set(2e-8f)), g, n);
   store_lanes(g, lanes, out.geometric_normal, slot);
   store_lanes(n, lanes, out.normal, slot);
 }
 
-// The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat: outward, in
-// object space.
+// The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat:
+// outward, in object space.
 HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet, const V3& viewer, MF lanes,
                             HitBatch& out, int slot) {
   V3 n = normal_to_world(instance, load3(packet.hit.Ng_x, packet.hit.Ng_y, packet.hit.Ng_z));

@@ -1,7 +1,7 @@
-// Fetch from an 8-bit RGBA texture, decoded to linear light before filtering: bilinear where it is magnified,
-// else trilinear between the two levels that the ray's width asks for (a level alone would show its border).
-// The sRGB curve is a cubic that stays within 0.0022 of IEC 61966-2-1 (tests/renderer measures it); 0 and 1
-// are exact.
+// Fetch from an 8-bit RGBA texture, decoded to linear light before filtering: bilinear where it is
+// magnified, else trilinear between the two levels that the ray's width asks for (a level alone would show
+// its border). The sRGB curve is a cubic that stays within 0.0022 of IEC 61966-2-1 (tests/renderer
+// measures it); 0 and 1 are exact.
 #pragma once
 
 #include "renderer/geometry/shading_scene.h"
@@ -16,8 +16,8 @@ HWY_INLINE VF srgb_to_linear(VF c) {
   return hn::Mul(c, hn::MulAdd(c, hn::MulAdd(c, set(kCubic), set(kSquare)), set(kLinear)));
 }
 
-// Texture coordinate in texels, wrapped so that the bilinear pair (i0, i1) lies inside; `t` is the weight of
-// i1.
+// Texture coordinate in texels, wrapped so that the bilinear pair (i0, i1) lies inside;
+// `t` is the weight of i1.
 HWY_INLINE void wrap_coordinate(VF coordinate, VI size, std::uint8_t wrap, VI& i0, VI& i1, VF& t) {
   const VF extent = hn::ConvertTo(kF, size);
   const VF one = set(1.0f);

@@ -22,8 +22,8 @@ class RenderThreads {
   int count() const;
   // Calls job(i, worker) once for each i in [0, jobs); worker is in [0, count()) and never used by two
   // threads at a time. Returns when all are done. An exception of a job is rethrown here.
-  // `abandon` (may be null) is asked before each job: once it is set no further job begins, and the answer is
-  // false.
+  // `abandon` (may be null) is asked before each job: once it is set no further job begins,
+  // and the answer is false.
   bool run(int jobs, const std::function<void(int job, int worker)>& job,
            const std::atomic<bool>* abandon = nullptr);
   // Calls `work` inside the arena: TBB (and Embree builds) within it use these threads.

@@ -78,8 +78,8 @@ HWY_NOINLINE inline int generate_rays(const TileJob& job) {
       set_valid(scratch.packet_valid[slot].data(), valid);
       scratch.packet_x[slot] = x;
       scratch.packet_y[slot] = y;
-      // Samples that are wanted keep their place even when the ray is not traceable: they show the
-      // background.
+      // Samples that are wanted keep their place even when the ray is not traceable:
+      // they show the background.
       const VI cell = hn::Add(hn::ShiftLeft<16>(hn::Add(lane_row(), hn::Set(kI, y))),
                               hn::Add(lane_column(), hn::Set(kI, x)));
       hn::Store(hash(hn::BitCast(kU, cell), grid.key), kU, scratch.first.key.data() + count * kLanes);

@@ -1,6 +1,6 @@
-// Fetch, blend and store of a block row of 16 pixels: four texels of the radiance buffer, four of the camera
-// feed, out = feed * r + s. Texels are 4 halfs, so two neighbours are one 128-bit load and one widening
-// conversion.
+// Fetch, blend and store of a block row of 16 pixels: four texels of the radiance buffer, four of
+// the camera feed, out = feed * r + s. Texels are 4 halfs, so two neighbours are one 128-bit load
+// and one widening conversion.
 #pragma once
 
 #include "renderer/simd/simd_types-inl.h"

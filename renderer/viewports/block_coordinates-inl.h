@@ -13,8 +13,8 @@ HWY_INLINE VF lane_x(int x, int lane) {
   return hn::ConvertTo(kF, hn::Add(hn::Iota(kI, 0), hn::Set(kI, x + lane)));
 }
 
-// Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap; the padding holds
-// the rest.
+// Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap;
+// the padding holds the rest.
 HWY_INLINE void place_polar(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
   const VF last = set(static_cast<float>(job.polar_width) - 0.5f),
            height = set(static_cast<float>(job.polar_height));

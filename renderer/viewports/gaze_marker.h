@@ -8,8 +8,8 @@
 
 namespace herr {
 
-// Ring of 1 degree radius; `gaze_in_eye` is a direction in the eye's space. Nothing is drawn when it lies
-// outside.
+// Ring of 1 degree radius; `gaze_in_eye` is a direction in the eye's space. Nothing is
+// drawn when it lies outside.
 void draw_gaze_marker(const Viewport& viewport, const glm::dvec3& gaze_in_eye, ViewportImage& image);
 
 }  // namespace herr

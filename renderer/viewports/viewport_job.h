@@ -1,7 +1,7 @@
 // What the viewport stage needs to turn one eye's radiance buffer into one viewport, strip by strip.
-// Polar coordinates are interpolated within 8x8 pixel cells where their curvature provably moves them by less
-// than 1/16 of a sample; cells near the pole, the antipode and the seam's wrap are computed exactly, per
-// pixel.
+// Polar coordinates are interpolated within 8x8 pixel cells where their curvature provably moves
+// them by less than 1/16 of a sample; cells near the pole, the antipode and the seam's wrap are
+// computed exactly, per pixel.
 #pragma once
 
 #include <cstdint>

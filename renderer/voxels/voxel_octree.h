@@ -2,9 +2,8 @@
 // of 2^k voxels along each side. Every level is kept as bricks of 4x4x4 nodes; a block without voxels costs
 // four bytes. A node holds the mean of its eight children, empty ones included: colour weighted by coverage,
 // and coverage. A wall that fills half of a node still hides everything behind it, so a node also holds its
-// opacity along x, y and z (after Crassin et al.,
-// "Interactive Indirect Illumination Using Voxel Cone Tracing", 2011). Before: Scene::voxel_grids. After:
-// voxel_traversal.
+// opacity along x, y and z (after Crassin et al., "Interactive Indirect Illumination Using Voxel Cone
+// Tracing", 2011). Before: Scene::voxel_grids. After: voxel_traversal.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
-// Rays through the octree of a grid, one ray a lane: from node to node of the level that the ray's width asks
-// for, empty cubes in one step, colours composited front to back. Each step starts from the ray and the
-// cube's whole coordinates, so that errors do not add up on the way. Method: Amanatides & Woo, "A Fast Voxel
-// Traversal Algorithm" (1987), over Laine & Karras' cubes of any level ("Efficient Sparse Voxel Octrees",
-// 2010).
+// Rays through the octree of a grid, one ray a lane: from node to node of the level that the ray's
+// width asks for, empty cubes in one step, colours composited front to back. Each step starts from the
+// ray and the cube's whole coordinates, so that errors do not add up on the way. Method: Amanatides &
+// Woo, "A Fast Voxel Traversal Algorithm" (1987), over Laine & Karras' cubes of any level ("Efficient
+// Sparse Voxel Octrees", 2010).
 #pragma once
 
 #include "renderer/embree/footprint-inl.h"
@@ -67,8 +67,8 @@ class VoxelMarch {
     if (hn::AllFalse(kF, active)) return active;
     shows_most_ = zero;
     run_passes_ = out.passes;
-    // Only rays that start at a surface are so wide at their origin that nodes of several voxels stand for
-    // it.
+    // Only rays that start at a surface are so wide at their origin that nodes of
+    // several voxels stand for it.
     const VF start =
         hn::Div(hn::Mul(set(kNodesPassedOver * kHidingPerWidth), rays_.width), hn::Sqrt(dot(d_, d_)));
     skipped_ = hn::IfThenElse(hn::Ge(rays_.width, set(2.0f / kHidingPerWidth)), start, set(-1.0f));
@@ -288,9 +288,9 @@ class VoxelMarch {
                     where(used, hn::Sub(at, hn::Set(kI, grid_.first_upper_brick * 64)), hn::Zero(kI)));
   }
 
-  // The share of a ray that meets something on its way through a node. Along each axis it crosses a part of
-  // the node, and meets that part of what the node hides; what hides along different axes hides
-  // independently.
+  // The share of a ray that meets something on its way through a node. Along each axis it crosses
+  // a part of the node, and meets that part of what the node hides; what hides along different
+  // axes hides independently.
   HWY_INLINE VF opacity_along(VI opacities, VI size, VF exit) const {
     const VF way = hn::Div(hn::Sub(hn::Min(exit, leave_), t_), hn::ConvertTo(kF, size));
     const auto passes = [&](VI byte, VF d) HWY_ATTR {

@@ -1,7 +1,7 @@
 // A scene over time: applies changes and animation to it in place and says what they touched.
-// Before: load_scene, the session's events. After: the renderer, which reads the slots of the Scene again
-// that SceneState::changes names. A state depends on the changes up to its time alone, not on the frames
-// between.
+// Before: load_scene, the session's events. After: the renderer, which reads the slots of the
+// Scene again that SceneState::changes names. A state depends on the changes up to its time alone,
+// not on the frames between.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Meshes of catchers that a scene document describes by numbers: a box or a flat quadrilateral.
-// Before: scene_document. After: Scene::meshes, placed by a translation so that far rooms keep their
-// precision.
+// Before: scene_document. After: Scene::meshes, placed by a translation so that far
+// rooms keep their precision.
 #pragma once
 
 #include <array>

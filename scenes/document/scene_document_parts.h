@@ -16,8 +16,8 @@
 
 namespace herr {
 
-// The file that a field names: below the folder of the scene document, so that a scene can be copied as a
-// folder.
+// The file that a field names: below the folder of the scene document, so that a scene
+// can be copied as a folder.
 std::filesystem::path named_file(const JsonObject& entry, const char* key);
 
 // A quaternion x, y, z, w of length 1 within 1e-3 (normalised); the identity when absent.

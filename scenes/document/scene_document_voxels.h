@@ -1,6 +1,6 @@
-// `voxels` of a scene document: MagicaVoxel files, raw grids, and glTF meshes made of voxels, each placed in
-// the scene. Before: scene_document walks the document. After: Scene::voxel_grids and instances of kind
-// voxels.
+// `voxels` of a scene document: MagicaVoxel files, raw grids, and glTF meshes made of voxels, each
+// placed in the scene. Before: scene_document walks the document. After: Scene::voxel_grids and
+// instances of kind voxels.
 #pragma once
 
 #include <vector>

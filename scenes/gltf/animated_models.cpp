@@ -173,8 +173,8 @@ void charge(MeshBudget& budget, const GltfModel& model, const GltfPrimitive& pri
   spend(budget.decoded_elements, arrays * each, model, "vertices that bend");
 }
 
-// What a morph target without tangents adds to them: those that its shape has at weight 1, less those at
-// rest.
+// What a morph target without tangents adds to them: those that its shape has at
+// weight 1, less those at rest.
 std::vector<glm::vec3> tangent_offsets(const MeshDeformation& rest, const MorphTarget& target,
                                        const TriangleMesh& mesh, int uv_set,
                                        const std::vector<glm::vec3>& at_rest) {

@@ -18,9 +18,9 @@ struct GltfContent {
   std::vector<AreaLight> lights;
 };
 
-// `playback`: which animation plays; the instances stand as it has them at time 0. Throws InputError for
-// anything that is wrong with the file; other exceptions of the libraries become InputErrors, but for
-// ModuleError.
+// `playback`: which animation plays; the instances stand as it has them at time 0. Throws
+// InputError for anything that is wrong with the file; other exceptions of the libraries become
+// InputErrors, but for ModuleError.
 GltfContent append_gltf(const std::filesystem::path& file, Scene& scene, const PlaybackRequest& playback = {},
                         TexturePixels pixels = TexturePixels::decoded);
 

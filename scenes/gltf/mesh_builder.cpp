@@ -70,8 +70,8 @@ glm::vec3 cross_of(const TriangleMesh& mesh, const Triangle& triangle) {
   return length > 0 ? glm::vec3(cross / length) : glm::vec3(0.0f);
 }
 
-// Makes every normal unit; those that have no direction take one from a triangle that uses them. Returns how
-// many.
+// Makes every normal unit; those that have no direction take one from a triangle that
+// uses them. Returns how many.
 std::int64_t repair_normals(TriangleMesh& mesh) {
   std::vector<std::uint8_t> broken(mesh.normals.size(), 0);
   std::int64_t count = 0;
@@ -112,8 +112,8 @@ std::vector<glm::vec4> read_vertex_colours(const GltfModel& model, int accessor,
   return colours;
 }
 
-// Tangents of the vertices that are kept: unit, w = 1 or -1. `unusable`: how many have no length or lie along
-// their normals.
+// Tangents of the vertices that are kept: unit, w = 1 or -1. `unusable`: how many have no length or
+// lie along their normals.
 std::vector<glm::vec4> read_tangents(const GltfModel& model, int accessor, std::size_t count,
                                      const std::vector<std::uint32_t>& old_index,
                                      const std::vector<glm::vec3>& normals, MeshBudget& budget,

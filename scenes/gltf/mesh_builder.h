@@ -11,8 +11,8 @@
 
 namespace herr {
 
-// What the primitives of one file may still use, so that many small ones cannot add up to more than the
-// limits.
+// What the primitives of one file may still use, so that many small ones cannot add up
+// to more than the limits.
 struct MeshBudget {
   std::int64_t triangles, decoded_elements;
   MeshBudget();
@@ -27,9 +27,9 @@ struct BuiltMesh {
   std::vector<std::uint32_t> sources;  // per vertex: which of the primitive it is
 };
 
-// `sources`: the coordinates that the material reads; mesh.uvs and more_uvs are them, transformed, in the
-// same order. The primitive has all of them. `with_tangents`: reads TANGENT too, where the file has it and
-// NORMAL.
+// `sources`: the coordinates that the material reads; mesh.uvs and more_uvs are them,
+// transformed, in the same order. The primitive has all of them. `with_tangents`: reads TANGENT
+// too, where the file has it and NORMAL.
 BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
                      const std::vector<UvSource>& sources, bool with_tangents, MeshBudget& budget);
 

@@ -20,8 +20,8 @@ const char* format_of(const unsigned char* bytes, std::size_t size) {
   return nullptr;
 }
 
-// Does the chain of chunks reach IEND within the bytes? The reader leaks when it runs off the end of its
-// memory.
+// Does the chain of chunks reach IEND within the bytes? The reader leaks when it runs
+// off the end of its memory.
 bool png_is_whole(const unsigned char* bytes, std::size_t size) {
   std::size_t at = 8;  // past the signature; a chunk is length, name, data, CRC
   while (size - at >= 12) {

@@ -24,8 +24,8 @@ struct EncodedImage {
   const std::string& name;
 };
 
-// From the header alone; it is checked against kMaxImageSide_px, kMaxImagePixels and `max_bytes`. Throws
-// InputError.
+// From the header alone; it is checked against kMaxImageSide_px, kMaxImagePixels and
+// `max_bytes`. Throws InputError.
 ImageSize texture_size(const EncodedImage& image, std::int64_t max_bytes);
 
 // The same checks come before the pixels are decoded. Throws InputError, ModuleError.

@@ -49,8 +49,8 @@ struct ModelSkin {
   std::vector<glm::dmat4x3> joint_from_mesh;  // one for each (inverse bind matrices)
 };
 
-// Which clip plays and how: its time is offset + speed * session time, taken round its length, or held at
-// its ends.
+// Which clip plays and how: its time is offset + speed * session time, taken round its
+// length, or held at its ends.
 struct Playback {
   int clip = -1;  // -1: none
   double speed = 1, offset_s = 0;

@@ -39,8 +39,8 @@ struct TextureImage {
 // mask: a surface has holes where its alpha lies below the cutoff. blend: it covers what is behind by alpha.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-// A texture and which of the mesh's coordinates it reads: set 0 is TriangleMesh::uvs, set n is more_uvs[n -
-// 1].
+// A texture and which of the mesh's coordinates it reads: set 0 is TriangleMesh::uvs,
+// set n is more_uvs[n - 1].
 struct TextureSlot {
   int texture = -1;  // index into Scene::textures, -1 = none
   int uv_set = 0;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925;
 
-// Counter-clockwise as seen from above, from +X at phase 0. fmod is exact, so hours lose no more than t
-// itself has.
+// Counter-clockwise as seen from above, from +X at phase 0. fmod is exact, so hours lose
+// no more than t itself has.
 glm::dvec3 centre_at(const AreaLight& light, double time_s) {
   if (light.path_radius_m == 0 || light.path_period_s == 0) return light.centre;
   const double turns =

@@ -6,8 +6,8 @@
 
 namespace herr {
 
-// left_out: their headers are read and TextureImage::rgba stays empty: enough to describe a scene, not to
-// render it.
+// left_out: their headers are read and TextureImage::rgba stays empty: enough to describe a
+// scene, not to render it.
 enum class TexturePixels : std::uint8_t { decoded, left_out };
 
 }  // namespace herr

@@ -12,8 +12,8 @@ namespace herr {
 inline constexpr double kFarthest_m = 1e12;       // of any coordinate; its square still fits a float
 inline constexpr double kMinDeterminant = 1e-12;  // uniform scale 1e-4
 inline constexpr double kMinAxisScale = 1e-12;
-// Of the volume that the three axes would span at right angles: a flatter shear has no usable inverse in
-// float.
+// Of the volume that the three axes would span at right angles: a flatter shear has no
+// usable inverse in float.
 inline constexpr double kMinVolumeShare = 1e-6;
 
 // Volume factor; negative for mirrored transforms.

@@ -1,6 +1,6 @@
-// Bytes of a .vox file with a place to read at. Every read is checked against what is left, and every fault
-// says at which byte of the file it lies. Before: load_vox reads the file. After: vox_file takes chunks from
-// it.
+// Bytes of a .vox file with a place to read at. Every read is checked against what is left, and
+// every fault says at which byte of the file it lies. Before: load_vox reads the file. After:
+// vox_file takes chunks from it.
 #pragma once
 
 #include <cstdint>

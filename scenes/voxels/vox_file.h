@@ -1,7 +1,7 @@
-// What a MagicaVoxel .vox file holds, checked but not yet placed: models, palette, materials, scene graph.
-// Before: vox_bytes. After: vox_graph finds out which models are shown where, load_vox makes grids of them.
-// Format: github.com/ephtracy/voxel-model, MagicaVoxel-file-format-vox.txt (version 150) and its extension
-// (200).
+// What a MagicaVoxel .vox file holds, checked but not yet placed: models, palette, materials, scene
+// graph. Before: vox_bytes. After: vox_graph finds out which models are shown where, load_vox makes
+// grids of them. Format: github.com/ephtracy/voxel-model, MagicaVoxel-file-format-vox.txt (version 150)
+// and its extension (200).
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Bounds on what one file of voxels may ask for, checked before memory is taken. Used by every reader of this
-// folder.
+// Bounds on what one file of voxels may ask for, checked before memory is taken. Used by
+// every reader of this folder.
 #pragma once
 
 #include <cstdint>

@@ -17,8 +17,8 @@
 namespace herr {
 namespace {
 
-// The box of a flat mesh still has this share of its longest side along each axis, so that it fills one
-// voxel.
+// The box of a flat mesh still has this share of its longest side along each axis, so
+// that it fills one voxel.
 constexpr double kThinnestShare = 1e-6;
 
 float linear_of(std::uint8_t srgb) {

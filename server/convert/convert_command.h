@@ -6,8 +6,8 @@
 
 namespace herr {
 
-// Returns an exit code: done, or partial when --keep-going left rows out. Throws UsageError, InputError,
-// WriteError.
+// Returns an exit code: done, or partial when --keep-going left rows out. Throws
+// UsageError, InputError, WriteError.
 int run_convert(const ConvertOptions& options);
 
 }  // namespace herr

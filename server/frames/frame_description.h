@@ -1,5 +1,5 @@
-// From what one frame was made of and how long it took to its row in frames.csv: ages, motion-to-photon,
-// missed.
+// From what one frame was made of and how long it took to its row in frames.csv: ages,
+// motion-to-photon, missed.
 #pragma once
 
 #include "renderer/renderer.h"

@@ -14,8 +14,8 @@
 namespace herr {
 namespace {
 
-// The flags of pkg-config choose the layout of the library's classes: with others, calls would corrupt
-// memory.
+// The flags of pkg-config choose the layout of the library's classes: with others,
+// calls would corrupt memory.
 static_assert(sizeof(httplib::Client) == 2 * sizeof(void*), "cpp-httplib is compiled with unfitting flags");
 static_assert(
     std::string_view(CPPHTTPLIB_VERSION) == "0.11.4",

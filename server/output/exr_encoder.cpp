@@ -93,8 +93,8 @@ Imf::Header make_header(const Viewport& viewport, const Imath::Box2i& window, co
 // The texels as OpenEXR wants them: four interleaved channels over the rows of the picture.
 Imf::FrameBuffer frame_buffer_over(const ViewportImage& image) {
   Imf::FrameBuffer buffer;
-  // OpenEXR's reading and writing slices share one type, hence the cast: an output file never writes through
-  // it.
+  // OpenEXR's reading and writing slices share one type, hence the cast: an output file
+  // never writes through it.
   char* base = const_cast<char*>(reinterpret_cast<const char*>(image.rgba_half.data()));
   const std::size_t texel = 4 * sizeof(std::uint16_t);
   const std::array<const char*, 4> channels{"R", "G", "B", "A"};

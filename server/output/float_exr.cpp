@@ -17,8 +17,8 @@ void encode_float_exr(const FloatPlanes& planes, std::vector<std::uint8_t>& out)
   Imf::FrameBuffer buffer;
   for (const auto& [name, values] : planes.channels) {
     header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    // OpenEXR's reading and writing slices share one type, hence the cast: an output file never writes
-    // through it.
+    // OpenEXR's reading and writing slices share one type, hence the cast: an output file
+    // never writes through it.
     char* base = const_cast<char*>(reinterpret_cast<const char*>(values.data()));
     buffer.insert(name, Imf::Slice(Imf::FLOAT, base, sizeof(float),
                                    sizeof(float) * static_cast<std::size_t>(planes.width_px)));

@@ -35,8 +35,8 @@ class NewSessionFolder {
 // Named after the folder, eyes 63 mm apart.
 SessionHeader new_session_header(const NewSessionFolder& folder);
 
-// Throws UsageError when `scene`, the value of `flag`, is an absolute path: it would not move with the
-// session.
+// Throws UsageError when `scene`, the value of `flag`, is an absolute path: it would
+// not move with the session.
 void check_scene_name(const std::string& flag, const std::string& scene);
 
 // "000012.png": pictures sort by name.

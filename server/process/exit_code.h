@@ -1,6 +1,6 @@
 // Exit codes, the same for every command, and how an exception becomes one.
-// Before: the command line or a command throws. After: the process ends with that code and one line on
-// stderr.
+// Before: the command line or a command throws. After: the process ends with that
+// code and one line on stderr.
 #pragma once
 
 #include <functional>

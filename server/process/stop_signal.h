@@ -1,6 +1,6 @@
-// SIGINT, SIGTERM and SIGHUP: the first one asks the run to end, without the frame that is being rendered; a
-// second one ends the process at once. SIGPIPE and SIGXFSZ are ignored, so that the write that failed reports
-// it.
+// SIGINT, SIGTERM and SIGHUP: the first one asks the run to end, without the frame that is being
+// rendered; a second one ends the process at once. SIGPIPE and SIGXFSZ are ignored, so that the
+// write that failed reports it.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// What the program says: results on stdout, messages and progress on stderr. The only file that writes to
-// either.
+// What the program says: results on stdout, messages and progress on stderr. The only
+// file that writes to either.
 #pragma once
 
 #include <string>

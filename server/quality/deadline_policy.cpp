@@ -169,8 +169,8 @@ void DeadlinePolicy::observe(const FrameCost& cost) {
   const double ratio = ratio_to(model_, cost);
   const bool slow = ratio > 1 + band;
   if (slow) before_jump_ = model_;
-  // A slow frame is believed sooner than a fast one: a mistake then costs a narrow frame, the other way a
-  // late one.
+  // A slow frame is believed sooner than a fast one: a mistake then costs a narrow frame,
+  // the other way a late one.
   const bool jump = slow || ratio * std::pow(1 + band, 3) < 1;
   learn_noise(ratio, band);
   const double tau_s = ratio > 1 ? config_.rise_tau_s : config_.fall_tau_s;

@@ -299,9 +299,9 @@ bool SessionReplay::render_one(std::int64_t frame, const FramePacing& pacing) {
 
 // The last checkpoint and summary.json, after the frames that they tell of.
 void SessionReplay::close_output() {
-  // After bad input, frames that are still in the queue are good: they are written. After a failed write this
-  // throws. (Usage: the write was not allowed. Any other usage error comes before there is something to
-  // close.)
+  // After bad input, frames that are still in the queue are good: they are written. After a
+  // failed write this throws. (Usage: the write was not allowed. Any other usage error comes
+  // before there is something to close.)
   const bool write_failed = report_.exit_code == kExitTemporary || report_.exit_code == kExitUsage;
   if (report_.state != ReplayState::failed || !write_failed) {
     save_checkpoint();

@@ -9,9 +9,9 @@
 
 namespace herr {
 
-// Never throws for what can go wrong in a replay: the report holds state, exit code and message. Ends early,
-// without the frame in work, when stop_signal() says so; options.resume goes on with it. Shows progress on a
-// terminal.
+// Never throws for what can go wrong in a replay: the report holds state, exit code and message.
+// Ends early, without the frame in work, when stop_signal() says so; options.resume goes on with it.
+// Shows progress on a terminal.
 SessionReport replay_session(const std::filesystem::path& session, const ReplayOptions& options);
 
 }  // namespace herr

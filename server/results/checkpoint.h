@@ -19,8 +19,8 @@ struct Checkpoint {
 std::string checkpoint_text(const Fingerprint& fingerprint, const RunState& state);
 // Throws InputError that names the field.
 Checkpoint read_checkpoint(const std::filesystem::path& file);
-// A checkpoint of the run's own fingerprint that nobody edited lies in its range. Throws InputError for
-// `file`.
+// A checkpoint of the run's own fingerprint that nobody edited lies in its range.
+// Throws InputError for `file`.
 void check_fits(const RunState& state, const FrameRange& range, const std::filesystem::path& file);
 
 }  // namespace herr

@@ -1,5 +1,5 @@
-// How the replay of one session went: everything that summary.json, the table and the exit code are made
-// from.
+// How the replay of one session went: everything that summary.json, the table and the
+// exit code are made from.
 #pragma once
 
 #include <filesystem>

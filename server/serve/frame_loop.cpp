@@ -12,8 +12,8 @@ namespace {
 
 // Histograms are a third of a megabyte: copied ten times a second they cost nothing that one could measure.
 constexpr TimeNs kPublishIntervalNs = 100'000'000;
-// Polar buffers are copied, some megabytes a frame, for this long after somebody has asked for one or for the
-// page.
+// Polar buffers are copied, some megabytes a frame, for this long after somebody has asked
+// for one or for the page.
 constexpr TimeNs kPolarWatchNs = 10'000'000'000;
 
 }  // namespace

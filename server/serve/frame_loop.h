@@ -13,12 +13,12 @@
 
 namespace herr {
 
-// Times in what it publishes are those of steady_now_ns(). Used by one thread; the board's readers are
-// others.
+// Times in what it publishes are those of steady_now_ns(). Used by one thread; the
+// board's readers are others.
 class FrameLoop {
  public:
-  // `stop` is asked before each frame, while waiting for one and between the tiles of one. All must outlive
-  // the loop.
+  // `stop` is asked before each frame, while waiting for one and between the tiles of one.
+  // All must outlive the loop.
   FrameLoop(const ReplayOptions& options, ServeBoard& board, const std::atomic<bool>& stop);
 
   // Until `stop` says so. Throws what opening and sampling a session throws; what was published stays.

@@ -1,6 +1,6 @@
-// Strict readers for the values of flags. The command line library takes "010" for 8, "nan" and "inf" for
-// numbers; here only plain decimal numbers pass. Every reader throws UsageError with one line that names the
-// flag.
+// Strict readers for the values of flags. The command line library takes "010" for 8, "nan" and
+// "inf" for numbers; here only plain decimal numbers pass. Every reader throws UsageError with one
+// line that names the flag.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// The settings of a run as a list: those of its render, then how it reads the session and what it keeps.
-// Before: the command line sets some by their flags. After: summary.json, fingerprints and file headers tell
-// them.
+// The settings of a run as a list: those of its render, then how it reads the session and what
+// it keeps. Before: the command line sets some by their flags. After: summary.json, fingerprints
+// and file headers tell them.
 #pragma once
 
 #include <cstdint>

@@ -52,8 +52,8 @@ glm::dvec3 GazeMotion::aim_in_world(double time_s) {
     next_.reset();
   }
   if (!next_) return present_.at(time_s);
-  // Within a saccade. Direction and inverse distance change evenly: the eyes turn and converge at the same
-  // time.
+  // Within a saccade. Direction and inverse distance change evenly: the eyes turn and
+  // converge at the same time.
   const double share = minimum_jerk((time_s - present_.leave_s) / (next_->start_s - present_.leave_s));
   const glm::dvec3 head = head_->at(time_s).position;
   const glm::dvec3 from = present_.at(present_.leave_s) - head, to = next_->point - head;

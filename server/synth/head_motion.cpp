@@ -44,10 +44,10 @@ Wobble wobble_of(MotionKind kind) {
 constexpr double kStepHz = 1.8;
 constexpr double kDeskLookingDownDeg = 12.0;                        // towards things on tables and floor
 constexpr double kDeskStepHeightM = 0.015, kDeskStepWidthM = 0.01;  // treading from foot to foot
-// At 1.2 m/s the head goes up and down by 4 cm with each step and the nose down when the head is high, so
-// that it keeps pointing at a place ahead (E. Hirasaki et al., Effects of walking velocity on vertical head
-// and body movements during locomotion, Experimental Brain Research 127, 1999); sideways 4 cm with each pair
-// of steps.
+// At 1.2 m/s the head goes up and down by 4 cm with each step and the nose down when the head is high,
+// so that it keeps pointing at a place ahead (E. Hirasaki et al., Effects of walking velocity on
+// vertical head and body movements during locomotion, Experimental Brain Research 127, 1999); sideways 4
+// cm with each pair of steps.
 constexpr double kWalkHeightM = 0.02, kWalkWidthM = 0.02, kWalkPitchDeg = 1.2, kWalkLookingDownDeg = 5.0;
 constexpr double kFullStepSpeed = 1.2;  // m/s
 

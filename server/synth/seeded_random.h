@@ -47,8 +47,8 @@ class SeededRandom {
   std::mt19937_64 engine_;
 };
 
-// The number of one element of a sequence, whichever elements were asked for before: uniform in [lowest,
-// highest).
+// The number of one element of a sequence, whichever elements were asked for before:
+// uniform in [lowest, highest).
 inline double keyed_uniform(std::uint64_t seed, std::uint64_t stream, std::uint64_t index, double lowest,
                             double highest) {
   return seeded_random::within(seeded_random::mixed(seeded_random::mixed(seed, stream), index), lowest,

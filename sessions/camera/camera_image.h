@@ -1,7 +1,7 @@
 // One decoded camera frame in linear light, and the checks that come before decoding.
 // Formats: JPEG, PNG, OpenEXR (single part, flat), recognised by their first bytes.
-// Headers are read here, by small libraries; pixels by the picture module (pictures/), which costs time to
-// load.
+// Headers are read here, by small libraries; pixels by the picture module (pictures/),
+// which costs time to load.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace herr {
 
-// Linear-light RGBA as IEEE half bit patterns, rows from the top; alpha is 1. Values are finite, in [0,
-// 65504].
+// Linear-light RGBA as IEEE half bit patterns, rows from the top; alpha is 1. Values
+// are finite, in [0, 65504].
 struct CameraImage {
   int width_px = 0, height_px = 0;
   std::vector<std::uint16_t> rgba_half;  // 4 * width_px * height_px

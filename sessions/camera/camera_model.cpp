@@ -10,8 +10,8 @@
 namespace herr {
 namespace {
 
-// Widest angles that the formulae bear: a pinhole's radius is a tangent; a fisheye is singular straight
-// behind.
+// Widest angles that the formulae bear: a pinhole's radius is a tangent; a fisheye is
+// singular straight behind.
 constexpr double kWidestPinholeRad = 1.5533430342749532;  // 89 degrees
 constexpr double kWidestFisheyeRad = 3.1241393610698499;  // 179 degrees
 constexpr int kMaxIterations = 60;
@@ -53,8 +53,8 @@ double radius_of_angle(const CameraModel& model, double angle_rad) {
   return model.kind == CameraModelKind::pinhole ? std::tan(angle_rad) : angle_rad;
 }
 
-// Inverse of radial() on [0, highest], where it rises: Newton's steps, halving the bracket when a step leaves
-// it.
+// Inverse of radial() on [0, highest], where it rises: Newton's steps, halving the
+// bracket when a step leaves it.
 double inverse_radial(const CameraModel& model, double wanted, double highest) {
   double low = 0, high = highest, r = std::min(wanted, highest);
   for (int i = 0; i < kMaxIterations; ++i) {
@@ -185,8 +185,8 @@ std::optional<glm::dvec3> CameraModel::unproject(const glm::dvec2& pixel) const 
     if (!point || !(glm::length(*point) <= radial(*this, widest))) return std::nullopt;
     return direction_at(inverse_radial(*this, glm::length(*point), widest), *point);
   }
-  // Start where the lens would see it without tangential terms: near enough for Newton's iteration on any
-  // real lens.
+  // Start where the lens would see it without tangential terms: near enough for Newton's
+  // iteration on any real lens.
   const double reach = glm::length(wanted), start = inverse_radial(*this, reach, widest);
   const auto point = solve([&](const glm::dvec2& p) { return brown_conrady(*this, p); }, wanted,
                            reach > 0 ? wanted * (start / reach) : wanted, tolerance);

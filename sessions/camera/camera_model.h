@@ -22,8 +22,8 @@ struct CameraModel {
   std::array<double, 12> distortion{};
   double max_angle_rad = 0;  // beyond this angle from the axis the model is not valid (set by prepare())
 
-  // Finds max_angle_rad: the largest angle up to which the radial distortion is monotonic. Call once after
-  // parsing.
+  // Finds max_angle_rad: the largest angle up to which the radial distortion is monotonic.
+  // Call once after parsing.
   void prepare();
   // Pixel of a direction (any length), or none when it lies beyond max_angle_rad. Thread-safe.
   std::optional<glm::dvec2> project(const glm::dvec3& direction) const;

@@ -17,8 +17,8 @@ double linear_from_srgb(double encoded);
 const std::array<std::uint16_t, 256>& half_from_srgb8();
 const std::vector<std::uint16_t>& half_from_srgb16();  // 65536 entries
 
-// A linear float as half. NaN and negative become 0, infinite and too large 65504; each of those counts in
-// `sanitised`.
+// A linear float as half. NaN and negative become 0, infinite and too large 65504; each of
+// those counts in `sanitised`.
 std::uint16_t half_from_linear(float value, std::int64_t& sanitised);
 
 }  // namespace herr

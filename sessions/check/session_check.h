@@ -47,8 +47,8 @@ struct VisitedSession {
 VisitedSession visit_session(const SessionFiles& files, const SessionHeader& header, bool strict,
                              SessionVisitor& visitor);
 
-// The span that can be replayed: that of the poses as the header narrows it. Throws InputError when nothing
-// is left.
+// The span that can be replayed: that of the poses as the header narrows it. Throws
+// InputError when nothing is left.
 struct SessionSpan {
   TimeNs start_ns = 0, end_ns = 0;
 };
@@ -61,8 +61,8 @@ struct CheckedSession {
   bool has_gaze = false, has_events = false;
 };
 
-// The pass as replay needs it: throws the first fault, or counts what can be skipped where the options say
-// so.
+// The pass as replay needs it: throws the first fault, or counts what can be skipped
+// where the options say so.
 CheckedSession check_session(const SessionFiles& files, const SessionHeader& header,
                              const SessionOptions& options);
 

@@ -1,6 +1,6 @@
-// A file that appears under its name only when it is complete: written to NAME.tmp.<pid>, synced, renamed.
-// Before: an encoder or a text writer hands in bytes. After: the file stands under its final name, or nothing
-// does.
+// A file that appears under its name only when it is complete: written to NAME.tmp.<pid>, synced,
+// renamed. Before: an encoder or a text writer hands in bytes. After: the file stands under its
+// final name, or nothing does.
 #pragma once
 
 #include <cstdint>

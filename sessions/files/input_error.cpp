@@ -34,8 +34,8 @@ bool is_control(std::string_view character) {
   return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
 }
 
-// One character at the start of `text`, `length` bytes long (0: a byte that is no character), made safe to
-// print.
+// One character at the start of `text`, `length` bytes long (0: a byte that is no
+// character), made safe to print.
 std::string escaped_character(std::string_view text, std::size_t length) {
   static constexpr char kHex[] = "0123456789abcdef";
   if (length > 0 && !is_control(text.substr(0, length))) return std::string(text.substr(0, length));

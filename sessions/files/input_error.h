@@ -33,8 +33,8 @@ class InputError : public std::runtime_error {
   std::shared_ptr<const Parts> parts_;  // shared: copying an exception must not throw
 };
 
-// `text` with control characters and bytes that are not UTF-8 written as \xNN, cut to 200 bytes: safe to
-// print.
+// `text` with control characters and bytes that are not UTF-8 written as \xNN, cut to
+// 200 bytes: safe to print.
 std::string printable(const std::string& text);
 
 }  // namespace herr

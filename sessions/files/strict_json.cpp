@@ -68,8 +68,8 @@ class CheckedBuilder : public nlohmann::json_sax<json> {
   }
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
     const std::string text = error.what();
-    // The library's text begins with its own counting of lines, which starts at 1 in every text: ours
-    // replaces it.
+    // The library's text begins with its own counting of lines, which starts at 1 in every
+    // text: ours replaces it.
     const std::size_t start = text.find("syntax error");
     return stop("is not JSON: " +
                 (start == std::string::npos ? text.substr(text.find("] ") + 2) : text.substr(start)));

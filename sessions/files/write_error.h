@@ -1,6 +1,5 @@
 // Writing a file failed: disk full, quota, no permission, a fault of the disk. Thrown by everything that
-// writes; the program exits with 75, or
-// with 2 where the user may not write.
+// writes; the program exits with 75, or with 2 where the user may not write.
 #pragma once
 
 #include <filesystem>

@@ -37,8 +37,8 @@ struct DisplayProfile {
   std::vector<Viewport> viewports;  // 1 ... 64
 };
 
-// Varjo XR-1 (paper section 2.4): per eye 1980x1980 over +-45 deg and 2400x1350 over +-20 x +-11.57 deg, 60
-// Hz.
+// Varjo XR-1 (paper section 2.4): per eye 1980x1980 over +-45 deg and 2400x1350
+// over +-20 x +-11.57 deg, 60 Hz.
 DisplayProfile xr1_profile();
 // The same fields of view at half the pixels per axis.
 DisplayProfile xr1_half_profile();

@@ -20,8 +20,8 @@ constexpr TimeNs kClockSlackNs = 1'000'000'000;
 // Two streams drift by tens of ppm; a change of more intervals is a late start or an early end.
 constexpr double kMostDriftPpm = 1000;
 
-// `poses`: of the same recording. A log that writes gaze with each pose has its gaps twice; they are told
-// once.
+// `poses`: of the same recording. A log that writes gaze with each pose has its gaps
+// twice; they are told once.
 void judge_gaps(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings) {
   const std::vector<StreamGap> gaps = stream.longest_gaps();
   const bool the_same = &poses != &stream && gaps == poses.longest_gaps() &&

@@ -46,9 +46,9 @@ void check_version(const std::filesystem::path& file, const PictureModule& modul
 
 const PictureModule& load_module() {
   const std::filesystem::path file = find_module();
-  // Functions are bound when they are first called: most of the libraries' never are. Local: nothing of those
-  // libraries may take the place of a symbol of the program. Never closed: they leave threads and handlers
-  // behind.
+  // Functions are bound when they are first called: most of the libraries' never are. Local: nothing
+  // of those libraries may take the place of a symbol of the program. Never closed: they leave
+  // threads and handlers behind.
   void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr)
     throw ModuleError(printable(file.string()) + ": cannot be loaded (" + loading_problem() +

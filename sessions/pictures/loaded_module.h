@@ -21,8 +21,8 @@ class ModuleError : public std::runtime_error {
 // lock is taken once it is loaded. Throws ModuleError; the next call tries again.
 const PictureModule& picture_module();
 
-// Where a program in `folder` looks, in this order: beside itself, then where an installation and the build
-// keep modules.
+// Where a program in `folder` looks, in this order: beside itself, then where an installation
+// and the build keep modules.
 std::vector<std::filesystem::path> picture_module_places(const std::filesystem::path& folder);
 
 }  // namespace herr

@@ -1,5 +1,5 @@
-// Text of one field of a row. Before: who cuts lines into fields (csv_rows, foreign_table). After: numbers
-// and messages.
+// Text of one field of a row. Before: who cuts lines into fields (csv_rows, foreign_table).
+// After: numbers and messages.
 #pragma once
 
 #include <string>

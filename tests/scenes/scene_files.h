@@ -1,5 +1,4 @@
-// Files for the tests of scenes/: the smallest glTF documents to vary, and what loading
-// one says.
+// Files for the tests of scenes/: the smallest glTF documents to vary, and what loading one says.
 #pragma once
 
 #include <cstring>
@@ -19,8 +18,8 @@ std::string bytes_of(const std::vector<Value>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
 
-// One triangle (0,0,0) (1,0,0) (0,1,0), indexed by 16-bit integers: positions in bytes 0...35, indices
-// in 36...41.
+// One triangle (0,0,0) (1,0,0) (0,1,0), indexed by 16-bit integers: positions in bytes
+// 0...35, indices in 36...41.
 inline std::string triangle_bytes() {
   return bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + bytes_of<std::uint16_t>({0, 1, 2, 0});
 }

@@ -10,8 +10,8 @@
 
 namespace herr {
 
-// Throws InputError that names the field. Returns warnings (without the file's name) about content that is
-// left out.
+// Throws InputError that names the field. Returns warnings (without the file's name) about
+// content that is left out.
 std::vector<std::string> check_gltf_document(const nlohmann::json& document,
                                              const std::filesystem::path& file, bool binary);
 

@@ -1,6 +1,6 @@
-// References of what moves a model or of what is not drawn at all - skins, animations, morph targets,
-// cameras, extensions that are ignored: a file in which they lead nowhere is damaged, so it is refused all
-// the same.
+// References of what moves a model or of what is not drawn at all - skins, animations, morph
+// targets, cameras, extensions that are ignored: a file in which they lead nowhere is damaged, so it
+// is refused all the same.
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>

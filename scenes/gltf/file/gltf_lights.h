@@ -9,9 +9,9 @@
 
 namespace herr {
 
-// Fills model.lights and GltfNode::light; model.nodes are there already. The extension's candela and lux are
-// taken as W/sr and W/m^2: brightness in a picture is relative. Throws InputError for what the extension
-// forbids.
+// Fills model.lights and GltfNode::light; model.nodes are there already. The extension's candela
+// and lux are taken as W/sr and W/m^2: brightness in a picture is relative. Throws InputError for
+// what the extension forbids.
 void read_gltf_lights(const nlohmann::json& document, const std::filesystem::path& file, GltfModel& model);
 
 }  // namespace herr

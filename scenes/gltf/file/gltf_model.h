@@ -108,8 +108,8 @@ struct GltfTexture {
   bool nearest = false;  // magnification filter
 };
 
-// An image still encoded: in `view` when that is >= 0, else in `encoded`; when that is empty, `failure` says
-// why.
+// An image still encoded: in `view` when that is >= 0, else in `encoded`; when that is
+// empty, `failure` says why.
 struct GltfImage {
   std::string name;
   int view = -1;

@@ -76,8 +76,8 @@ void check_node_transform(const JsonObject& node) {
       node.fail("matrix", "stands beside translation, rotation or scale", "keep one of the two");
     }
     const std::vector<double> m = node.numbers("matrix", 16, -kLargestTransform, kLargestTransform);
-    // Column major: the last row is 3, 7, 11, 15. Anything but 0 0 0 1 is a projection, which no ray can
-    // follow.
+    // Column major: the last row is 3, 7, 11, 15. Anything but 0 0 0 1 is a projection,
+    // which no ray can follow.
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
       node.fail("matrix", "is not affine (its last row is not 0 0 0 1)", "export the model again");
     }
@@ -92,8 +92,8 @@ void check_node_transform(const JsonObject& node) {
   }
 }
 
-// The node graph must be a forest: each node has at most one parent, and no chain of parents returns to its
-// start.
+// The node graph must be a forest: each node has at most one parent, and no chain of
+// parents returns to its start.
 void check_nodes(const JsonObject& root, const Counts& counts) {
   const std::vector<JsonObject> nodes = root.objects("nodes");
   std::vector<std::int64_t> parent(nodes.size(), -1);

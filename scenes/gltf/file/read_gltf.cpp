@@ -39,8 +39,8 @@ struct Reading {
       failures;  // one for each file that could not be read, in the order of the document
 };
 
-// tinygltf asks for existence in several folders; the first must be the answer, so that reading reports the
-// reason.
+// tinygltf asks for existence in several folders; the first must be the answer, so that
+// reading reports the reason.
 bool file_exists(const std::string&, void*) {
   return true;
 }

@@ -9,8 +9,8 @@
 
 namespace herr {
 
-// Every index and extent of the result is in range. Images are still encoded. Throws InputError for anything
-// wrong.
+// Every index and extent of the result is in range. Images are still encoded. Throws
+// InputError for anything wrong.
 GltfModel read_gltf(const std::filesystem::path& file);
 
 }  // namespace herr

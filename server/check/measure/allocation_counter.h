@@ -8,8 +8,8 @@
 
 namespace herr {
 
-// Allocations since the process started, while counting was on. None where a sanitizer owns the allocator.
-// Any thread.
+// Allocations since the process started, while counting was on. None where a sanitizer owns
+// the allocator. Any thread.
 std::optional<std::int64_t> allocations_counted();
 void count_allocations(bool on);
 

@@ -1,5 +1,5 @@
-// What a whole measured run comes down to. Before: Measurement. After: the rank tests, baseline_file,
-// reports.
+// What a whole measured run comes down to. Before: Measurement. After: the rank
+// tests, baseline_file, reports.
 #pragma once
 
 #include <span>
@@ -13,9 +13,9 @@
 namespace herr {
 
 struct RunValues {
-  // Of each frame's time over the quicker of the calibrations before and after it (a unit so short is either
-  // interrupted or it is not): what decides, and two that are only told. Only ratios of two runs mean
-  // something.
+  // Of each frame's time over the quicker of the calibrations before and after it (a unit so short
+  // is either interrupted or it is not): what decides, and two that are only told. Only ratios of
+  // two runs mean something.
   double median = 0, p95 = 0;
   double worst_twentieth = 0;  // the mean of the slowest 5 % of frames
   double frame_ms = 0;         // median as it was, not calibrated

@@ -19,8 +19,8 @@ std::string percent(double share) {
 
 double robust_cv(std::span<const double> values) {
   if (values.size() < 2) return 0;
-  // Not by the median_absolute_deviation of Boost 1.74: it answers the value at that distance, not the
-  // distance.
+  // Not by the median_absolute_deviation of Boost 1.74: it answers the value at that
+  // distance, not the distance.
   std::vector<double> work(values.begin(), values.end());
   const double middle = boost::math::statistics::median(work);
   for (double& x : work) x = std::abs(x - middle);

@@ -9,9 +9,9 @@
 
 namespace herr {
 
-// Ranks of the values in ascending order, doubled: tied values share the mean of their ranks, and twice that
-// is a whole number. Throws std::invalid_argument for a value that is not finite: a missing measurement has
-// no rank.
+// Ranks of the values in ascending order, doubled: tied values share the mean of their ranks, and twice
+// that is a whole number. Throws std::invalid_argument for a value that is not finite: a missing
+// measurement has no rank.
 std::vector<int> doubled_midranks(std::span<const double> values);
 
 // The number of outcomes for each value of a statistic of whole numbers, from 0 on. Exact up to 2^53.

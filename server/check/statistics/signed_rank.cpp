@@ -38,8 +38,8 @@ Shift signed_rank_shift(std::span<const double> differences, double tail) {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i; j < count; ++j) walsh_averages.push_back(0.5 * (differences[i] + differences[j]));
   }
-  // As many averages lie above the true middle as W+ counts: fewer than the quantile happens with less than
-  // `tail`.
+  // As many averages lie above the true middle as W+ counts: fewer than the quantile
+  // happens with less than `tail`.
   std::vector<int> ranks(count);
   std::iota(ranks.begin(), ranks.end(), 1);
   Shift shift = shift_of(walsh_averages, RankCounts::of_subsets(ranks).quantile(tail));

@@ -21,8 +21,8 @@ class FileSystem {
 
   // A new descriptor, never inherited by child processes; files that are made get mode 0666 less the umask.
   virtual int open(const char* path, int flags);
-  // The same by openat2(RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS): -EXDEV where `name` leads out of the
-  // folder.
+  // The same by openat2(RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS): -EXDEV where `name`
+  // leads out of the folder.
   virtual int open_beneath(int folder, const char* name, int flags);
   virtual ssize_t read_at(int descriptor, void* bytes, std::size_t count, off_t offset);  // pread
   virtual ssize_t write(int descriptor, const void* bytes, std::size_t count);

@@ -1,5 +1,5 @@
-// Decodes a picture in memory by OpenImageIO. Before: bytes whose first ones were verified to be of the
-// format.
+// Decodes a picture in memory by OpenImageIO. Before: bytes whose first ones were
+// verified to be of the format.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Encodes 8-bit pixels as a PNG file in memory by OpenImageIO. After: whoever gave the request writes the
-// file.
+// Encodes 8-bit pixels as a PNG file in memory by OpenImageIO. After: whoever gave the
+// request writes the file.
 #pragma once
 
 #include "sessions/pictures/picture_module.h"

@@ -142,8 +142,8 @@ TEST(EveryPixelHasDataTest, RaysThatNoViewportSeesAreNotTraced) {
   // inner rings, which hold most samples, are all inside.
   EXPECT_GT(ahead.counters.rays[RayKind::primary], 64 * 48 * 6 / 10);
   EXPECT_LT(ahead.counters.rays[RayKind::primary], 64 * 48);
-  // From the corner direction (54.7 degrees off) the square subtends well under a right angle of the full
-  // turn.
+  // From the corner direction (54.7 degrees off) the square subtends well under a
+  // right angle of the full turn.
   EXPECT_LT(corner.counters.rays[RayKind::primary], 64 * 48 / 4);
   EXPECT_EQ(ahead.counters.rays[RayKind::primary], ahead.counters.polar_samples);
 }

@@ -126,8 +126,8 @@ BruteForce farthest_of_many(const Viewport& v, const glm::dvec3& gaze) {
       found.border_deg = std::max(found.border_deg, eccentricity_deg(gaze, slerp(a, b, i / double{kBorder})));
     }
   }
-  // Even steps in the angles of both axes: two neighbours are no farther apart than that, whatever the other
-  // axis.
+  // Even steps in the angles of both axes: two neighbours are no farther apart than that,
+  // whatever the other axis.
   const double left = std::atan(v.tan_left), right = std::atan(v.tan_right), down = std::atan(v.tan_down),
                up = std::atan(v.tan_up);
   for (int j = 0; j <= kInside; ++j) {

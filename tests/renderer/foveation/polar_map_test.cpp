@@ -72,8 +72,8 @@ TEST(PolarMapTest, BothEndsAreExact) {
     EXPECT_EQ(map.u_from_theta(0.0), 0.0);
     EXPECT_EQ(map.theta_from_u(0.0), 0.0);
     EXPECT_EQ(map.u_from_theta(range), 1.0);
-    // expm1 of the rounded log1p: the argument's half ulp is worth (1 + theta) log1p(theta) / theta half
-    // ulps.
+    // expm1 of the rounded log1p: the argument's half ulp is worth (1 + theta)
+    // log1p(theta) / theta half ulps.
     EXPECT_NEAR(map.theta_from_u(1.0), range, 8 * ulp(range));
   }
 }

@@ -178,8 +178,8 @@ TEST(ExtremeCasesTest, TinyScenesAreSound) {
 }
 
 TEST(ExtremeCasesTest, AMillionMetresAwayIsByteForByteLikeTheOrigin) {
-  // The anchor is a multiple of 16 m; the head's place and all of the scene's are dyadic, so that nothing
-  // rounds.
+  // The anchor is a multiple of 16 m; the head's place and all of the scene's are
+  // dyadic, so that nothing rounds.
   const Scene near = sphere_on_floor();
   const FrameSample near_sample = test::sample_from({0.25, 0.125, 0.5}, test::gaze_deg(7, -3));
   const RenderedFrame expected = render_small(near, near_sample);

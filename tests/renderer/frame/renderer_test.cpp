@@ -28,8 +28,8 @@ TEST(RendererTest, CountsPixelsAndRays) {
       test::render(scene, test::small_profile(), settings, test::sample_from({0, 0, 0}));
   const std::int64_t pixels = 2 * (64 * 64 + 80 * 48);
   EXPECT_EQ(frame.counters.viewport_pixels, pixels);
-  // Without foveation there is one ray per pixel, and one shadow ray per ray that meets the floor: the lower
-  // half.
+  // Without foveation there is one ray per pixel, and one shadow ray per ray that meets
+  // the floor: the lower half.
   EXPECT_EQ(frame.counters.rays[RayKind::primary], pixels);
   EXPECT_EQ(frame.counters.polar_samples, pixels);
   EXPECT_GT(frame.counters.rays[RayKind::shadow], pixels * 2 / 5);
@@ -99,8 +99,8 @@ TEST(RendererTest, DebugTilesAreConstantWithinATileAndDifferFromTheirNeighbours)
     const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
     const double theta = eccentricity_deg({0, 0, -1}, d);
     const double phi = 360 * v_from_phi(std::atan2(d.y, d.x));
-    // A sample is at most 56 ln(56) / 384 = 0.6 degrees long and 360 / 384 degrees of phi wide: 1.5 keeps
-    // clear.
+    // A sample is at most 56 ln(56) / 384 = 0.6 degrees long and 360 / 384 degrees of
+    // phi wide: 1.5 keeps clear.
     const auto inside = [](double angle) { return std::abs(std::remainder(angle, 15.0)) > 1.5; };
     if (!inside(theta) || !inside(phi)) return;
     const auto [tile, is_new] =

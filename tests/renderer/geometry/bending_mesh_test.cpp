@@ -1,5 +1,5 @@
-// Meshes that bend: that they look like meshes loaded bent, with their normals and tangents, and what it
-// costs.
+// Meshes that bend: that they look like meshes loaded bent, with their normals and
+// tangents, and what it costs.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// A small scene whose objects have names, the picture of a scene that was loaded as it stands now, and how
-// long changes take. Before: a test changes the scene. After: it compares frames bit for bit, or medians of
-// times.
+// A small scene whose objects have names, the picture of a scene that was loaded as it stands now,
+// and how long changes take. Before: a test changes the scene. After: it compares frames bit for
+// bit, or medians of times.
 #pragma once
 
 #include <algorithm>

@@ -37,8 +37,8 @@ TEST(TextureLevelsTest, EachLevelHasHalfTheSizeRoundedDownAndAllOfThemAThirdMore
 }
 
 TEST(TextureLevelsTest, MeansAreTakenOfLightNotOfBytes) {
-  // Half black, half white is light 0.5: byte 188 of sRGB (735.36 / 1000 of the curve's range), 128 of
-  // linear.
+  // Half black, half white is light 0.5: byte 188 of sRGB (735.36 / 1000 of the
+  // curve's range), 128 of linear.
   const TextureLevels srgb = build_levels(grey_image(2, 2, {0, 255, 255, 0}, true));
   EXPECT_EQ(texel(srgb, 1, 0) & 0xffu, 188u);
   const TextureLevels linear = build_levels(grey_image(2, 2, {0, 255, 255, 0}, false));
@@ -63,8 +63,8 @@ TEST(TextureLevelsTest, WhereAlphaIsCoverageColoursAreWeightedByIt) {
   EXPECT_NEAR(texel(build_levels(leaf), 1, 0) >> 24, 127.5, 0.5);
 }
 
-// A metal wall that fills +-45 degrees, its texture's coordinates over [0, 1]: ambient light shows its
-// colour.
+// A metal wall that fills +-45 degrees, its texture's coordinates over [0, 1]:
+// ambient light shows its colour.
 Scene wall_of(const TextureImage& image) {
   Scene scene;
   scene.textures.push_back(image);

@@ -14,8 +14,8 @@ namespace {
 constexpr double kRadius_m = 0.5;
 constexpr double kAmbient = 1.0;
 
-// A floor and, in the plane x = 0 on its left, a wall far taller than the radius; seen from above at x in [0,
-// 0.7] m.
+// A floor and, in the plane x = 0 on its left, a wall far taller than the radius; seen from
+// above at x in [0, 0.7] m.
 Scene floor_beside_wall() {
   Scene scene;
   test::add(scene, test::floor_quad(20), test::matte(glm::vec3{0.5f}));
@@ -90,8 +90,8 @@ TEST(AmbientOcclusionTest, DirectLightIsNotOccluded) {
     scene.ambient = glm::vec3{ambient};
     return test::render(scene, profile, settings_with(rays), test::looking_down({0.3, 1, 0}));
   };
-  // A trace of ambient light so that the rays are traced at all: 1e-7 is nothing beside the light in half
-  // precision.
+  // A trace of ambient light so that the rays are traced at all: 1e-7 is nothing beside the
+  // light in half precision.
   const RenderedFrame with = lit(1e-7f, 4), without = lit(1e-7f, 0);
   EXPECT_GT(with.counters.rays[RayKind::occlusion], 0);
   test::expect_same_bits(with, without);

@@ -175,8 +175,8 @@ TEST(CatcherTest, AVirtualShadowInARealOneChangesNothing) {
   // Above the real lid hangs a virtual one that shadows only what the real one shadows already.
   Scene scene = catcher_floor({test::light_at({2, 2, 0}, glm::vec3{4.0f})});
   test::add(scene, test::box({-0.5f, 0.89f, -0.5f}, {0.5f, 0.9f, 0.5f}), kReal, true);
-  // On the way from the light to the real lid's middle, a quarter of the way up; far from the eye's view of
-  // the floor.
+  // On the way from the light to the real lid's middle, a quarter of the way up; far from the
+  // eye's view of the floor.
   test::add(scene, test::box({0.45f, 1.15f, -0.05f}, {0.55f, 1.2f, 0.05f}), kReal);
   const test::TestCamera camera = even_feed(0.5, 0.5, 0.5);
   const DisplayProfile profile = test::single_view(128, 128, 60, 60);
@@ -246,10 +246,10 @@ TEST(CatcherTest, InTheDarkTheFeedIsLeftAlone) {
 }
 
 TEST(CatcherTest, AMirrorCatcherAddsVirtualHitsOnly) {
-  // A polished real floor (a perfect mirror), a real ceiling at 4 m and a glowing virtual ball of radius 0.3
-  // at (1, 1, 0), off to the side of the eye. The feed shows the ceiling's reflection already: only where the
-  // ball is mirrored does its radiance of 2 come on top of the feed; r is 1 everywhere, since no light
-  // shines.
+  // A polished real floor (a perfect mirror), a real ceiling at 4 m and a glowing virtual ball of
+  // radius 0.3 at (1, 1, 0), off to the side of the eye. The feed shows the ceiling's reflection
+  // already: only where the ball is mirrored does its radiance of 2 come on top of the feed; r is 1
+  // everywhere, since no light shines.
   Material polished = kReal;
   polished.base_colour = glm::vec3{1.0f};
   polished.metallic = 1;

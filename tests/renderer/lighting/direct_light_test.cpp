@@ -36,9 +36,9 @@ RenderedFrame render_floor(const Scene& scene, const DisplayProfile& profile, in
   return test::render(scene, profile, settings, test::looking_down({0, kEyeHeight_m, 0}));
 }
 
-// A pixel's position carries float errors of a few 2^-23 of metres; the smoothest lobe used here (alpha =
-// 0.09) changes by at most 4 / alpha per radian, relative: 45 * 1e-6 = 4e-5. Then the half that it is stored
-// in.
+// A pixel's position carries float errors of a few 2^-23 of metres; the smoothest lobe used here
+// (alpha = 0.09) changes by at most 4 / alpha per radian, relative: 45 * 1e-6 = 4e-5. Then the
+// half that it is stored in.
 constexpr double kArithmetic = 1e-4;
 double tolerance_of(double value) {
   return value * kArithmetic + test::half_rounding(value) + 0x1p-25;
@@ -155,9 +155,8 @@ TEST(DirectLightTest, OneSampleIsTheCentreOfTheBox) {
 
 TEST(DirectLightTest, AHardShadowEndsWhereGeometrySays) {
   // A thin lid of side 1 at y = 0.5, a point light at (1, 2, 0). The floor's point behind the lid's point (x,
-  // z) is
-  // ((4 x - 1) / 3, 4 z / 3): the shadow spans x from -1 to 1/3 and z within 2/3. The eye above the origin
-  // sees the lid itself before the floor's x, z within 2/3.
+  // z) is ((4 x - 1) / 3, 4 z / 3): the shadow spans x from -1 to 1/3 and z within 2/3. The eye above the
+  // origin sees the lid itself before the floor's x, z within 2/3.
   Scene scene = floor_scene(test::matte(glm::vec3{0.5f}), {test::light_at({1, 2, 0}, glm::vec3{10.0f})});
   test::add(scene, test::box({-0.5f, 0.499f, -0.5f}, {0.5f, 0.5f, 0.5f}), test::matte(glm::vec3{0.5f}));
   const DisplayProfile profile = test::single_view(401, 401, 45, 45);
@@ -167,8 +166,8 @@ TEST(DirectLightTest, AHardShadowEndsWhereGeometrySays) {
     const glm::dvec3 p = floor_point(profile.viewports[0], x, y).position;
     constexpr double kHidden = 2.0 / 3 + 0.01;
     if (std::abs(p.x) < kHidden && std::abs(p.z) < kHidden) return;  // the lid itself
-    // From the light at (1, 2, 0) through the lid at height 0.5 (0.499 moves edges by 0.001): 4/3 (edge) -
-    // 1/3 x.
+    // From the light at (1, 2, 0) through the lid at height 0.5 (0.499 moves edges by
+    // 0.001): 4/3 (edge) - 1/3 x.
     constexpr double kEdge = 0.003;
     const double left = (4 * -0.5 - 1) / 3, right = (4 * 0.5 - 1) / 3, depth = 2.0 / 3;
     const bool inside = p.x > left + kEdge && p.x < right - kEdge && std::abs(p.z) < depth - kEdge;
@@ -221,8 +220,8 @@ TEST(DirectLightTest, ALightThatTouchesOrEnclosesASurfaceStaysFinite) {
 }
 
 TEST(DirectLightTest, TheFalloffIsCappedAtHalfTheLongestEdge) {
-  // A flat light of 2 x 0 x 2 m, 0.1 m above the floor: its centre is nearer than r = 1 m, so E = I cos /
-  // r^2.
+  // A flat light of 2 x 0 x 2 m, 0.1 m above the floor: its centre is nearer than r =
+  // 1 m, so E = I cos / r^2.
   const AreaLight light = test::light_at({0, 0.1, 0}, glm::vec3{1.0f}, {2, 0, 2});
   const Material material = test::matte(glm::vec3{0.5f});
   const RenderedFrame frame =

@@ -107,8 +107,8 @@ TEST(MirrorTest, AMirrorRayThatLeavesShowsTheEnvironment) {
 }
 
 TEST(MirrorTest, TheShareFollowsSchlick) {
-  // A dielectric mirror of share 0.5 under an environment of 1, no other light: 0.5 (0.04 + 0.96 (1 -
-  // cos)^5).
+  // A dielectric mirror of share 0.5 under an environment of 1, no other light: 0.5
+  // (0.04 + 0.96 (1 - cos)^5).
   Scene scene;
   Material glass = test::matte(glm::vec3{0.0f});
   glass.mirror = 0.5f;

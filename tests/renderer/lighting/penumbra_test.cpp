@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kLightHeight_m = 2.0, kEdgeHeight_m = 1.0, kEyeHeight_m = 0.9;
 
-// The floor y = 0 under a screen at y = 1 that covers x < 0, and a light at y = 2; the eye lies below the
-// screen.
+// The floor y = 0 under a screen at y = 1 that covers x < 0, and a light at y = 2; the
+// eye lies below the screen.
 Scene edge_scene(const glm::vec3& light_size) {
   Scene scene;
   Material dull = test::matte(glm::vec3{0.8f});
@@ -135,9 +135,9 @@ TEST(AdaptiveLightTest, APenumbraKeepsItsErrorAndTheRestOfTheFloorTracesFewerRay
       static_cast<double>(all.rays[RayKind::shadow]) / static_cast<double>(adaptive.rays[RayKind::shadow]);
   std::cout << "mean error " << error_all << " and " << error_adaptive << " with " << saved
             << " times fewer rays\n";
-  // The penumbra of a light of 0.3 m is a quarter of the floor that is seen: were every hit of it to trace 64
-  // rays and the others 4, that would be 64 / (0.25 * 64 + 0.75 * 4) = 3.4 times fewer; predicted strata make
-  // it more.
+  // The penumbra of a light of 0.3 m is a quarter of the floor that is seen: were every hit of it to
+  // trace 64 rays and the others 4, that would be 64 / (0.25 * 64 + 0.75 * 4) = 3.4 times fewer;
+  // predicted strata make it more.
   EXPECT_GT(saved, 3.4);
   EXPECT_LE(error_adaptive, error_all + 1e-3);
 }

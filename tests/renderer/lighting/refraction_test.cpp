@@ -10,8 +10,8 @@
 namespace herr {
 namespace {
 
-// Clear glass: everything that is not reflected passes, and nothing is reflected by the settings of these
-// tests.
+// Clear glass: everything that is not reflected passes, and nothing is reflected by the
+// settings of these tests.
 Material glass(float refractive_index) {
   Material m = test::matte(glm::vec3{1.0f});
   m.roughness = 0;
@@ -45,9 +45,9 @@ glm::dvec3 behind_slab(const glm::dvec3& d, const glm::dvec3& slab_normal, doubl
 }
 
 TEST(RefractionTest, ASlabShiftsWhatLiesBehindItAsSnellSays) {
-  // A slab of 0.4 m and n = 1.5, turned by 35 degrees, between the eye and a glowing half plane z = -5, x >
-  // 0.3. Each pixel is bright or dark by where its ray ends; only rays within 1e-4 m of the edge may go
-  // either way.
+  // A slab of 0.4 m and n = 1.5, turned by 35 degrees, between the eye and a glowing half plane
+  // z = -5, x > 0.3. Each pixel is bright or dark by where its ray ends; only rays within 1e-4 m
+  // of the edge may go either way.
   constexpr double kThickness = 0.4, kIndex = 1.5;
   const double turn = 35 / kDegreesPerRadian;
   Scene scene;
@@ -84,8 +84,8 @@ TEST(RefractionTest, ASlabShiftsWhatLiesBehindItAsSnellSays) {
   std::cout << bright << " bright, " << dark << " dark, the nearest " << narrowest << " m from the edge\n";
   EXPECT_GT(bright, 700);
   EXPECT_GT(dark, 1000);
-  // A pixel is 5 * 2 tan(8 deg) / 1201 = 1.2 mm wide at the edge: at most one column of three lies within 0.1
-  // mm.
+  // A pixel is 5 * 2 tan(8 deg) / 1201 = 1.2 mm wide at the edge: at most one column of
+  // three lies within 0.1 mm.
   EXPECT_LE(near_edge, 3);
   EXPECT_LT(narrowest, 1.2e-3);
 }
@@ -114,8 +114,8 @@ TriangleMesh prism() {
 double seen_through_prism(float index) {
   Scene scene;
   test::add(scene, prism(), glass(index));
-  // Total reflection sends the ray towards -x, where a wall glows with 2; what passes the hypotenuse sees
-  // 0.5.
+  // Total reflection sends the ray towards -x, where a wall glows with 2; what passes
+  // the hypotenuse sees 0.5.
   test::add(scene, test::quad({-4, -9, 0}, {0, 0, -2}, {0, 18, 0}), test::glowing({2, 2, 2}));
   scene.environment = glm::vec3{0.5f};
   const RenderedFrame frame =
@@ -170,8 +170,8 @@ TEST(RefractionTest, ATintIsMultipliedAtEachInterface) {
 }
 
 TEST(RefractionTest, APathEndsAfterTheMostInterfacesAndStaysFinite) {
-  // Ten panes of 2 interfaces each: the ninth surface is shown as opaque and unlit, black, and no path is
-  // longer.
+  // Ten panes of 2 interfaces each: the ninth surface is shown as opaque and unlit,
+  // black, and no path is longer.
   Scene scene;
   for (int i = 0; i < 10; ++i) {
     const float z = -2.0f - static_cast<float>(i);
@@ -198,9 +198,9 @@ TEST(RefractionTest, SwitchedOffGlassIsDrawnOpaqueAndNoRayIsTraced) {
 }
 
 TEST(RefractionTest, AMirrorAndItsGlassShareTheLight) {
-  // A pane with reflection on, all of one environment: F + (1 - F) (what passes the second face). Light that
-  // the second face reflects is lost, so the sum is 1 - (1 - F) F (the second face's own reflection is not
-  // followed).
+  // A pane with reflection on, all of one environment: F + (1 - F) (what passes the second face). Light
+  // that the second face reflects is lost, so the sum is 1 - (1 - F) F (the second face's own
+  // reflection is not followed).
   Scene scene;
   Material pane = glass(1.5f);
   pane.mirror = 1;

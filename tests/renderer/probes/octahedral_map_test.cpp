@@ -143,9 +143,9 @@ TEST(ProbeGridTest, SixteenProbesInARowAreNeighboursOnEveryWall) {
 }
 
 TEST(ProbeGridTest, AWallBeyondTheOutermostProbesNeedsThoseAlone) {
-  // The box's own walls lie half a cell outside the grid, where a look-up clamps to the outermost layer. A
-  // closed room of 6 x 5 x 4 probes needs all of them but 4 x 3 x 2 inside; a floor alone, one layer of 6
-  // x 4.
+  // The box's own walls lie half a cell outside the grid, where a look-up clamps to the outermost
+  // layer. A closed room of 6 x 5 x 4 probes needs all of them but 4 x 3 x 2 inside; a floor
+  // alone, one layer of 6 x 4.
   const auto near = [](const Scene& scene) {
     const auto flags = probes_near_geometry(grid_over({{0, 0, 0}, {6, 5, 4}}, {6, 5, 4}), scene);
     return std::count(flags.begin(), flags.end(), true);

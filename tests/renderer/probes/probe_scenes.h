@@ -49,8 +49,8 @@ inline double scattered_share(double albedo) {
   return albedo + 0.04 * (1 - albedo);
 }
 
-// What probes add to each pixel (green) of an image of surfaces of one albedo: the light from all sides
-// there.
+// What probes add to each pixel (green) of an image of surfaces of one albedo: the
+// light from all sides there.
 inline std::vector<double> indirect_of_pixels(const ViewportImage& with_probes, const ViewportImage& direct,
                                               double albedo) {
   std::vector<double> light, lit;

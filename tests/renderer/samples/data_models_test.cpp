@@ -338,8 +338,8 @@ TEST(DataModels, NormalTexturesLookLikeTheShapesThatTheyStandFor) {
   for (const Tiles& tiles : kinds) {
     const std::string name = tiles.model;
     Scene scene = load_scene(models_folder("khronos_sample_assets") / name / "glTF-Binary" / (name + ".glb"));
-    // The tile that is least like its shape, lit from the left and from above so that no ball shadows its
-    // tile.
+    // The tile that is least like its shape, lit from the left and from above so that
+    // no ball shadows its tile.
     const auto least_likeness = [&] {
       double least = 1;
       for (const glm::dvec3& towards : {glm::dvec3(0.3, 0, -1), glm::dvec3(0, -0.3, -1)}) {

@@ -26,8 +26,8 @@ class SampleFrameTest : public testing::Test {
     scene_ = load_scene(samples / "general.scene.json");
   }
 
-  // In front of the table, eyes 63 mm apart, the head turned to within 4 degrees of `target` and the gaze at
-  // it.
+  // In front of the table, eyes 63 mm apart, the head turned to within 4 degrees of
+  // `target` and the gaze at it.
   static FrameSample looking_at(const glm::dvec3& target) {
     FrameSample sample = test::sample_from({0.1, 1.5, 3.6});
     Pose& head = sample.head.world_from_head;
@@ -118,9 +118,9 @@ TEST_F(SampleFrameTest, AtTheGazeTheFoveatedPictureIsTheFullOne) {
   EXPECT_GE(compare.share_at(looking_at({1.5, 0.6, -0.1}), "vase"), 0.95);
 }
 
-// The stem of the torus knot is a convex mirror: it shows the room and the vase's pattern some twenty times
-// smaller, finer than a pixel, so both pictures alias, each in its own way. 94.95 % was measured; the limit
-// guards that.
+// The stem of the torus knot is a convex mirror: it shows the room and the vase's pattern some twenty
+// times smaller, finer than a pixel, so both pictures alias, each in its own way. 94.95 % was
+// measured; the limit guards that.
 TEST_F(SampleFrameTest, InAMirrorFinerThanAPixelBothPicturesAlias) {
   GazeComparison compare(scene_, false);
   EXPECT_GE(compare.share_at(looking_at({0.84, 0.4, -0.9}), "knot stem"), 0.93);

@@ -103,8 +103,8 @@ TEST(NormalTextureTest, MatricesTreatItAsTheyTreatTheMesh) {
 }
 
 TEST(NormalTextureTest, SeenFromBehindTheWholeNormalIsReversed) {
-  // Turned about y: the eye sees the back, and what bent to the right in front bends to the left seen from
-  // there.
+  // Turned about y: the eye sees the back, and what bent to the right in front bends to
+  // the left seen from there.
   const glm::dmat4 turn = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -2)) *
                           glm::rotate(glm::dmat4(1.0), glm::pi<double>(), glm::dvec3(0, 1, 0));
   const glm::dvec3 bent = decoded({100, 240, 200}, 1);

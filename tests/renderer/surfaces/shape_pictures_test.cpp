@@ -104,8 +104,8 @@ TEST(ShapePicturesTest, ALargeBallIsAFloorWithoutAcne) {
 }
 
 TEST(ShapePicturesTest, FromWithinABallItsWallIsLitEvenly) {
-  // A light in the middle of a matte ball: the same distance and angle everywhere. Half-float pixels have 11
-  // bits.
+  // A light in the middle of a matte ball: the same distance and angle everywhere.
+  // Half-float pixels have 11 bits.
   Scene scene;
   add_shape(scene, ShapeKind::sphere, test::matte(glm::vec3{0.5f}), {0, 0, 0}, glm::dvec3{2.0});
   scene.lights = {test::light_at({0, 0, 0}, glm::vec3{10.0f})};

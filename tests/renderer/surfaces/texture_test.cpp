@@ -54,9 +54,9 @@ TEST(TextureTest, TheSrgbCurveIsWithinItsStatedErrorAndExactAtBothEnds) {
     double worst = 0;
     for (int i = 0; i < 256; ++i) {
       const double value = test::pixel_at(frame.viewports[0], i, 1)[0];
-      // Pixel i looks at texel i's centre; uv of 16 bits and float may miss it by 256 / 65535 / 2 + 1e-4 of a
-      // texel, a neighbour differing by at most 0.0105. Truncation to half costs a whole step, 2^-10 of the
-      // value.
+      // Pixel i looks at texel i's centre; uv of 16 bits and float may miss it by 256 / 65535 / 2 +
+      // 1e-4 of a texel, a neighbour differing by at most 0.0105. Truncation to half costs a whole
+      // step, 2^-10 of the value.
       const double fetch = 0.0022 * 0.0105 + 2 * test::half_rounding(value);
       worst = std::max(worst, std::abs(value - srgb_curve(i / 255.0)) - fetch);
     }

@@ -36,8 +36,8 @@ test::TestCamera kb4() {
   return camera;
 }
 
-// A camera 5 cm right of the head, turned by 12 degrees and a little rolled, exposed while the head stood
-// elsewhere.
+// A camera 5 cm right of the head, turned by 12 degrees and a little rolled, exposed while
+// the head stood elsewhere.
 Pose camera_pose() {
   return {{0.05, 0.02, -0.03}, glm::angleAxis(0.21, glm::normalize(glm::dvec3{0.2, 1, 0.1}))};
 }
@@ -123,8 +123,8 @@ TEST(CameraFeedTest, EveryInstructionSetProjectsAlike) {
     expect_exact_projection(brown_conrady(), test::single_view(250, 246, 60, 60), isa);
 }
 
-// Cells of a coarse viewport span much of the image: those whose curvature is too great are projected pixel
-// by pixel.
+// Cells of a coarse viewport span much of the image: those whose curvature is too great are
+// projected pixel by pixel.
 TEST(CameraFeedTest, CoarseViewportsAreExactToo) {
   expect_exact_projection(brown_conrady(), test::single_view(128, 128, 60, 60));
   expect_exact_projection(kb4(), test::single_view(128, 128, 80, 80));
@@ -183,8 +183,8 @@ TEST(CameraFeedTest, ImagesThatAreLargeEnoughAreNotCopied) {
 }
 
 TEST(CameraFeedTest, TheFeedMovesWithTheHeadsTurnSinceItsExposure) {
-  // The head turned left by 5 degrees after the exposure: what was straight ahead is now 5 degrees to the
-  // right.
+  // The head turned left by 5 degrees after the exposure: what was straight ahead is
+  // now 5 degrees to the right.
   test::TestCamera camera = test::TestCamera::pinhole(1001, 101, 45, [](int x, int) {
     return x == 500 ? Texel{0x3c00, 0x3c00, 0x3c00, 0x3c00} : Texel{0, 0, 0, 0x3c00};
   });

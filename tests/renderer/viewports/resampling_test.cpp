@@ -68,8 +68,8 @@ double bound_at(const PolarPicture& picture, double theta_deg) {
   const double theta_c = (1 + theta) * per_column / kDegreesPerRadian, theta_cc = theta_c * per_column;
   const double ring = theta < 90 ? std::sin(theta / kDegreesPerRadian) : 1.0;
   const double phi_r = 2 * glm::pi<double>() / height;
-  // Along the column the great circle bends f by theta'^2 and the spacing by theta''; along the row the
-  // circle.
+  // Along the column the great circle bends f by theta'^2 and the spacing by theta'';
+  // along the row the circle.
   const double curvature = (theta_c * theta_c + theta_cc + ring * phi_r * phi_r) / 8;
   const double coordinates = (theta_c + ring * phi_r) / 16;  // cells: 1/16 sample in each axis
   // Outside the last sample's centre its value is repeated: up to half a column.

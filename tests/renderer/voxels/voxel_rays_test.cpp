@@ -1,5 +1,5 @@
-// Rays through grids of voxels in Embree, at full depth against double precision and at coarser levels by
-// their means.
+// Rays through grids of voxels in Embree, at full depth against double precision and at
+// coarser levels by their means.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,8 +116,8 @@ class VoxelRayTest : public testing::TestWithParam<Isa> {
   }
 };
 
-// Rays from all around at all parts of a grid; every third one grazes: it runs along a face or at an edge of
-// voxels.
+// Rays from all around at all parts of a grid; every third one grazes: it runs along a face
+// or at an edge of voxels.
 std::vector<TestRay> rays_at(const VoxelGrid& grid, std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<float> normal;
@@ -351,8 +351,8 @@ TEST_P(VoxelRayTest, WideRaysSeeTheSameMeanOfBallsButForTheirOutline) {
 }
 
 TEST_P(VoxelRayTest, HalfCoverageIsHitByHalfTheRays) {
-  // Coverage 128 of 255 in one layer: across it, 0.502 of the rays hit. 90000 rays: standard deviation
-  // 0.0017.
+  // Coverage 128 of 255 in one layer: across it, 0.502 of the rays hit. 90000 rays:
+  // standard deviation 0.0017.
   const VoxelGrid grid = voxel_grid({30, 30, 30}, [](int, int, int z) { return z == 12 ? 0x80ffffffu : 0u; });
   std::vector<TestRay> rays;
   for (int j = 0; j < 300; ++j) {

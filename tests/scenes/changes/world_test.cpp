@@ -1,5 +1,5 @@
-// A scene over time: what events and the timeline do to it, and which of them are refused before the first
-// frame.
+// A scene over time: what events and the timeline do to it, and which of them are
+// refused before the first frame.
 #include "scenes/changes/world.h"
 
 #include <gtest/gtest.h>

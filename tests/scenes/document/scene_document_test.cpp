@@ -245,8 +245,8 @@ TEST(SceneDocument, ABoxCatcherIsClosedAndFacesOutwards) {
     EXPECT_GT(glm::dot(cross, a + b + c), 0);
     area += 0.5 * glm::length(cross);
   }
-  // Box of 2 x 0.1 x 4: 2 * (2 * 4 + 0.1 * 4 + 2 * 0.1) = 17.2; half extents are floats (relative error
-  // 6e-8).
+  // Box of 2 x 0.1 x 4: 2 * (2 * 4 + 0.1 * 4 + 2 * 0.1) = 17.2; half extents are
+  // floats (relative error 6e-8).
   EXPECT_NEAR(area, 17.2, 17.2 * 4 * 6e-8);
 }
 

@@ -1,5 +1,5 @@
-// Broken and hostile glTF files: each must give an InputError that names the file and the fault, never a
-// crash.
+// Broken and hostile glTF files: each must give an InputError that names the file and
+// the fault, never a crash.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

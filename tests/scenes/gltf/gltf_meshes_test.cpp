@@ -1,5 +1,5 @@
-// What a glTF primitive becomes: triangles of every mode, normals, coordinates, sparse and quantised
-// accessors.
+// What a glTF primitive becomes: triangles of every mode, normals, coordinates, sparse
+// and quantised accessors.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -67,8 +67,8 @@ TEST(GltfMeshes, AListDropsTheVerticesThatDoNotMakeATriangle) {
   EXPECT_EQ(scene.meshes.at(0).positions.size(), 3u);
 }
 
-// glTF 2.0, 3.7.2.1: strip p_i = {v_i, v_(i + 1 + i % 2), v_(i + 2 - i % 2)}, fan p_i = {v_(i + 1), v_(i +
-// 2), v_0}.
+// glTF 2.0, 3.7.2.1: strip p_i = {v_i, v_(i + 1 + i % 2), v_(i + 2 - i % 2)}, fan p_i =
+// {v_(i + 1), v_(i + 2), v_0}.
 TEST(GltfMeshes, AStripTurnsEverySecondTriangle) {
   EXPECT_EQ(five_vertices(5).meshes.at(0).triangles, (Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
 }

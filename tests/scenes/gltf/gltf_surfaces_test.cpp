@@ -73,8 +73,8 @@ TEST(GltfSurfaces, ATextureTransformThatAllTexturesShareIsBakedIntoTheCoordinate
   const TemporaryFolder folder;
   json document = with_texture(folder, triangle_document());
   add_attribute(folder, document, "TEXCOORD_0", {1, 0, 0, 1, 0, 0});
-  // A quarter turn counter-clockwise as v points down takes (u, v) to (v, -u); scale comes first, offset
-  // last.
+  // A quarter turn counter-clockwise as v points down takes (u, v) to (v, -u); scale
+  // comes first, offset last.
   const json moved = {{"offset", {0.5, 0.25}}, {"rotation", 1.5707963267948966}, {"scale", {2, 3}}};
   json& material = document["materials"][0];
   const json use = {{"index", 0}, {"extensions", {{"KHR_texture_transform", moved}}}};

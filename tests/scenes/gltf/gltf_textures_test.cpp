@@ -1,5 +1,5 @@
-// Materials and textures of glTF files: factors, colour spaces, channels, wrap modes, and images that are
-// wrong.
+// Materials and textures of glTF files: factors, colour spaces, channels, wrap modes,
+// and images that are wrong.
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -188,8 +188,8 @@ TEST(GltfTextures, AJpegIsRead) {
   const Scene scene = load_scene(file);
   ASSERT_EQ(scene.textures.size(), 1u);
   EXPECT_EQ(scene.textures[0].width_px, 8);
-  // A constant grey survives the cosine transform; the coefficient is quantised in steps of at most 16 / 8
-  // grey levels.
+  // A constant grey survives the cosine transform; the coefficient is quantised in steps of at
+  // most 16 / 8 grey levels.
   EXPECT_NEAR(scene.textures[0].rgba[0], 128, 2);
 }
 

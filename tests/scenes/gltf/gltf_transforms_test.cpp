@@ -59,8 +59,8 @@ TEST(GltfTransforms, AChainOfNodesIsTheProductOfItsMatrices) {
     ASSERT_EQ(scene.instances.size(), 1u);
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) {
-        // Entries stay below 3 * (1 + 2 + 4 + 8 + 16) * 2 < 200; five products of four terms lose a few 1e-16
-        // each.
+        // Entries stay below 3 * (1 + 2 + 4 + 8 + 16) * 2 < 200; five products of four terms
+        // lose a few 1e-16 each.
         EXPECT_NEAR(scene.instances[0].world_from_object[column][row],
                     expected[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)], 1e-12)
             << "seed " << kSeed << " trial " << trial;

@@ -1,5 +1,5 @@
-// MagicaVoxel files of other people: each loads, places every model that it shows, and is cut off safely
-// anywhere.
+// MagicaVoxel files of other people: each loads, places every model that it shows, and is
+// cut off safely anywhere.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -43,8 +43,8 @@ void expect_place(const glm::dvec3& place, const glm::dvec3& expected) {
 }
 
 TEST(Vox, ReadsVoxelsInTheColoursOfTheDefaultPalette) {
-  // Index 1 is white, 2 is (ff, ff, cc), 216 the first dark red (ee, 0, 0), 255 the darkest grey (11, 11,
-  // 11).
+  // Index 1 is white, 2 is (ff, ff, cc), 216 the first dark red (ee, 0, 0), 255 the
+  // darkest grey (11, 11, 11).
   const Loaded vox =
       load(vox_bytes(vox_model(3, 4, 5, {{0, 0, 0, 1}, {2, 3, 4, 2}, {1, 0, 4, 216}, {1, 1, 1, 255}})));
   ASSERT_EQ(vox.instances.size(), 1u);
@@ -90,9 +90,9 @@ TEST(Vox, TransformsTurnAboutTheMiddleVoxelAndMove) {
 }
 
 TEST(Vox, TransformsMultiplyFromTheRootDown) {
-  // The outer quarter turn (17) maps the inner translation (5, 0, 0) to (0, 5, 0). The model of one voxel has
-  // its pivot at its corner: middle (0.5, 0.5, 0.5) -> turned (-0.5, 0.5, 0.5) + (0, 5, 0); with y up (-0.5,
-  // 0.5, -5.5).
+  // The outer quarter turn (17) maps the inner translation (5, 0, 0) to (0, 5, 0). The model of one
+  // voxel has its pivot at its corner: middle (0.5, 0.5, 0.5) -> turned (-0.5, 0.5, 0.5) + (0, 5, 0);
+  // with y up (-0.5, 0.5, -5.5).
   const std::string graph = vox_transform(0, 1, {{"_r", "17"}}) + vox_group(1, {2}) +
                             vox_transform(2, 3, {{"_t", "5 0 0"}}) + vox_shape(3, 0);
   const Loaded vox = load(vox_bytes(vox_model(1, 1, 1, {{0, 0, 0, 1}}) + graph, 200));
@@ -121,8 +121,8 @@ TEST(Vox, OneModelInSeveralPlacesIsOneGrid) {
 }
 
 TEST(Vox, GlassCoversByWhatItDoesNotLetThrough) {
-  // trans 0.75 leaves a coverage of 1.5 + 254 * 0.25 = 65, cut to a whole number. Metal stays opaque and is
-  // named.
+  // trans 0.75 leaves a coverage of 1.5 + 254 * 0.25 = 65, cut to a whole number. Metal
+  // stays opaque and is named.
   const std::string materials =
       vox_chunk("MATL", int32(1) + vox_dictionary({{"_type", "_glass"}, {"_trans", "0.75"}})) +
       vox_chunk("MATL", int32(2) + vox_dictionary({{"_type", "_metal"}, {"_rough", "0.1"}}));

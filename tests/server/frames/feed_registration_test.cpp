@@ -81,9 +81,9 @@ TEST(FeedRegistrationTest, TheWorseEyeCounts) {
   EXPECT_FALSE(feed_registration(rig.sample, rig.cameras, kFeedDistance_m));
 }
 
-// The formula is a bound that far surfaces reach: no pixel of a feed drawn by the renderer's own rule (the
-// point at distance D along the eye's ray, seen from where the camera was) is farther off, and some are
-// nearly so.
+// The formula is a bound that far surfaces reach: no pixel of a feed drawn by the renderer's own
+// rule (the point at distance D along the eye's ray, seen from where the camera was) is farther
+// off, and some are nearly so.
 TEST(FeedRegistrationTest, BoundsWhatRandomPixelsOfFarSurfacesShow) {
   const std::uint32_t seed = 11;
   SCOPED_TRACE(seed);

@@ -149,8 +149,8 @@ TEST_F(Http, AFloodOfHeaderBytesIsRefusedAtSixteenKilobytes) {
   EXPECT_EQ(get(server->port(), "/after").body, "/after");
 }
 
-// A head that drips in time is answered; one that does not is told so after the limit, not after the last
-// drop.
+// A head that drips in time is answered; one that does not is told so after the limit,
+// not after the last drop.
 TEST_F(Http, ADrippingClientIsEndedAtTheDeadlineAndHoldsUpNobody) {
   limits.request_time = milliseconds(300);
   const auto server = serve();

@@ -53,8 +53,8 @@ TEST(ContactSheet, SmallViewportsAreNotEnlarged) {
 }
 
 TEST(ContactSheet, AConstantPictureStaysConstantInAnyScale) {
-  // 1000 px reduced to 776: the scale is no whole number, so that border pixels take fractions of source
-  // pixels.
+  // 1000 px reduced to 776: the scale is no whole number, so that border pixels take
+  // fractions of source pixels.
   const DisplayProfile profile = small_profile(1000, 900, 500);
   std::vector<ViewportImage> pictures;
   for (const Viewport& viewport : profile.viewports)

@@ -1,5 +1,5 @@
-// `herr replay --resume` and what it finds: nothing, everything, files that went or were damaged, another
-// command line.
+// `herr replay --resume` and what it finds: nothing, everything, files that went or were
+// damaged, another command line.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -204,8 +204,8 @@ TEST_F(Resume, ADamagedCheckpointIsBadInputAndNothingIsTouched) {
 }
 
 TEST_F(Resume, AFullDiskInTheMiddleIsGoneOnFromWhenThereIsRoom) {
-  // No file may be longer than eleven rows of frames.csv and a bit: that one fails, if no picture does
-  // before.
+  // No file may be longer than eleven rows of frames.csv and a bit: that one fails,
+  // if no picture does before.
   const std::string flags = kFlags + "--out full ";
   const rlim_t limit = row_begin(content_of(root() / "whole/walk/frames.csv"), 11) + 20;
   ChildProgram child(root(), [&] {

@@ -87,8 +87,8 @@ TEST_F(ServeProgram, GivesEachAttackItsStatusAndLivesOn) {
   EXPECT_EQ(content_of(root() / "stderr.txt"), "");
 }
 
-// A picture of some megabytes does not fit into the buffers of a socket: the answer is under way while nobody
-// reads it.
+// A picture of some megabytes does not fit into the buffers of a socket: the answer is under
+// way while nobody reads it.
 TEST_F(ServeProgram, EndsWithZeroInTheMiddleOfAnAnswer) {
   start({"--port", "0", "--profile", "xr1"});
   const int port = this->port();

@@ -1,5 +1,5 @@
-// `herr synth` as its users run it: what it writes, `herr replay` takes; mistakes are refused before anything
-// is written.
+// `herr synth` as its users run it: what it writes, `herr replay` takes; mistakes are refused
+// before anything is written.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

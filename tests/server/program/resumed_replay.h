@@ -97,8 +97,8 @@ class Resume : public ::testing::Test {
     });
     ASSERT_EQ(child.finish(), 0);
     walk_far();
-    // Damaged behind a good header: from 0.2 s on the image before is held, and a resumed replay must hold
-    // it too.
+    // Damaged behind a good header: from 0.2 s on the image before is held, and a resumed
+    // replay must hold it too.
     const fs::path image = root() / "walk/cam0/data/000002.png";
     fs::resize_file(image, fs::file_size(image) - 20);
   }

@@ -1,5 +1,5 @@
-// Frames are held at a target against simulated loads: steps, noise, targets out of reach, times that are
-// none.
+// Frames are held at a target against simulated loads: steps, noise, targets out of
+// reach, times that are none.
 #include "server/quality/deadline_policy.h"
 
 #include <gtest/gtest.h>

@@ -98,8 +98,8 @@ TEST(GazeMotion, FixationsLastAsLongAsInScenes) {
     rests.push_back(jump.rest_before_s);
     sum += jump.rest_before_s;
   }
-  // Median 0.28 s, mean 0.28 exp(0.35^2 / 2) = 0.298 s, deviation 0.107 s: 850 of them give the mean to
-  // 0.004.
+  // Median 0.28 s, mean 0.28 exp(0.35^2 / 2) = 0.298 s, deviation 0.107 s: 850 of
+  // them give the mean to 0.004.
   EXPECT_NEAR(sum / static_cast<double>(rests.size()), 0.298, 0.015);
   std::sort(rests.begin(), rests.end());
   EXPECT_NEAR(rests[rests.size() / 2], 0.28, 0.015);

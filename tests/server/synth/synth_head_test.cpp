@@ -53,8 +53,8 @@ TEST(HeadMotion, AtADeskStaysNearItsPlaceAndMovesSmoothly) {
       // Sway of 0.2 m at up to 0.6 Hz and steps of 0.015 m at 1.8 Hz: below 2 pi (0.25 * 0.6 + 0.02 * 1.8)
       // = 1.2 m/s.
       EXPECT_LT(glm::distance(now.position, before.position), 0.012);
-      // Turns of 8 deg at up to 1.5 Hz: below 2 pi * 8 * 1.5 = 75 deg/s on one axis, 0.75 deg in 10 ms; three
-      // axes add.
+      // Turns of 8 deg at up to 1.5 Hz: below 2 pi * 8 * 1.5 = 75 deg/s on one axis, 0.75 deg
+      // in 10 ms; three axes add.
       EXPECT_LT(angle_between_deg(ahead(now), ahead(before)), 1.2);
       before = now;
     }

@@ -37,8 +37,8 @@ class FaultyFiles : public FileSystem {
 
   bool has_failed() const;
   int calls(FileCall call) const;
-  // Names under which a file appeared while some of its bytes were not synced: a power cut could leave half
-  // of it.
+  // Names under which a file appeared while some of its bytes were not synced: a power
+  // cut could leave half of it.
   std::vector<std::string> renamed_before_sync() const;
 
   int open(const char* path, int flags) override;

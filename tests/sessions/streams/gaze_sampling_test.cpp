@@ -79,8 +79,8 @@ TEST(LostGaze, IsHeldFor600MillisecondsAndThenGlidesToTheCentre) {
     const SampledGaze gaze = session.sample(t).gaze;
     const double deg = right_deg(gaze.head_direction[0]);
     EXPECT_NEAR(deg, lost_gaze_deg(t), kRoundingDeg) << t;
-    // Continuous: the steepest slope is 30 degrees / 0.15 s = 0.2 degrees a millisecond, at the start of the
-    // glide.
+    // Continuous: the steepest slope is 30 degrees / 0.15 s = 0.2 degrees a millisecond, at
+    // the start of the glide.
     EXPECT_LE(std::abs(deg - before_deg), 0.2 + kRoundingDeg) << t;
     before_deg = deg;
     const SampleSource expected = t == 0           ? SampleSource::exact
@@ -130,8 +130,8 @@ TEST(CombinedGaze, AimsEachEyeAtThePointOnTheRay) {
   const RecordedFolder folder;
   Session session = open_with(folder, gaze_row(0, 20, true, 20, true), "combined", "\"vergence_m\": 0.5");
   const SampledGaze gaze = session.sample(0).gaze;
-  // The point lies 0.5 m along 20 degrees to the right: (0.5 sin 20, 0, -0.5 cos 20); the eyes at x =
-  // -+0.0315.
+  // The point lies 0.5 m along 20 degrees to the right: (0.5 sin 20, 0, -0.5 cos 20);
+  // the eyes at x = -+0.0315.
   const double x = 0.5 * std::sin(glm::radians(20.0)), z = 0.5 * std::cos(glm::radians(20.0));
   EXPECT_NEAR(right_deg(gaze.head_direction[0]), glm::degrees(std::atan2(x + 0.0315, z)), kRoundingDeg);
   EXPECT_NEAR(right_deg(gaze.head_direction[1]), glm::degrees(std::atan2(x - 0.0315, z)), kRoundingDeg);

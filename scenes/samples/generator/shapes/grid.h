@@ -11,8 +11,8 @@ namespace herr::samples {
 // Cells that collapse to a line give no triangles.
 Mesh grid_mesh(int columns, int rows, const std::function<Vertex(float u, float v)>& surface);
 
-// The same with the normal taken from central differences of the position; `normal` of the surface is
-// ignored.
+// The same with the normal taken from central differences of the position; `normal`
+// of the surface is ignored.
 Mesh smooth_grid_mesh(int columns, int rows, const std::function<Vertex(float u, float v)>& surface);
 
 }  // namespace herr::samples
