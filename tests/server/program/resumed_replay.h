@@ -65,7 +65,7 @@ inline std::vector<std::string> reproducible_rows(const fs::path& csv) {
       if (rows.empty()) names.push_back(cell);
       const std::string& name = names.at(column);
       const bool timed = name.ends_with("_ms") && name.find("_age_") == std::string::npos;
-      if (!timed && name != "missed") kept += cell + ',';
+      if (!timed && name != "missed" && name != "stutter") kept += cell + ',';
     }
     rows.push_back(kept);
   }

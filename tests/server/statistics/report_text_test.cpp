@@ -69,11 +69,12 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
   for (const std::string& name : names) {
     const bool unit = name.ends_with("_ms") || name.ends_with("_ns") || name.ends_with("_deg") ||
                       name.ends_with("_deg_s") || name.ends_with("_arcmin");
-    const bool count = name == "frame" || name == "missed" || name == "commits" || name.ends_with("_rays") ||
-                       name.ends_with("_samples") || name.ends_with("_pixels") || name.ends_with("_values") ||
-                       name.ends_with("_frames") || name.ends_with("_ticks") || name.ends_with("_probes") ||
-                       name.ends_with("_share") || name.starts_with("instances_") ||
-                       name.starts_with("meshes_") || name == "plan_changes" || name == "polar_width";
+    const bool count = name == "frame" || name == "missed" || name == "stutter" || name == "commits" ||
+                       name.ends_with("_rays") || name.ends_with("_samples") || name.ends_with("_pixels") ||
+                       name.ends_with("_values") || name.ends_with("_frames") || name.ends_with("_ticks") ||
+                       name.ends_with("_probes") || name.ends_with("_share") ||
+                       name.starts_with("instances_") || name.starts_with("meshes_") ||
+                       name == "plan_changes" || name == "polar_width";
     const bool word = name.find("_source") != std::string::npos || name == "quality_reason";
     EXPECT_TRUE(unit || count || word) << name;
   }
