@@ -46,6 +46,9 @@ std::string content_text(const fs::path& path) {
   return sum.text();
 }
 
+// Times of change in checkpoints count from 2174, as std::filesystem does.
+constexpr std::int64_t kFileClockEpochNs = 6'437'664'000'000'000'000;
+
 // Images are too many to read: a session of an hour has 100,000. The sum does not depend on their order.
 std::string images_text(const fs::path& folder, PictureIdentity identity) {
   std::uint64_t count = 0, sum = 0;
@@ -54,7 +57,8 @@ std::string images_text(const fs::path& folder, PictureIdentity identity) {
     const FileFacts facts = facts_of(file);
     if (facts.kind != FileKind::file) continue;  // a folder, or a broken link
     std::string text = file.lexically_relative(folder).string() + ' ' + std::to_string(facts.size_bytes);
-    if (identity == PictureIdentity::size_and_time) text += ' ' + std::to_string(facts.changed_ns);
+    if (identity == PictureIdentity::size_and_time)
+      text += ' ' + std::to_string(facts.changed_ns - kFileClockEpochNs);
     Checksum checksum;
     checksum.add(text.data(), text.size());
     sum += checksum.crc();
