@@ -21,7 +21,7 @@ constexpr const char* kCounters[] = {"commits",           "instances_moved",    
 
 class ProgramMovingScene : public ::testing::Test {
  protected:
-  // Six frames, a quarter of a second apart: t = 1.2 ... 1.6 s brings both hares of the sample scene.
+  // Six frames, a third of a second apart: t = 1.2 ... 1.6 s brings both hares of the sample scene.
   void SetUp() override {
     const fs::path scene = fs::path(test::source_dir()) / "scenes/samples/moving.scene.json";
     if (!fs::exists(scene.parent_path() / "generated/teapot.glb")) {
@@ -38,7 +38,7 @@ class ProgramMovingScene : public ::testing::Test {
         run_program(root(), "replay" + arguments_ + "--format none --contact-sheet none --out o");
     ASSERT_EQ(run.exit_code, 0) << run.err;
     read_rows();
-    ASSERT_EQ(frames(), 7u);  // at 0, 1/3, ... 2 s
+    ASSERT_EQ(frames(), 6u);  // at 0, 1/3, ... 5/3 s
   }
   const fs::path& root() const { return folder_.path(); }
   std::size_t frames() const { return rows_.size() - 1; }
@@ -70,12 +70,12 @@ class ProgramMovingScene : public ::testing::Test {
 
 TEST_F(ProgramMovingScene, CheckCountsWhatReplayCounts) {
   const Outcome run = run_program(
-      root(), "check" + arguments_ + "--frames 7 --only counters --json --against " + test::program_path());
+      root(), "check" + arguments_ + "--frames 6 --only counters --json --against " + test::program_path());
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   const auto json = nlohmann::json::parse(run.out);
-  const std::size_t warm_up = 3;  // of seven
+  const std::size_t warm_up = 3;  // of six
   EXPECT_GT(replayed("instances_moved", warm_up), 1);
-  EXPECT_EQ(replayed("instances_spawned", warm_up), 2.0 / 4);
+  EXPECT_EQ(replayed("instances_spawned", warm_up), 2.0 / 3);
   for (const char* name : kCounters) {
     const std::string counted = name == std::string("primary_rays") ? "rays.primary" : name;
     bool found = false;
@@ -90,10 +90,10 @@ TEST_F(ProgramMovingScene, CheckCountsWhatReplayCounts) {
 
 TEST_F(ProgramMovingScene, BenchCountsWhatReplayCountsHoweverOftenItRepeats) {
   for (const char* repeats : {"1", "3"}) {
-    const Outcome run = run_program(root(), "bench" + arguments_ + "--frames 7 --json --repeats " + repeats);
+    const Outcome run = run_program(root(), "bench" + arguments_ + "--frames 6 --json --repeats " + repeats);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto json = nlohmann::json::parse(run.out);
-    EXPECT_EQ(json["frames"], 7);
+    EXPECT_EQ(json["frames"], 6);
     for (const char* name : kCounters) {
       if (name == std::string("primary_rays")) continue;
       EXPECT_DOUBLE_EQ(json["counters"][name].get<double>(), replayed(name, 0)) << name;
@@ -102,7 +102,7 @@ TEST_F(ProgramMovingScene, BenchCountsWhatReplayCountsHoweverOftenItRepeats) {
 }
 
 TEST_F(ProgramMovingScene, BenchTellsPeopleToo) {
-  const Outcome run = run_program(root(), "bench" + arguments_ + "--frames 7 --repeats 1");
+  const Outcome run = run_program(root(), "bench" + arguments_ + "--frames 6 --repeats 1");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   for (const char* name : {"commits", "instances moved", "instances spawned"}) {
     EXPECT_NE(run.out.find(name), std::string::npos) << run.out;
@@ -112,11 +112,11 @@ TEST_F(ProgramMovingScene, BenchTellsPeopleToo) {
 TEST_F(ProgramMovingScene, BenchWeighsAndAveragesItToo) {
   const Outcome left_out = run_program(root(), "bench" + arguments_ + "--left-out --frames 3 --repeats 1");
   EXPECT_EQ(left_out.exit_code, 0) << left_out.err;
-  const Outcome table = run_program(
-      root(), "bench" + arguments_ + "--table --seconds 0.001 --frames 7 --json --light-samples 1");
+  const Outcome table =
+      run_program(root(), "bench" + arguments_ + "--table --seconds 0.001 --frames 6 --json");
   ASSERT_EQ(table.exit_code, 0) << table.err;
   // Whole sequences alone.
-  for (const auto& cell : nlohmann::json::parse(table.out)["table"]) EXPECT_EQ(cell["frames"], 7);
+  for (const auto& cell : nlohmann::json::parse(table.out)["table"]) EXPECT_EQ(cell["frames"], 6);
 }
 
 }  // namespace
