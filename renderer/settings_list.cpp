@@ -83,6 +83,10 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 }  // namespace
 
+// A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
+// number.
+static_assert(sizeof(ProbeSettings) == 48 && sizeof(RenderSettings) == 136);
+
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;
   for (const std::vector<Setting>& part :

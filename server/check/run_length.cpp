@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "server/check/measure/measure_run.h"
+#include "server/results/fingerprint.h"
 #include "server/text/number_text.h"
 
 namespace herr {
@@ -41,13 +42,20 @@ std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& c
 }
 
 std::string settings_line(const CheckFingerprint& fingerprint) {
-  constexpr std::array<std::string_view, 5> kTold{"--scene", "--profile", "--polar", "--light-samples",
-                                                  "--isa"};
+  constexpr std::array<std::string_view, 6> kAlwaysTold{"--scene",         "--profile", "--polar",
+                                                        "--light-samples", "--isa",     "--threads"};
+  // A check writes no pictures and has no policy.
+  constexpr std::array<std::string_view, 3> kNeverTold{"--format", "--contact-sheet", "--polar-floor"};
+  const Fingerprint::Entries defaults = setting_entries({});
   std::string line;
   for (const auto* entries : {&fingerprint.work.settings, &fingerprint.machine}) {
-    for (const auto& [name, value] : *entries) {
-      const bool told = std::find(kTold.begin(), kTold.end(), name) != kTold.end();
-      if (told || name == "--threads") line += (line.empty() ? "" : ", ") + name + " " + value;
+    for (const auto& entry : *entries) {
+      const auto named = [&](const auto& other) { return other.first == entry.first; };
+      const auto other = std::find_if(defaults.begin(), defaults.end(), named);
+      const bool always = std::find(kAlwaysTold.begin(), kAlwaysTold.end(), entry.first) != kAlwaysTold.end();
+      if (!always && (other == defaults.end() || other->second == entry.second)) continue;
+      if (std::find(kNeverTold.begin(), kNeverTold.end(), entry.first) != kNeverTold.end()) continue;
+      line += (line.empty() ? "" : ", ") + entry.first + " " + entry.second;
     }
   }
   return line;

@@ -19,7 +19,8 @@ MeasuredProgram candidate_of(const CheckOptions& options);
 // As many as --frames says, or as last --run-seconds here and now: a short run finds that out.
 std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate);
 
-// "--profile xr1-half, --polar 788x384, ..., --threads 2": what somebody would look at first.
+// "--profile xr1-half, --polar 788x384, ..., --threads 2": what somebody would look at first, and each
+// further setting that has not its default.
 std::string settings_line(const CheckFingerprint& fingerprint);
 
 inline constexpr double kToldTail = 0.05;  // of bounds that decide nothing

@@ -1,5 +1,6 @@
 // One frame of a session: sample the recording, bring the scene to that time, choose the quality, render,
-// describe. This is done here alone; replay, serve, check and bench are loops around it.
+// describe. This is done here alone; replay, serve, check and bench are loops around it. (bench --left-out
+// renders instants that it has taken from it again and again.)
 // Before: open_session. After: pictures are written, published or measured; FrameRecord goes to statistics.
 #pragma once
 

@@ -98,7 +98,9 @@ std::string recorded_text(const Setting& setting, const ReplayOptions& options) 
 // What shapes pictures, and which files a run leaves. Threads change no picture. Nor do --keep-going and
 // --strict: what they let pass or refuse is found by the check of the session, before the first frame, or
 // ends the run.
-Fingerprint::Entries entries_of(ReplayOptions options) {
+}  // namespace
+
+Fingerprint::Entries setting_entries(ReplayOptions options) {
   Fingerprint::Entries entries;
   for (const Setting& setting : settings_of(options)) {
     if (!shapes_pictures(setting) && setting.group != SettingGroup::files) continue;
@@ -107,10 +109,12 @@ Fingerprint::Entries entries_of(ReplayOptions options) {
   return entries;
 }
 
+namespace {
+
 Fingerprint::Entries settings_of_run(const SessionReport& report, const ReplayOptions& options) {
   Fingerprint::Entries entries{{"the program", program_with_version()},
                                {"--scene", printable(report.scene_file.filename().string())}};
-  const Fingerprint::Entries settings = entries_of(resolved_options(options, report));
+  const Fingerprint::Entries settings = setting_entries(resolved_options(options, report));
   entries.insert(entries.end(), settings.begin(), settings.end());
   entries.emplace_back("--start, --duration, --frames",
                        "frames " + std::to_string(report.range.first) + " ... " +
@@ -152,7 +156,7 @@ Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& opt
 }
 
 std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
-  const Fingerprint::Entries defaults = entries_of(ReplayOptions());
+  const Fingerprint::Entries defaults = setting_entries({});
   for (const auto& [name, value] : now.settings) {
     const std::string* before = find(earlier.settings, name);
     // A program that did not know a setting had its default.

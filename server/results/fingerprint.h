@@ -30,4 +30,7 @@ Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& opt
 // program did not know had its default.
 std::string difference(const Fingerprint& earlier, const Fingerprint& now);
 
+// Each setting that shapes pictures or says which files a run leaves, by its flag, as fingerprints tell it.
+Fingerprint::Entries setting_entries(ReplayOptions options);
+
 }  // namespace herr

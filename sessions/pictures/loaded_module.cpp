@@ -52,7 +52,7 @@ const PictureModule& load_module() {
   void* const library = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr)
     throw ModuleError(printable(file.string()) + ": cannot be loaded (" + loading_problem() +
-                      "); install the library that it names (Debian: libopenimageio2.4)");
+                      "); install herr again, or the library that it names (Debian: libopenimageio2.4)");
   const auto entry = reinterpret_cast<PictureModuleEntry>(::dlsym(library, kPictureModuleEntry));
   if (entry == nullptr) {
     ::dlclose(library);

@@ -26,9 +26,9 @@ FILE_HEADERS = re.compile(
     r"^[ \t]*#[ \t]*include[ \t]*<(?:fstream|fcntl\.h|dirent\.h|ftw\.h|glob\.h|sys/(?:file|mman|sendfile|stat|uio)\.h)>",
     re.MULTILINE)
 FILE_CALLS = re.compile(
-    r"(?<!<)\b(?:std::)?[io]?fstream\b|\bfilebuf\b|(?<![\w.:>])(?:std::|::)?(?:fopen|freopen|fdopen|tmpfile)\s*\("
+    r"(?<!<)\b(?:std::)?(?:basic_)?[io]?fstream\b|\b(?:basic_)?filebuf\b|\bdirectory_(?:entry|iterator)\b|\bstd::remove\s*\([^,()]*\)|(?<![\w.:>])(?:std::|::)?(?:fopen|freopen|fdopen|tmpfile|rename)\s*\("
     r"|(?<![\w>])::(?:access|creat|fdatasync|flock|fstat|fsync|ftruncate|link|lockf|lstat|mkdir|mkdirat|mkdtemp|mkstemp|mmap"
-    r"|open|openat|opendir|pread|pwrite|readdir|realpath|remove|rename|renameat|rmdir|stat|symlink|syscall|truncate|unlink"
+    r"|open|openat|openat2|opendir|pread|pwrite|readdir|realpath|remove|rename|renameat|rmdir|sendfile|stat|symlink|syscall|truncate|unlink"
     r"|unlinkat)\s*\("
     r"|\b(?:filesystem|fs)::(?:copy\w*|create_\w+|directory_\w+|equivalent|exists|file_size|hard_link_count|is_\w+"
     r"|last_write_time|permissions|recursive_directory_iterator|remove\w*|rename|resize_file|space|status|symlink_status)\b")

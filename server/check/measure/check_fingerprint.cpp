@@ -27,6 +27,8 @@ CheckFingerprint check_fingerprint(const SessionReport& report, const ReplayOpti
   fingerprint.work = fingerprint_of(report, options, scene, PictureIdentity::size);
   // The program is what is compared.
   std::erase_if(fingerprint.work.settings, [](const auto& entry) { return entry.first == "the program"; });
+  // Builds before frame_step.h measured such scenes standing still: theirs is other work.
+  if (scene.changes) fingerprint.work.inputs.emplace_back("how the scene moves", "as replay shows it");
   fingerprint.machine = {{"--threads", std::to_string(report.settings.threads)},
                          {"the libraries", libraries + ", glibc " + gnu_get_libc_version()},
                          {"the CPU", cpu_name()},
