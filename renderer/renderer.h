@@ -80,7 +80,7 @@ class Renderer {
 
   // Takes up what a frame changes in the renderer's state without rendering it.
   void skip_frame(const FrameSample& sample, const SceneState& state);
-  // After the last frame, whole or passed over. An abandoned frame has changed it too.
+  // After the last frame, whole or skipped. An abandoned frame has changed it too.
   // `with_probes`: megabytes; without them the rest, which costs nothing to ask for after each frame.
   RendererState state(bool with_probes = true) const;
   // Throws std::invalid_argument when the probes' bytes belong to another version, scene or grid; then this
