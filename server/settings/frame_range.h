@@ -1,5 +1,6 @@
 // Which frames of a session a replay renders, and when each of them is. Frame k lies k display periods after
-// the session's start, whatever --start says: the same number is the same picture in every run.
+// the session's start, whatever --start says: the same number is the same picture in every run. (Probes begin
+// to gather light at --start.)
 #pragma once
 
 #include <cstdint>
