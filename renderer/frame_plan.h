@@ -21,6 +21,7 @@ inline constexpr int kMostLayers = 8;
 struct LightSampling {
   int samples = 1;  // per light and hit
   int first = 1;    // of these, traced for every hit; the others only where the first ones disagree
+  bool stratified = true;
   bool adaptive() const { return first < samples; }
 };
 
@@ -61,6 +62,7 @@ struct FramePlan {
   bool detail_levels = false;   // some mesh has coarser forms
   bool camera = false;
   bool gaze_marker = false;
+  LightSampler light_sampler = LightSampler::jittered;
   std::vector<PlanEntry> entries;  // all of the above, for people
 
   // Of a frame that takes `samples` of each light: the settings' number, or the frame's own.

@@ -12,6 +12,7 @@ inline constexpr int kMostLightSamples = 4096;
 inline constexpr int kFewestProbeRays = 8, kMostProbeRays = 512;
 
 enum class Foveation : std::uint8_t { log_polar, off };
+enum class LightSampler : std::uint8_t { jittered, random };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 // Light that bounces between surfaces, gathered by a grid of probes over time.
@@ -23,6 +24,7 @@ struct ProbeSettings {
   bool react = true;                // forget faster where light changes by more than a quarter
   double normal_bias = 0.1;         // look-ups see from this share of the smallest spacing off the surface
   double view_bias = 0.0;           // and from this share of it towards the viewer
+  double density = 1;               // probes along each axis, against those that the scene asks for
 };
 
 struct RenderSettings {
@@ -33,8 +35,15 @@ struct RenderSettings {
   // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
   // 0: all strata everywhere.
   int adaptive_min_samples = 0;
+  // random: independent places on the light, what strata are measured against.
+  LightSampler light_sampler = LightSampler::jittered;
   int occlusion_rays = 0;           // short rays of ambient occlusion per first hit; 0: none
   double occlusion_radius_m = 0.3;  // how far they reach
+  // Rays from the eye are this many times as wide as their samples: textures and voxels are read at the level
+  // that this asks for. 0: the finest.
+  double ray_width = 1;
+  double detail_error = 0.5;        // samples that a simplified mesh may lie off; 0: full meshes only
+  bool covered_pixels = true;       // without foveation: trace context pixels that a focus viewport covers
   bool reflections = true;          // trace one mirror bounce where a material asks for it
   bool refraction = true;           // follow light through transparent materials; off: they are opaque
   bool camera = true;               // composite over the camera feed where the session has one

@@ -14,6 +14,7 @@
 #include "renderer/frame_counters.h"
 #include "renderer/frame_plan.h"
 #include "renderer/memory_use.h"
+#include "renderer/pixel_pass.h"
 #include "renderer/probe_counts.h"
 #include "renderer/render_settings.h"
 #include "renderer/stage_times.h"
@@ -77,6 +78,14 @@ class Renderer {
                     const std::atomic<bool>* abandon = nullptr);
   bool render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
                     RenderedFrame& out, const std::atomic<bool>* abandon = nullptr);
+
+  // A frame of the settings' quality with the random numbers and rays of `pass`. Probes stay as the last frame
+  // left them. Throws std::invalid_argument for jitter or tiles with foveation, or at a scale below 1, and for
+  // another number of tiles.
+  void render_pass(const FrameSample& sample, const SceneState& state, const PixelPass& pass,
+                   RenderedFrame& out);
+  // Without foveation: how a frame is divided; empty with it.
+  std::vector<PixelTile> pixel_tiles() const;
 
   // Takes up what a frame changes in the renderer's state without rendering it.
   void skip_frame(const FrameSample& sample, const SceneState& state);

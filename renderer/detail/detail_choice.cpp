@@ -37,13 +37,13 @@ double samples_per_metre(const DetailEye& eye, const DetailBall& ball) {
 }
 
 int detail_level(std::span<const float> errors_m, std::span<const DetailEye> eyes, const DetailBall& ball,
-                 int former) {
+                 int former, double most_samples) {
   double finest = 0;
   for (const DetailEye& eye : eyes) finest = std::max(finest, samples_per_metre(eye, ball));
   const double samples_per_object_metre = finest * ball.scale;
   // Nothing looks at it, or it has no extent: any form will do.
   if (!(samples_per_object_metre > 0)) return static_cast<int>(errors_m.size());
-  const double allowed_m = kMostErrorSamples / samples_per_object_metre;
+  const double allowed_m = most_samples / samples_per_object_metre;
   const int finest_needed = coarsest_within(errors_m, allowed_m);
   if (former < 0 || former > finest_needed) return finest_needed;
   return std::max(former, coarsest_within(errors_m, kCoarserShare * allowed_m));

@@ -1,5 +1,5 @@
-// Which form of a mesh a frame shows: the coarsest whose error stays below half a sample where the eye looks
-// at it. A pure function of view and former choice. Before: this frame's eyes and gaze. After: embree_scene
+// Which form of a mesh a frame shows: the coarsest whose error stays below a share of a sample (the setting
+// detail_error) where the eye looks at it. A pure function of view and former choice. Before: this frame's eyes and gaze. After: embree_scene
 // places the chosen mesh.
 #pragma once
 
@@ -28,7 +28,6 @@ struct DetailBall {
   double scale = 1;
 };
 
-inline constexpr double kMostErrorSamples = 0.5;  // what a simplified surface may lie off
 // A coarser form is taken only when its error is this share of what is allowed: between the two a choice
 // stays as it was, so that a resting or trembling head does not make an object change back and forth.
 inline constexpr double kCoarserShare = 0.7;
@@ -38,8 +37,8 @@ inline constexpr double kCoarserShare = 0.7;
 double samples_per_metre(const DetailEye& eye, const DetailBall& ball);
 
 // The level for this frame: 0 is the full mesh, i the i-th of `errors_m` (ascending, object space). `former`:
-// of the last frame, -1 for none.
+// of the last frame, -1 for none. `most_samples`: that it may lie off.
 int detail_level(std::span<const float> errors_m, std::span<const DetailEye> eyes, const DetailBall& ball,
-                 int former);
+                 int former, double most_samples);
 
 }  // namespace herr

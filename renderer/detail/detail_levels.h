@@ -20,12 +20,13 @@ class DetailLevels {
   explicit DetailLevels(const Scene& scene);
 
   // Chooses for a frame: world_from(instance) is where each stands in it, and show(instance, mesh) is called
-  // for each whose mesh changes.
+  // for each whose mesh changes. `most_samples`: that a form may lie off.
   template <typename WorldFrom, typename Show>
-  void choose(std::span<const DetailEye> eyes, const WorldFrom& world_from, const Show& show) {
+  void choose(std::span<const DetailEye> eyes, double most_samples, const WorldFrom& world_from,
+              const Show& show) {
     for (Item& item : items_) {
       const DetailBall ball = placed(item.ball, world_from(item.instance));
-      const int level = detail_level(item.errors_m, eyes, ball, item.level);
+      const int level = detail_level(item.errors_m, eyes, ball, item.level, most_samples);
       if (level == item.level) continue;
       item.level = level;
       show(item.instance, mesh_of(item));

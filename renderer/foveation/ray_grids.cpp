@@ -31,14 +31,19 @@ bool is_covered(std::span<const Viewport> viewports, std::size_t index) {
   return false;
 }
 
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;  // odd: seeds stay apart, and 0 changes nothing
+
+// The finaliser of MurmurHash3.
+std::uint32_t mixed(std::uint64_t h) {
+  h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;
+  h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+  return static_cast<std::uint32_t>(h ^ (h >> 33));
+}
+
 }  // namespace
 
 std::uint32_t frame_key(TimeNs t_ns, int eye, std::uint32_t seed) {
-  constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;  // odd: seeds stay apart, and 0 changes nothing
-  std::uint64_t h = static_cast<std::uint64_t>(t_ns) * 2 + static_cast<std::uint64_t>(eye) + seed * kGolden;
-  h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;  // the finaliser of MurmurHash3
-  h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
-  return static_cast<std::uint32_t>(h ^ (h >> 33));
+  return mixed(static_cast<std::uint64_t>(t_ns) * 2 + static_cast<std::uint64_t>(eye) + seed * kGolden);
 }
 
 void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,
@@ -82,6 +87,19 @@ void set_planar_grid(const EyeView& view, const Viewport& v, RadianceBuffer& buf
   grid.step_y = static_cast<float>((v.tan_up - v.tan_down) / v.height_px);
   grid.sink = {buffer.texels(), buffer.ratios(), buffer.row_stride(), v.width_px, v.height_px, false};
   grid.key = key;
+}
+
+void set_jitter(const PixelPass& pass, int viewport, RayGrid& grid) {
+  // The R2 sequence: multiples of 1/g and 1/g^2, g^3 = g + 1.
+  constexpr double kStepX = 0.75487766624669276, kStepY = 0.56984029099805327;
+  const auto place = [&](double step) {
+    const double at = 0.5 + step * pass.index;
+    return static_cast<float>(at - std::floor(at));
+  };
+  grid.jitter = true;
+  grid.jitter_x = place(kStepX);
+  grid.jitter_y = place(kStepY);
+  grid.jitter_key = mixed(static_cast<std::uint64_t>(viewport) + pass.sequence * kGolden);
 }
 
 }  // namespace herr

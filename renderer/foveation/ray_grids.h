@@ -10,6 +10,7 @@
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_samples.h"
 #include "renderer/foveation/radiance_buffer.h"
+#include "renderer/pixel_pass.h"
 #include "sessions/format/display_profile.h"
 #include "sessions/format/pose.h"
 
@@ -42,8 +43,13 @@ struct RayGrid {
         step_y = 0;  // planar: tangents at the upper left corner, per pixel
   float finest_pixel_rad =
       0;  // polar: between pixels in the middle of the eye's finest viewport; planar: of this one
+  float ray_width = 1;  // of the cones of rays against their samples
   TexelSink sink;
   std::uint32_t key = 0;  // frame, eye and seed
+  // Planar: rays pass through place (x, y) of each pixel, shifted by numbers of the pixel and this key.
+  bool jitter = false;
+  float jitter_x = 0.5f, jitter_y = 0.5f;
+  std::uint32_t jitter_key = 0;
 };
 
 // Random-number key of a frame and eye.
@@ -55,6 +61,9 @@ void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Ey
                     const PolarSamples& samples, RadianceBuffer& buffer, std::uint32_t key, RayGrid& grid);
 void set_planar_grid(const EyeView& view, const Viewport& viewport, RadianceBuffer& buffer, std::uint32_t key,
                      RayGrid& grid);
+
+// Rays of a planar grid through the places that `pass` asks for; `viewport` keeps viewports apart.
+void set_jitter(const PixelPass& pass, int viewport, RayGrid& grid);
 
 // Columns and rows of a polar buffer with its padding.
 inline int padded_columns(int width) {

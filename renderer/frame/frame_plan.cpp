@@ -92,7 +92,7 @@ std::string share(std::size_t count, std::size_t all, const char* what) {
 LightSampling FramePlan::light_sampling(int samples) const {
   const bool adaptive =
       adaptive_min_samples > 0 && adaptive_min_samples < samples && samples <= kMostOrderedSamples;
-  return {samples, adaptive ? adaptive_min_samples : samples};
+  return {samples, adaptive ? adaptive_min_samples : samples, light_sampler == LightSampler::jittered};
 }
 
 FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool session_has_camera) {
@@ -144,10 +144,15 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(scene.lights.size()) + " lights", scene.lights.empty() ? "no light" : "one light");
   bool many = false, adaptive = false;
   decide(many, settings.light_samples > 1, "light samples",
-         std::to_string(settings.light_samples) + " jittered strata per light",
+         std::to_string(settings.light_samples) +
+             (settings.light_sampler == LightSampler::jittered ? " jittered strata per light"
+                                                               : " independent places per light"),
          "one sample: the light's centre");
-  // Where surfaces blend, what is seen of a sample is no yes or no that its neighbours could predict.
-  plan.adaptive_min_samples = plan.alpha_blend ? 0 : settings.adaptive_min_samples;
+  plan.light_sampler = settings.light_sampler;
+  // Where surfaces blend, what is seen of a sample is no yes or no that its neighbours could predict; places
+  // anywhere on the light have no neighbours.
+  plan.adaptive_min_samples =
+      plan.alpha_blend || settings.light_sampler == LightSampler::random ? 0 : settings.adaptive_min_samples;
   decide(adaptive, plan.light_sampling(settings.light_samples).adaptive(), "adaptive light samples",
          std::to_string(settings.adaptive_min_samples) + " strata first, the rest where they disagree",
          settings.adaptive_min_samples > 0 && settings.light_samples > kMostOrderedSamples
@@ -184,7 +189,7 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   const std::size_t detailed = detailed_instances(scene);
   decide(plan.detail_levels, detailed > 0, "detail levels",
          share(detailed, t.instances, "have coarser forms of their mesh"), "no mesh has coarser forms");
-  const auto& n = scene.probes.counts;
+  const std::array<int, 3> n = probe_counts_at(scene.probes.counts, settings.probes.density);
   decide(plan.probes, settings.probes.on && !scene.instances.empty(), "probes",
          std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
              std::to_string(settings.probes.rays) + " rays each",

@@ -80,7 +80,25 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
                             RenderedFrame& out, const std::atomic<bool>* abandon) {
+  return impl_->render(sample, state, quality, {nullptr, abandon}, out);
+}
+
+void Renderer::render_pass(const FrameSample& sample, const SceneState& state, const PixelPass& pass,
+                           RenderedFrame& out) {
   Impl& impl = *impl_;
+  const bool by_pixels = pass.jitter || !pass.tiles.empty();
+  if (by_pixels && (impl.plan.polar || impl.settings.scale < 1)) {
+    throw std::invalid_argument("passes over single pixels or tiles need --foveation off and --scale 1");
+  }
+  if (!pass.tiles.empty() && pass.tiles.size() != impl.pixel_tiles().size()) {
+    throw std::invalid_argument("a pass needs one byte for each of the frame's tiles");
+  }
+  impl.render(sample, state, full_quality(), {&pass, nullptr}, out);
+}
+
+bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
+                            const FrameUse& use, RenderedFrame& out) {
+  Impl& impl = *this;
   require_usable(sample.head.world_from_head);
   out.quality = resolved(quality, impl.settings, impl.most_probes());
   out.times = {};
@@ -97,11 +115,11 @@ bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, 
     out.counters.plan_changes = 1;
   }
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
-  if (impl.plan.probes) impl.update_probes(sample, state, out);
-  timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width); });
-  if (!impl.trace_tiles(out.times, abandon)) return false;
+  if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
+  timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
+  if (!impl.trace_tiles(out.times, use)) return false;
   timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
-  if (!impl.composite_viewports(out.times, abandon)) return false;
+  if (!impl.composite_viewports(out.times, use.abandon)) return false;
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
   out.times.frame_ms = milliseconds_since(start);
@@ -175,7 +193,7 @@ void Renderer::Impl::choose_details() {
     if (plan.polar) detail_eyes[e].samples_per_deg = map.radial_density(0.0, settings.polar_width);
   }
   details.choose(
-      detail_eyes,
+      detail_eyes, settings.detail_error,
       [this](std::size_t i) -> const glm::dmat4x3& { return scene.instances[i].world_from_object; },
       [this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
@@ -205,18 +223,22 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.debug_tiles = settings.debug_tiles;
 }
 
-void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width) {
+void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass) {
+  const std::uint32_t seed = pass ? pass->seed : settings.seed;
   first_tile[0] = 0;
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const auto eye = plan.polar ? static_cast<Eye>(i) : profile.viewports[i].eye;
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
-    const std::uint32_t key = frame_key(sample.t_ns, static_cast<int>(eye), settings.seed);
+    const std::uint32_t key = frame_key(sample.t_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
       samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
       set_planar_grid(view, profile.viewports[i], buffers[i], key, grids[i]);
     }
+    grids[i].ray_width = static_cast<float>(settings.ray_width);
+    grids[i].jitter = pass && pass->jitter;
+    if (grids[i].jitter) set_jitter(*pass, static_cast<int>(i), grids[i]);
     const auto tiles_along = [](int length) { return (length + kTileSide - 1) / kTileSide; };
     const bool seen = !plan.polar || grids[i].frustum_count > 0;
     const int tiles = seen ? tiles_along(grids[i].sink.width) * tiles_along(grids[i].sink.height) : 0;
@@ -225,6 +247,7 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width) {
 }
 
 void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
+  if (!covered_tiles.empty() && covered_tiles[static_cast<std::size_t>(job)] != 0) return;
   const auto grid_index = static_cast<std::size_t>(
       std::upper_bound(first_tile.begin(), first_tile.end(), job) - first_tile.begin() - 1);
   const RayGrid& grid = grids[grid_index];
@@ -235,10 +258,14 @@ void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
               &counters[w], &cycles[w], recorder});
 }
 
-bool Renderer::Impl::trace_tiles(StageTimes& times, const std::atomic<bool>* abandon) {
+bool Renderer::Impl::trace_tiles(StageTimes& times, const FrameUse& use) {
   const PhaseClock clock(cycles);
-  const auto trace = [this](int job, int worker) { run_tile(job, worker, nullptr); };
-  const bool whole = threads.run(tile_count(), trace, abandon);
+  const std::span<const std::uint8_t> wanted =
+      use.pass ? use.pass->tiles : std::span<const std::uint8_t>{};
+  const auto trace = [&](int job, int worker) {
+    if (wanted.empty() || wanted[static_cast<std::size_t>(job)] != 0) run_tile(job, worker, nullptr);
+  };
+  const bool whole = threads.run(tile_count(), std::cref(trace), use.abandon);
   clock.finish(times);
   return whole;
 }

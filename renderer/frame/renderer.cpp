@@ -50,6 +50,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   }
   grids.resize(buffers.size());
   first_tile.resize(buffers.size() + 1);
+  find_covered_tiles();
   viewport_jobs.resize(viewports);
   first_strip.assign(1, 0);
   for (const Viewport& v : profile.viewports) {

@@ -17,6 +17,12 @@
 
 namespace herr {
 
+// What is particular to one call: all null for an ordinary frame.
+struct FrameUse {
+  const PixelPass* pass = nullptr;
+  const std::atomic<bool>* abandon = nullptr;
+};
+
 struct Renderer::Impl {
   Impl(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,
        bool session_has_camera);
@@ -42,6 +48,7 @@ struct Renderer::Impl {
   std::vector<RadianceBuffer> buffers;                   // per eye, or per viewport without foveation
   std::vector<RayGrid> grids;                            // one per buffer
   std::vector<int> first_tile;                           // of each grid, then the total
+  std::vector<std::uint8_t> covered_tiles;               // 1: not traced; empty where all are
   std::vector<LightRecord> lights;
   ShadingInputs shading;
   std::vector<ViewportJob> viewport_jobs;     // one per viewport
@@ -63,7 +70,9 @@ struct Renderer::Impl {
   std::vector<TileCounters> counters;
   std::vector<StageCycles> cycles;
 
-  // The stages of a frame, in order (render_frame.cpp).
+  // The stages of a frame, in order (render_frame.cpp). False: it was given up.
+  bool render(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
+              const FrameUse& use, RenderedFrame& out);
   void follow_gaze(const FrameSample& sample);
   SceneUpdate update_acceleration(const FrameSample& sample, const SceneState& state);
   void place_eyes(const FrameSample& sample);  // parts of update_acceleration: these three
@@ -71,8 +80,8 @@ struct Renderer::Impl {
   void choose_details();
   void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
-  void set_up_rays(const FrameSample& sample, int polar_width);
-  bool trace_tiles(StageTimes& times, const std::atomic<bool>* abandon);
+  void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);
+  bool trace_tiles(StageTimes& times, const FrameUse& use);
   void set_up_viewports(const FrameSample& sample, RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
@@ -85,6 +94,8 @@ struct Renderer::Impl {
   void restart(const SceneState& state);
   void allocate_buffers();  // frame_memory.cpp
   void allocate_scratch();
+  std::vector<PixelTile> pixel_tiles() const;  // pixel_tiles.cpp
+  void find_covered_tiles();
   void run_tile(int job, int worker, RayRecorder* recorder);
   void build_probes();
   void place_for_probes();

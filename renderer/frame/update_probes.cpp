@@ -23,7 +23,7 @@ double summed_power(const SceneState& state) {
 }  // namespace
 
 void Renderer::Impl::build_probes() {
-  const ProbeGrid grid = probe_grid_of(scene);
+  const ProbeGrid grid = probe_grid_of(scene, settings.probes.density);
   probes = std::make_unique<ProbeVolume>(grid, settings.probes, plan.catcher_probes ? 2 : 1);
   if (plan.catcher_probes) probes->sets[1].mask = kCatcherMask;
   probe_kernels = probe_kernels_for(settings.isa);

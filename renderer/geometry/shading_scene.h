@@ -103,6 +103,7 @@ struct LightRecord {
   int samples = 1;                        // the product of the strata
   int first_samples = 1;                  // of these, traced for every hit (LightSampling::first)
   int strata[3] = {1, 1, 1};              // per axis
+  bool stratified = true;                 // false: every sample lies anywhere on the light
   // Which stratum each sample takes, and its inverse; in use where samples <= kMostOrderedSamples. A sample
   // comes after those strata around it that lie on a coarser lattice.
   std::array<std::uint16_t, kMostOrderedSamples> stratum_of{}, sample_of{};

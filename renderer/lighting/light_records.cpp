@@ -83,6 +83,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     const bool extended = light.size.x > 0 || light.size.y > 0 || light.size.z > 0;
     record.samples = extended ? sampling.samples : 1;
     record.first_samples = extended ? sampling.first : 1;
+    record.stratified = sampling.stratified;
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
     if (record.samples <= kMostOrderedSamples) order_strata(record);

@@ -34,8 +34,10 @@ HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits
   VF point[3];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const VF jitter = unit_float(hash(key, light.key + 3 * static_cast<std::uint32_t>(stratum) + axis));
-    const float width = light.size[axis] / static_cast<float>(light.strata[axis]);
-    const float lower = light.lower[axis] + width * static_cast<float>(cell[axis]);
+    const float width =
+        light.stratified ? light.size[axis] / static_cast<float>(light.strata[axis]) : light.size[axis];
+    const float lower =
+        light.stratified ? light.lower[axis] + width * static_cast<float>(cell[axis]) : light.lower[axis];
     point[axis] = hn::MulAdd(jitter, set(width), set(lower));
   }
   return sub(V3{point[0], point[1], point[2]}, p);

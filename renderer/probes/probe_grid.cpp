@@ -118,8 +118,20 @@ ProbeGrid grid_over(const Bounds& box, const glm::ivec3& counts) {
   return grid;
 }
 
-ProbeGrid probe_grid_of(const Scene& scene) {
-  const auto& n = scene.probes.counts;
+std::array<int, 3> probe_counts_at(const std::array<int, 3>& counts, double density) {
+  std::array<int, 3> scaled{};
+  for (;; density *= 0.99) {
+    std::int64_t product = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      scaled[axis] = std::max(1, static_cast<int>(std::lround(counts[axis] * density)));
+      product *= scaled[axis];
+    }
+    if (product <= kMostProbes) return scaled;
+  }
+}
+
+ProbeGrid probe_grid_of(const Scene& scene, double density) {
+  const std::array<int, 3> n = probe_counts_at(scene.probes.counts, density);
   return grid_over(scene.probes.box ? *scene.probes.box : scene_bounds(scene), {n[0], n[1], n[2]});
 }
 

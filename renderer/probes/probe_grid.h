@@ -30,8 +30,12 @@ struct ProbeGrid {
 // to that, about its middle: probes in the plane of a flat scene would see nothing of it.
 ProbeGrid grid_over(const Bounds& box, const glm::ivec3& counts);
 
-// The grid of a scene: what its document states, else 16 x 8 x 16 over the scene's bounds.
-ProbeGrid probe_grid_of(const Scene& scene);
+// `counts` times `density` along each axis, rounded, 1 at least; where that makes more than kMostProbes, the
+// largest density below that does not.
+std::array<int, 3> probe_counts_at(const std::array<int, 3>& counts, double density);
+
+// The grid of a scene: what its document states, else 16 x 8 x 16 over the scene's bounds; at `density`.
+ProbeGrid probe_grid_of(const Scene& scene, double density = 1);
 
 // Indices along Morton's curve, the order in which probes share ray packets: any 16 of it that lie on a wall
 // are neighbours there.

@@ -39,10 +39,20 @@ HWY_INLINE V3 polar_directions(const RayGrid& grid, int x, int y, MF& wanted) {
   return direction;
 }
 
-HWY_INLINE V3 planar_directions(const RayGrid& grid, VF column, VF row) {
-  const VF half = set(0.5f);
-  const VF tx = hn::MulAdd(hn::Add(column, half), set(grid.step_x), set(grid.tan_left));
-  const VF ty = hn::NegMulAdd(hn::Add(row, half), set(grid.step_y), set(grid.tan_up));
+// A place in each pixel, [0, 1): the grid's, shifted by a random number of the pixel, around the border.
+HWY_INLINE VF place_in_pixel(VU pixel, const RayGrid& grid, std::uint32_t axis, float place) {
+  const VF sum = hn::Add(unit_float(hash(hn::Xor(pixel, hn::Set(kU, grid.jitter_key)), axis)), set(place));
+  return hn::Sub(sum, hn::Floor(sum));
+}
+
+HWY_INLINE V3 planar_directions(const RayGrid& grid, VF column, VF row, VU pixel) {
+  VF x = set(0.5f), y = x;
+  if (grid.jitter) {
+    x = place_in_pixel(pixel, grid, 0, grid.jitter_x);
+    y = place_in_pixel(pixel, grid, 1, grid.jitter_y);
+  }
+  const VF tx = hn::MulAdd(hn::Add(column, x), set(grid.step_x), set(grid.tan_left));
+  const VF ty = hn::NegMulAdd(hn::Add(row, y), set(grid.step_y), set(grid.tan_up));
   return normalise(mul_add(tx, set3(grid.right), mul_add(ty, set3(grid.up), set3(grid.gaze))));
 }
 
@@ -62,8 +72,11 @@ HWY_NOINLINE inline int generate_rays(const TileJob& job) {
                row = hn::Add(rows, set(static_cast<float>(y)));
       MF wanted = hn::And(hn::Lt(column, set(static_cast<float>(grid.sink.width))),
                           hn::Lt(row, set(static_cast<float>(grid.sink.height))));
+      const VI cell = hn::Add(hn::ShiftLeft<16>(hn::Add(lane_row(), hn::Set(kI, y))),
+                              hn::Add(lane_column(), hn::Set(kI, x)));
+      const VU pixel = hn::BitCast(kU, cell);
       const V3 direction =
-          grid.polar ? polar_directions(grid, x, y, wanted) : planar_directions(grid, column, row);
+          grid.polar ? polar_directions(grid, x, y, wanted) : planar_directions(grid, column, row, pixel);
       const std::size_t samples = hn::CountTrue(kF, wanted);
       if (samples == 0) continue;
       const MF valid = hn::And(wanted, traceable(origin, direction));
@@ -80,9 +93,7 @@ HWY_NOINLINE inline int generate_rays(const TileJob& job) {
       scratch.packet_y[slot] = y;
       // Samples that are wanted keep their place even when the ray is not traceable:
       // they show the background.
-      const VI cell = hn::Add(hn::ShiftLeft<16>(hn::Add(lane_row(), hn::Set(kI, y))),
-                              hn::Add(lane_column(), hn::Set(kI, x)));
-      hn::Store(hash(hn::BitCast(kU, cell), grid.key), kU, scratch.first.key.data() + count * kLanes);
+      hn::Store(hash(pixel, grid.key), kU, scratch.first.key.data() + count * kLanes);
       hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, wanted), hn::Set(kI, static_cast<int>(HitKind::miss))),
                 kI, scratch.first.kind.data() + count * kLanes);
       const auto block = static_cast<std::uint8_t>((y - job.y0) / 4 * kBlocksAlong + (x - job.x0) / 4);

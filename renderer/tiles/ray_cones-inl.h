@@ -12,11 +12,12 @@ namespace HWY_NAMESPACE {
 // Radians, as if the cell between samples were square. Of polar samples denser than pixels: a pixel's. A
 // planar pixel at angle a off the axis covers step^2 cos^3 a.
 HWY_INLINE VF spread_of(const RayGrid& grid, int x, const V3& direction) {
+  const VF width = set(grid.ray_width);
   if (grid.polar) {
-    return hn::Max(hn::LoadDup128(kF, grid.samples->spread() + x), set(grid.finest_pixel_rad));
+    return hn::Mul(width, hn::Max(hn::LoadDup128(kF, grid.samples->spread() + x), set(grid.finest_pixel_rad)));
   }
   const VF cosine = hn::Max(dot(direction, set3(grid.gaze)), hn::Zero(kF));
-  return hn::Mul(set(grid.finest_pixel_rad), hn::Mul(cosine, hn::Sqrt(cosine)));
+  return hn::Mul(width, hn::Mul(set(grid.finest_pixel_rad), hn::Mul(cosine, hn::Sqrt(cosine))));
 }
 
 HWY_NOINLINE inline void set_up_cones(const TileJob& job, int packets) {

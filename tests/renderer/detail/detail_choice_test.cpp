@@ -43,47 +43,47 @@ TEST(DetailChoice, TheCoarsestFormWithinHalfASampleIsShown) {
   // Straight ahead at 1 m half a sample is 0.5 / (200 * 57.3) = 4.4e-5 m: no form is good enough. Ten times
   // as far 4.4e-4: the first. At 99 degrees and 10 m a hundred times that, 0.044: the third.
   const std::vector<DetailEye> eyes(1);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 1), -1), 0);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 10), -1), 1);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(99, 10), -1), 3);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 1, 3), 4), 0) << "within the ball";
-  EXPECT_EQ(detail_level({}, eyes, ball_at(0, 10), -1), 0) << "a mesh that has no other form";
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 1), -1, 0.5), 0);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 10), -1, 0.5), 1);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(99, 10), -1, 0.5), 3);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 1, 3), 4, 0.5), 0) << "within the ball";
+  EXPECT_EQ(detail_level({}, eyes, ball_at(0, 10), -1, 0.5), 0) << "a mesh that has no other form";
 }
 
 TEST(DetailChoice, TheEyeThatSeesMoreDecides) {
   std::vector<DetailEye> eyes(2);
   eyes[0].gaze = {1, 0, 0};  // looks away from an object 10 m ahead
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 10), -1), 1);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 10), -1, 0.5), 1);
 }
 
 TEST(DetailChoice, AScaledObjectHasAScaledError) {
   const std::vector<DetailEye> eyes(1);
   DetailBall ball = ball_at(0, 10);
   ball.scale = 10;  // 0.0001 m of object space are a millimetre here
-  EXPECT_EQ(detail_level(kErrors, eyes, ball, -1), 0);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball, -1, 0.5), 0);
 }
 
 TEST(DetailChoice, AChoiceStaysBetweenTheTwoBounds) {
   // The first form's error of 1e-4 m is allowed from 0.5 / (200 * 57.3) * d = 1e-4 on: d = 2.2918 m, and a
   // finer form is left for it only where 0.7 of that is: d = 3.274 m.
   const std::vector<DetailEye> eyes(1);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.2), 0), 0);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.4), 0), 0);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 3.2), 0), 0);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 3.3), 0), 1);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.4), 1), 1);
-  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.2), 1), 0);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.2), 0, 0.5), 0);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.4), 0, 0.5), 0);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 3.2), 0, 0.5), 0);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 3.3), 0, 0.5), 1);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.4), 1, 0.5), 1);
+  EXPECT_EQ(detail_level(kErrors, eyes, ball_at(0, 2.2), 1, 0.5), 0);
 }
 
 TEST(DetailChoice, ATremblingHeadNeverChangesAForm) {
   // +-1 cm about every distance from 0.5 to 20 m: 2 % at most, far inside the 30 % between the bounds.
   const std::vector<DetailEye> eyes(1);
   for (double distance_m = 0.5; distance_m < 20; distance_m *= 1.01) {
-    int level = detail_level(kErrors, eyes, ball_at(0, distance_m), -1);
+    int level = detail_level(kErrors, eyes, ball_at(0, distance_m), -1, 0.5);
     int changes = 0;
     for (int frame = 0; frame < 50; ++frame) {
       const double tremble_m = 0.01 * std::sin(1.7 * frame);
-      const int next = detail_level(kErrors, eyes, ball_at(0, distance_m + tremble_m), level);
+      const int next = detail_level(kErrors, eyes, ball_at(0, distance_m + tremble_m), level, 0.5);
       changes += next != level;
       level = next;
     }
@@ -94,7 +94,7 @@ TEST(DetailChoice, ATremblingHeadNeverChangesAForm) {
 TEST(DetailChoice, ABallOfNoReachOrNaNGetsSomeForm) {
   const std::vector<DetailEye> eyes(1);
   DetailBall ball = ball_at(0, std::numeric_limits<double>::quiet_NaN());
-  const int level = detail_level(kErrors, eyes, ball, -1);
+  const int level = detail_level(kErrors, eyes, ball, -1, 0.5);
   EXPECT_GE(level, 0);
   EXPECT_LE(level, 4);
 }

@@ -1,0 +1,271 @@
+#include "server/study/plan/knobs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "renderer/settings_list.h"
+#include "server/text/number_text.h"
+
+namespace herr {
+namespace {
+
+// How one setting is swept.
+struct KnobRow {
+  const char* setting;
+  std::vector<std::string> values;  // empty: from its range
+  OwnReference own = OwnReference::pixels;
+  SettingChanges limit;  // for OwnReference::seeds
+  SettingChanges needs;  // without these it does nothing
+  const char* plan_entry = "";  // that runs where the scene has something for it
+  const char* effort = "";
+  const char* theory = "";
+  int expected = 0;
+  double fit_from = 0;
+  bool soft_only = false;
+};
+
+// Most wanted first: what the time is too short for is dropped from the end.
+const std::vector<KnobRow>& knob_rows() {
+  static const std::vector<KnobRow> rows{
+      {"first_light_samples", {"4", "8", "16", "32"}, OwnReference::seeds,
+       {{"first_light_samples", "0"}}, {{"first_light_samples", "8"}}, "adaptive light samples",
+       "first samples", "", 1, 0, true},
+      {"filter", {"nearest", "bilinear", "bicubic"}},
+      {"reflections", {"off", "on"}, OwnReference::seeds, {{"reflections", "on"}}, {}, "mirror rays"},
+      {"refraction", {"off", "on"}, OwnReference::seeds, {{"refraction", "on"}}, {}, "refraction"},
+      {"occlusion_rays", {"0", "1", "2", "4", "8", "16"}, OwnReference::seeds, {{"occlusion_rays", "64"}},
+       {{"occlusion_rays", "16"}}, "ambient occlusion", "rays per hit",
+       "-0.5 for independent rays, less where they are spread", 1, 1},
+      {"probe_rays", {"16", "32", "64", "128", "256"}, OwnReference::seeds, {{"probe_rays", "512"}},
+       {{"probes", "on"}}, "probes", "rays per probe and update", "-0.5: independent rays", 1, 0},
+      {"probe_density", {"0.5", "0.71", "1", "1.41"}, OwnReference::seeds, {{"probe_density", "2"}},
+       {{"probes", "on"}}, "probes", "probes per axis", "", 1, 0},
+      {"probe_budget", {"128", "512", "0"}, OwnReference::seeds, {{"probe_budget", "0"}},
+       {{"probes", "on"}}, "probes"},
+      {"ray_width", {"0", "0.25", "0.5", "1", "2", "4"}, OwnReference::pixels, {}, {}, "textures",
+       "width of rays in samples"},
+      {"detail_error", {"0", "0.25", "0.5", "1", "2", "4"}, OwnReference::pixels, {}, {}, "detail levels",
+       "samples that a mesh may lie off", "", -1, 0.01},
+  };
+  return rows;
+}
+
+// Swept by functions of their own below.
+constexpr std::array kOwnSweeps{"foveation", "scale", "polar", "light_samples"};
+
+bool has_row(const std::string& setting) {
+  const auto& rows = knob_rows();
+  return std::any_of(rows.begin(), rows.end(), [&](const KnobRow& row) { return setting == row.setting; }) ||
+         std::find(kOwnSweeps.begin(), kOwnSweeps.end(), setting) != kOwnSweeps.end();
+}
+
+std::vector<std::string> values_around(const Setting& setting) {
+  if (const auto* words = std::get_if<WordSetting>(&setting.value)) return words->words;
+  const auto* number = std::get_if<NumberSetting>(&setting.value);
+  if (number == nullptr) return {};
+  const double middle = number->get().value_or(number->lowest);
+  std::vector<std::string> values;
+  for (const double factor : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+    double value = std::clamp(middle * factor, number->lowest, number->highest);
+    if (number->step > 0) value = std::round(value / number->step) * number->step;
+    const std::string text = shortest_text(value);
+    if (values.empty() || values.back() != text) values.push_back(text);
+  }
+  return values;
+}
+
+double number_in(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
+  return digits ? std::stod(text) : 0.0;
+}
+
+std::string base_name(int samples) {
+  return "N = " + std::to_string(samples);
+}
+
+class Sweeps {
+ public:
+  Sweeps(const RenderSettings& defaults, const std::function<FramePlan(const RenderSettings&)>& plan_of)
+      : defaults_(defaults), plan_of_(plan_of) {}
+
+  void add_bases();
+  void add_light_samples();
+  void add_polar();
+  void add_uniform();
+  void add_paper();
+  void add_adaptive();
+  void add_row(const KnobRow& row);
+  void add_unknown();
+  StudySweeps take() { return std::move(out_); }
+
+ private:
+  SettingChanges light(int samples) const { return {{"light_samples", std::to_string(samples)}}; }
+  // Hard light has a reference of its own; soft light's is the picture of endless effort.
+  static OwnReference by_pixels(int samples) {
+    return samples == kHardSamples ? OwnReference::pixels : OwnReference::none;
+  }
+  StudySetting& add(const Knob& knob, const std::string& value, int samples, SettingChanges changes) {
+    StudySetting setting;
+    setting.knob = knob.name;
+    setting.base = base_name(samples);
+    setting.value = value;
+    setting.name = knob.label + " " + value + ", " + setting.base;
+    setting.n = knob.effort.empty() ? 0 : number_in(value);
+    setting.changes = changes_between(defaults_, with_changes(defaults_, merged(light(samples), changes)));
+    setting.own = by_pixels(samples);
+    out_.settings.push_back(std::move(setting));
+    return out_.settings.back();
+  }
+  std::string polar_text(double width_factor, double height_factor) const {
+    const auto even = [](double value) { return 2 * std::max(1, static_cast<int>(std::lround(value / 2))); };
+    const int width = std::max(1, static_cast<int>(std::lround(defaults_.polar_width * width_factor)));
+    return std::to_string(2 * width) + "x" + std::to_string(even(defaults_.polar_height * height_factor));
+  }
+  std::string label(const std::string& setting) {
+    RenderSettings any = defaults_;
+    return label_of(setting_named(settings_of(any), setting));
+  }
+
+  const RenderSettings& defaults_;
+  const std::function<FramePlan(const RenderSettings&)>& plan_of_;
+  StudySweeps out_;
+};
+
+void Sweeps::add_bases() {
+  const Knob knob{"default", "default", "", "", 0, 0};
+  out_.knobs.push_back(knob);
+  for (const int samples : {kHardSamples, kSoftSamples}) {
+    add(knob, "", samples, {}).name = "default, " + base_name(samples);
+  }
+}
+
+void Sweeps::add_light_samples() {
+  const Knob knob{"light_samples", "light samples", "samples per light",
+                  "-0.75 along the edge of a flat light, -0.67 of a box: strata; -0.5 if independent", 1, 2};
+  out_.knobs.push_back(knob);
+  for (const int samples : {1, 4, 8, 16, 32, 64, 256}) {
+    StudySetting& setting = add(knob, std::to_string(samples), samples, {});
+    setting.name = "light samples " + std::to_string(samples);
+    setting.base = "";
+    setting.own = OwnReference::seeds;
+    setting.own_limit = light(256);
+  }
+}
+
+void Sweeps::add_polar() {
+  const Knob both{"polar", "polar", "polar samples per side",
+                  "-2 on smooth shading (bilinear), -0.5 across edges", 1, 0};
+  const Knob width{"polar_width", "polar width", "radial samples", "", 1, 0};
+  const Knob height{"polar_height", "polar height", "angular samples", "", 1, 0};
+  out_.knobs.insert(out_.knobs.end(), {both, width, height});
+  const auto sweep = [&](const Knob& knob, std::initializer_list<double> factors) {
+    for (const double factor : factors) {
+      for (const int samples : {kHardSamples, kSoftSamples}) {
+        const std::string text = polar_text(knob.name == "polar_height" ? 1 : factor,
+                                            knob.name == "polar_width" ? 1 : factor);
+        StudySetting& setting = add(knob, text, samples, {{"polar", text}});
+        const RenderSettings sized = with_changes(defaults_, setting.changes);
+        const double w = sized.polar_width, h = sized.polar_height;
+        setting.n = knob.name == "polar" ? std::sqrt(w * h) : knob.name == "polar_width" ? w : h;
+      }
+    }
+  };
+  sweep(both, {0.25, 0.354, 0.5, 0.707, 1, 1.414, 2});
+  sweep(width, {0.25, 0.5, 1, 2});
+  sweep(height, {0.25, 0.5, 1, 2});
+}
+
+void Sweeps::add_uniform() {
+  const Knob knob{"uniform", "rays per pixel at scale", "rays per pixel and axis",
+                  "-2 on smooth shading, -0.5 across edges", 1, 0};
+  out_.knobs.push_back(knob);
+  for (const double scale : {0.177, 0.25, 0.354, 0.5, 0.707, 1.0}) {
+    for (const int samples : {1, 16, 64}) {
+      const std::string text = shortest_text(scale);
+      add(knob, text, samples,
+          {{"foveation", "off"}, {"scale", text}, {"covered_pixels", "off"}});
+    }
+  }
+}
+
+void Sweeps::add_paper() {
+  const Knob knob{"paper", "the paper's", "", "", 0, 0};
+  out_.knobs.push_back(knob);
+  for (const char* polar : {"1576x768", "2048x1024"}) {
+    for (const int samples : {1, 64, 256}) add(knob, polar, samples, {{"polar", polar}});
+  }
+}
+
+// Adaptive samples against the number of all: what they lose shows as a floor.
+void Sweeps::add_adaptive() {
+  RenderSettings trial = with_changes(defaults_, {{"light_samples", "64"}, {"first_light_samples", "8"}});
+  if (!plan_of_(trial).light_sampling(64).adaptive()) return;
+  const Knob knob{"adaptive_samples", "adaptive light samples", "samples per light",
+                  "as all samples, without a floor", 1, 2};
+  out_.knobs.push_back(knob);
+  for (const int samples : {16, 32, 64, 128, 256}) {
+    StudySetting& setting = add(knob, std::to_string(samples), samples, {{"first_light_samples", "8"}});
+    setting.name = "adaptive light samples " + std::to_string(samples);
+    setting.base = "";
+    setting.own = OwnReference::seeds;
+    setting.own_limit = {{"light_samples", "256"}, {"first_light_samples", "0"}};
+  }
+}
+
+void Sweeps::add_row(const KnobRow& row) {
+  RenderSettings current = defaults_;
+  const std::vector<Setting> rows = settings_of(current);
+  const Setting& setting = setting_named(rows, row.setting);
+  const Knob knob{row.setting, label_of(setting), row.effort, row.theory, row.expected, row.fit_from};
+  if (*row.plan_entry != '\0') {
+    const FramePlan plan = plan_of_(with_changes(defaults_, merged(light(kSoftSamples), row.needs)));
+    const auto entry = std::find_if(plan.entries.begin(), plan.entries.end(), [&](const PlanEntry& e) {
+      return e.name == row.plan_entry || (e.name == "voxels" && std::string("textures") == row.plan_entry && e.runs);
+    });
+    if (entry != plan.entries.end() && !entry->runs) {
+      out_.left_out.push_back(knob.label + ": " + entry->reason);
+      return;
+    }
+  }
+  out_.knobs.push_back(knob);
+  const std::vector<std::string> values = row.values.empty() ? values_around(setting) : row.values;
+  for (const std::string& value : values) {
+    for (const int samples : {kHardSamples, kSoftSamples}) {
+      if (row.soft_only && samples == kHardSamples) continue;
+      StudySetting& added = add(knob, value, samples, merged(row.needs, {{row.setting, value}}));
+      added.model = row.needs;
+      if (row.own == OwnReference::pixels) continue;
+      added.own = row.own;
+      added.own_limit = row.limit;
+    }
+  }
+}
+
+void Sweeps::add_unknown() {
+  RenderSettings current = defaults_;
+  for (const Setting& setting : settings_of(current)) {
+    if (setting.effect != SettingEffect::error_for_time || has_row(setting.name)) continue;
+    const bool number = std::holds_alternative<NumberSetting>(setting.value);
+    add_row({setting.name.c_str(), {}, OwnReference::pixels, {}, {}, "", number ? "its value" : ""});
+  }
+}
+
+}  // namespace
+
+StudySweeps sweeps_of(const RenderSettings& defaults,
+                      const std::function<FramePlan(const RenderSettings&)>& plan_of) {
+  Sweeps sweeps(defaults, plan_of);
+  sweeps.add_bases();
+  sweeps.add_light_samples();
+  sweeps.add_polar();
+  sweeps.add_uniform();
+  sweeps.add_paper();
+  sweeps.add_adaptive();
+  for (const KnobRow& row : knob_rows()) sweeps.add_row(row);
+  sweeps.add_unknown();
+  return sweeps.take();
+}
+
+}  // namespace herr

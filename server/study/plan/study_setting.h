@@ -1,0 +1,47 @@
+// One setting that a study measures: the default with a few values changed. Before: knobs, combinations. After:
+// measure_setting renders it; its flags stand in every report.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/render_settings.h"
+
+namespace herr {
+
+// Names of renderer/settings_list.h and their values as text, in the order in which they are set.
+using SettingChanges = std::vector<std::pair<std::string, std::string>>;
+
+// Which picture a setting is held against beside the one that endless effort gives.
+enum class OwnReference {
+  none,
+  pixels,  // rays through all pixels, light samples and all else as in the setting
+  seeds,   // the mean of many seeds, this knob at its limit and all else as in the setting
+};
+
+struct StudySetting {
+  std::string name;  // "polar 788x384, N = 1": unique
+  std::string knob;  // a setting's name, or "default", "combination", "uniform", "paper"
+  std::string base;  // what it is swept around: "N = 1"; empty where that means nothing
+  std::string value;
+  double n = 0;  // effort of the knob; 0: a word
+  SettingChanges changes;
+  OwnReference own = OwnReference::none;
+  SettingChanges own_limit;  // OwnReference::seeds: on top of `changes`
+  SettingChanges model;      // what the picture of endless effort has beside the default: probes, occlusion
+};
+
+// Throws std::invalid_argument for a name or value that is none.
+RenderSettings with_changes(const RenderSettings& settings, const SettingChanges& changes);
+
+// "--polar 788x384 --light-samples 64"; of settings without a flag "name=value".
+std::string flags_text(const SettingChanges& changes);
+
+// `changes` and then `more`: of a setting in both the later value counts, in its first place.
+SettingChanges merged(SettingChanges changes, const SettingChanges& more);
+
+// Values of `settings` that differ from those of `from`, in the list's order.
+SettingChanges changes_between(const RenderSettings& from, const RenderSettings& settings);
+
+}  // namespace herr
