@@ -16,15 +16,15 @@ struct PixelTile {
 
 struct PixelPass {
   std::uint32_t seed = 0;  // in place of the settings'
-  // Without foveation: the ray of a pixel passes through its place number `index` of a sequence that fills the
-  // pixel evenly (R2: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), shifted by a
-  // random vector of the pixel and `sequence`. The mean over indices is the pixel under a box filter, for any
-  // number of them (each place is uniform).
+  // Without foveation: the ray of a pixel passes through its place number `index` of a sequence that fills
+  // the pixel evenly (R2: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018), shifted
+  // by a random vector of the pixel and `sequence`. The mean over indices is the pixel under a box filter,
+  // for any number of them (each place is uniform).
   bool jitter = false;
   std::uint32_t sequence = 0;
   int index = 0;
-  // Which of Renderer::pixel_tiles() to trace, one byte each, 0: not; the pixels of those hold nothing of use.
-  // Empty: all.
+  // Which of Renderer::pixel_tiles() to trace, one byte each, 0: not; the pixels of those hold nothing of
+  // use. Empty: all.
   std::span<const std::uint8_t> tiles;
 };
 

@@ -28,7 +28,8 @@ std::vector<Setting> of_rays(RenderSettings& s) {
       {"occlusion_rays", "--occlusion-rays", "", Group::rays, Effect::error_for_time,
        "short rays of ambient occlusion per hit; 0: none", whole(s.occlusion_rays, 0, 64)},
       {"light_sampler", "", "", Group::rays, Effect::pictures,
-       "jittered strata of a light, or random: independent places on it", one_of(s.light_sampler, {"jittered", "random"})},
+       "jittered strata of a light, or random: independent places on it",
+       one_of(s.light_sampler, {"jittered", "random"})},
       {"occlusion_radius_m", "--occlusion-radius", "m", Group::rays, Effect::pictures,
        "metres that they reach", real(s.occlusion_radius_m, 0.001, 1000)},
       {"reflections", "--no-reflections", "", Group::rays, Effect::error_for_time, "trace no mirror rays",
@@ -41,7 +42,8 @@ std::vector<Setting> of_rays(RenderSettings& s) {
       {"detail_error", "--detail-error", "", Group::rays, Effect::error_for_time,
        "samples that a simplified mesh may lie off; 0: full meshes", real(s.detail_error, 0, 64)},
       {"covered_pixels", "--no-covered-pixels", "", Group::look, Effect::pictures,
-       "without foveation: leave context pixels black that a focus viewport covers", on_off(s.covered_pixels)},
+       "without foveation: leave context pixels black that a focus viewport covers",
+       on_off(s.covered_pixels)},
       {"seed", "--seed", "", Group::rays, Effect::pictures,
        "of the random numbers: another one gives other noise", whole(s.seed, 0, kLargestSeed)},
   };
@@ -96,7 +98,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 48 && sizeof(RenderSettings) == 136);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 168);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;

@@ -144,9 +144,9 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(scene.lights.size()) + " lights", scene.lights.empty() ? "no light" : "one light");
   bool many = false, adaptive = false;
   decide(many, settings.light_samples > 1, "light samples",
-         std::to_string(settings.light_samples) +
-             (settings.light_sampler == LightSampler::jittered ? " jittered strata per light"
-                                                               : " independent places per light"),
+         std::to_string(settings.light_samples) + (settings.light_sampler == LightSampler::jittered
+                                                       ? " jittered strata per light"
+                                                       : " independent places per light"),
          "one sample: the light's centre");
   plan.light_sampler = settings.light_sampler;
   // Where surfaces blend, what is seen of a sample is no yes or no that its neighbours could predict; places

@@ -32,8 +32,7 @@ void Renderer::Impl::find_covered_tiles() {
     for (const int x : {tile.x0, tile.x1}) {
       for (const int y : {tile.y0, tile.y1}) {
         covered = covered &&
-                  covered_by_focus(profile, index,
-                                   v.tan_left + x * (v.tan_right - v.tan_left) / v.width_px,
+                  covered_by_focus(profile, index, v.tan_left + x * (v.tan_right - v.tan_left) / v.width_px,
                                    v.tan_up - y * (v.tan_up - v.tan_down) / v.height_px);
       }
     }

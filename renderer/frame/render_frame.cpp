@@ -87,7 +87,7 @@ void Renderer::render_pass(const FrameSample& sample, const SceneState& state, c
                            RenderedFrame& out) {
   Impl& impl = *impl_;
   const bool by_pixels = pass.jitter || !pass.tiles.empty();
-  if (by_pixels && (impl.plan.polar || impl.settings.scale < 1)) {
+  if (by_pixels && (impl.plan.polar)) {
     throw std::invalid_argument("passes over single pixels or tiles need --foveation off and --scale 1");
   }
   if (!pass.tiles.empty() && pass.tiles.size() != impl.pixel_tiles().size()) {
@@ -260,8 +260,7 @@ void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
 
 bool Renderer::Impl::trace_tiles(StageTimes& times, const FrameUse& use) {
   const PhaseClock clock(cycles);
-  const std::span<const std::uint8_t> wanted =
-      use.pass ? use.pass->tiles : std::span<const std::uint8_t>{};
+  const std::span<const std::uint8_t> wanted = use.pass ? use.pass->tiles : std::span<const std::uint8_t>{};
   const auto trace = [&](int job, int worker) {
     if (wanted.empty() || wanted[static_cast<std::size_t>(job)] != 0) run_tile(job, worker, nullptr);
   };

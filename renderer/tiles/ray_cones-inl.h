@@ -14,7 +14,8 @@ namespace HWY_NAMESPACE {
 HWY_INLINE VF spread_of(const RayGrid& grid, int x, const V3& direction) {
   const VF width = set(grid.ray_width);
   if (grid.polar) {
-    return hn::Mul(width, hn::Max(hn::LoadDup128(kF, grid.samples->spread() + x), set(grid.finest_pixel_rad)));
+    return hn::Mul(width,
+                   hn::Max(hn::LoadDup128(kF, grid.samples->spread() + x), set(grid.finest_pixel_rad)));
   }
   const VF cosine = hn::Max(dot(direction, set3(grid.gaze)), hn::Zero(kF));
   return hn::Mul(width, hn::Mul(set(grid.finest_pixel_rad), hn::Mul(cosine, hn::Sqrt(cosine))));

@@ -1,6 +1,7 @@
 #include "server/study/plan/knobs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -16,8 +17,8 @@ struct KnobRow {
   const char* setting;
   std::vector<std::string> values;  // empty: from its range
   OwnReference own = OwnReference::pixels;
-  SettingChanges limit;  // for OwnReference::seeds
-  SettingChanges needs;  // without these it does nothing
+  SettingChanges limit{};       // for OwnReference::seeds
+  SettingChanges needs{};       // without these it does nothing
   const char* plan_entry = "";  // that runs where the scene has something for it
   const char* effort = "";
   const char* theory = "";
@@ -29,25 +30,73 @@ struct KnobRow {
 // Most wanted first: what the time is too short for is dropped from the end.
 const std::vector<KnobRow>& knob_rows() {
   static const std::vector<KnobRow> rows{
-      {"first_light_samples", {"4", "8", "16", "32"}, OwnReference::seeds,
-       {{"first_light_samples", "0"}}, {{"first_light_samples", "8"}}, "adaptive light samples",
-       "first samples", "", 1, 0, true},
+      {"first_light_samples",
+       {"4", "8", "16", "32"},
+       OwnReference::seeds,
+       {{"first_light_samples", "0"}},
+       {{"first_light_samples", "8"}},
+       "adaptive light samples",
+       "first samples",
+       "",
+       1,
+       0,
+       true},
       {"filter", {"nearest", "bilinear", "bicubic"}},
       {"reflections", {"off", "on"}, OwnReference::seeds, {{"reflections", "on"}}, {}, "mirror rays"},
       {"refraction", {"off", "on"}, OwnReference::seeds, {{"refraction", "on"}}, {}, "refraction"},
-      {"occlusion_rays", {"0", "1", "2", "4", "8", "16"}, OwnReference::seeds, {{"occlusion_rays", "64"}},
-       {{"occlusion_rays", "16"}}, "ambient occlusion", "rays per hit",
-       "-0.5 for independent rays, less where they are spread", 1, 1},
-      {"probe_rays", {"16", "32", "64", "128", "256"}, OwnReference::seeds, {{"probe_rays", "512"}},
-       {{"probes", "on"}}, "probes", "rays per probe and update", "-0.5: independent rays", 1, 0},
-      {"probe_density", {"0.5", "0.71", "1", "1.41"}, OwnReference::seeds, {{"probe_density", "2"}},
-       {{"probes", "on"}}, "probes", "probes per axis", "", 1, 0},
-      {"probe_budget", {"128", "512", "0"}, OwnReference::seeds, {{"probe_budget", "0"}},
-       {{"probes", "on"}}, "probes"},
-      {"ray_width", {"0", "0.25", "0.5", "1", "2", "4"}, OwnReference::pixels, {}, {}, "textures",
+      {"occlusion_rays",
+       {"0", "1", "2", "4", "8", "16"},
+       OwnReference::seeds,
+       {{"occlusion_rays", "64"}},
+       {{"occlusion_rays", "16"}},
+       "ambient occlusion",
+       "rays per hit",
+       "-0.5 for independent rays, less where they are spread",
+       1,
+       1},
+      {"probe_rays",
+       {"16", "32", "64", "128", "256"},
+       OwnReference::seeds,
+       {{"probe_rays", "512"}},
+       {{"probes", "on"}},
+       "probes",
+       "rays per probe and update",
+       "-0.5: independent rays",
+       1,
+       0},
+      {"probe_density",
+       {"0.5", "0.71", "1", "1.41"},
+       OwnReference::seeds,
+       {{"probe_density", "2"}},
+       {{"probes", "on"}},
+       "probes",
+       "probes per axis",
+       "",
+       1,
+       0},
+      {"probe_budget",
+       {"128", "512", "0"},
+       OwnReference::seeds,
+       {{"probe_budget", "0"}},
+       {{"probes", "on"}},
+       "probes"},
+      {"ray_width",
+       {"0", "0.25", "0.5", "1", "2", "4"},
+       OwnReference::pixels,
+       {},
+       {},
+       "textures",
        "width of rays in samples"},
-      {"detail_error", {"0", "0.25", "0.5", "1", "2", "4"}, OwnReference::pixels, {}, {}, "detail levels",
-       "samples that a mesh may lie off", "", -1, 0.01},
+      {"detail_error",
+       {"0", "0.25", "0.5", "1", "2", "4"},
+       OwnReference::pixels,
+       {},
+       {},
+       "detail levels",
+       "samples that a mesh may lie off",
+       "",
+       -1,
+       0.01},
   };
   return rows;
 }
@@ -142,8 +191,12 @@ void Sweeps::add_bases() {
 }
 
 void Sweeps::add_light_samples() {
-  const Knob knob{"light_samples", "light samples", "samples per light",
-                  "-0.75 along the edge of a flat light, -0.67 of a box: strata; -0.5 if independent", 1, 2};
+  const Knob knob{"light_samples",
+                  "light samples",
+                  "samples per light",
+                  "-0.75 along the edge of a flat light, -0.67 of a box: strata; -0.5 if independent",
+                  1,
+                  2};
   out_.knobs.push_back(knob);
   for (const int samples : {1, 4, 8, 16, 32, 64, 256}) {
     StudySetting& setting = add(knob, std::to_string(samples), samples, {});
@@ -155,16 +208,16 @@ void Sweeps::add_light_samples() {
 }
 
 void Sweeps::add_polar() {
-  const Knob both{"polar", "polar", "polar samples per side",
-                  "-2 on smooth shading (bilinear), -0.5 across edges", 1, 0};
+  const Knob both{
+      "polar", "polar", "polar samples per side", "-2 on smooth shading (bilinear), -0.5 across edges", 1, 0};
   const Knob width{"polar_width", "polar width", "radial samples", "", 1, 0};
   const Knob height{"polar_height", "polar height", "angular samples", "", 1, 0};
   out_.knobs.insert(out_.knobs.end(), {both, width, height});
   const auto sweep = [&](const Knob& knob, std::initializer_list<double> factors) {
     for (const double factor : factors) {
       for (const int samples : {kHardSamples, kSoftSamples}) {
-        const std::string text = polar_text(knob.name == "polar_height" ? 1 : factor,
-                                            knob.name == "polar_width" ? 1 : factor);
+        const std::string text =
+            polar_text(knob.name == "polar_height" ? 1 : factor, knob.name == "polar_width" ? 1 : factor);
         StudySetting& setting = add(knob, text, samples, {{"polar", text}});
         const RenderSettings sized = with_changes(defaults_, setting.changes);
         const double w = sized.polar_width, h = sized.polar_height;
@@ -178,14 +231,17 @@ void Sweeps::add_polar() {
 }
 
 void Sweeps::add_uniform() {
-  const Knob knob{"uniform", "rays per pixel at scale", "rays per pixel and axis",
-                  "-2 on smooth shading, -0.5 across edges", 1, 0};
+  const Knob knob{"uniform",
+                  "rays per pixel at scale",
+                  "rays per pixel and axis",
+                  "-2 on smooth shading, -0.5 across edges",
+                  1,
+                  0};
   out_.knobs.push_back(knob);
   for (const double scale : {0.177, 0.25, 0.354, 0.5, 0.707, 1.0}) {
     for (const int samples : {1, 16, 64}) {
       const std::string text = shortest_text(scale);
-      add(knob, text, samples,
-          {{"foveation", "off"}, {"scale", text}, {"covered_pixels", "off"}});
+      add(knob, text, samples, {{"foveation", "off"}, {"scale", text}, {"covered_pixels", "off"}});
     }
   }
 }
@@ -202,8 +258,12 @@ void Sweeps::add_paper() {
 void Sweeps::add_adaptive() {
   RenderSettings trial = with_changes(defaults_, {{"light_samples", "64"}, {"first_light_samples", "8"}});
   if (!plan_of_(trial).light_sampling(64).adaptive()) return;
-  const Knob knob{"adaptive_samples", "adaptive light samples", "samples per light",
-                  "as all samples, without a floor", 1, 2};
+  const Knob knob{"adaptive_samples",
+                  "adaptive light samples",
+                  "samples per light",
+                  "as all samples, without a floor",
+                  1,
+                  2};
   out_.knobs.push_back(knob);
   for (const int samples : {16, 32, 64, 128, 256}) {
     StudySetting& setting = add(knob, std::to_string(samples), samples, {{"first_light_samples", "8"}});
@@ -222,7 +282,8 @@ void Sweeps::add_row(const KnobRow& row) {
   if (*row.plan_entry != '\0') {
     const FramePlan plan = plan_of_(with_changes(defaults_, merged(light(kSoftSamples), row.needs)));
     const auto entry = std::find_if(plan.entries.begin(), plan.entries.end(), [&](const PlanEntry& e) {
-      return e.name == row.plan_entry || (e.name == "voxels" && std::string("textures") == row.plan_entry && e.runs);
+      return e.name == row.plan_entry ||
+             (e.name == "voxels" && std::string("textures") == row.plan_entry && e.runs);
     });
     if (entry != plan.entries.end() && !entry->runs) {
       out_.left_out.push_back(knob.label + ": " + entry->reason);

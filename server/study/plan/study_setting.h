@@ -1,5 +1,5 @@
-// One setting that a study measures: the default with a few values changed. Before: knobs, combinations. After:
-// measure_setting renders it; its flags stand in every report.
+// One setting that a study measures: the default with a few values changed. Before: knobs, combinations.
+// After: measure_setting renders it; its flags stand in every report.
 #pragma once
 
 #include <string>

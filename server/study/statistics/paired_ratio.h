@@ -9,8 +9,8 @@
 namespace herr {
 
 // The ratio and its 95 % interval, of natural logarithms of ratios: exp of the Hodges-Lehmann estimate with
-// the bounds of the exact signed-rank test (check/statistics/signed_rank.h). Of more than kMostPairs the first
-// kMostPairs count. NaN and infinite bounds for none.
+// the bounds of the exact signed-rank test (check/statistics/signed_rank.h). Of more than kMostPairs the
+// first kMostPairs count. NaN and infinite bounds for none.
 Interval paired_ratio(std::span<const double> log_ratios);
 
 }  // namespace herr

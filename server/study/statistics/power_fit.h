@@ -14,15 +14,15 @@
 namespace herr {
 
 struct PowerFit {
-  Interval p;              // within [-8, 8]
-  Interval floor;          // 0 without floor
-  double c = 0;            // error of n = 1 without the floor
+  Interval p;               // within [-8, 8]
+  Interval floor;           // 0 without floor
+  double c = 0;             // error of n = 1 without the floor
   double relative_rms = 0;  // of the residuals
   int points = 0;
 };
 
-// `n` and `error` positive and finite, of one length. None for fewer points than parameters + 1 (2 parameters,
-// 3 with floor), or where all n are equal. Pure.
+// `n` and `error` positive and finite, of one length. None for fewer points than parameters + 1 (2
+// parameters, 3 with floor), or where all n are equal. Pure.
 std::optional<PowerFit> fit_power(std::span<const double> n, std::span<const double> error, bool with_floor);
 
 }  // namespace herr

@@ -1,0 +1,56 @@
+#include "server/study/measure/paired_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/timing.h"
+#include "server/process/steady_time.h"
+
+namespace herr {
+namespace {
+
+// Shorter than any frame: keeps logarithms finite where a clock says 0.
+constexpr double kShortest_ms = 1e-3;
+
+struct FrameTime {
+  double frame_ms = 0, pixels_ms = 0;
+  double work_ms() const { return std::max(frame_ms - pixels_ms, kShortest_ms); }
+};
+
+FrameTime time_frame(Renderer& renderer, const FrameInstant& instant, RenderedFrame& frame) {
+  renderer.render_frame(*instant.sample, *instant.state, frame);
+  return {std::max(frame.times.frame_ms, kShortest_ms), frame.times[Stage::viewports]};
+}
+
+}  // namespace
+
+PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant, Calibration& calibration,
+                       int blocks, double seconds) {
+  PairedTimes out;
+  RenderedFrame frame, unit_frame;
+  std::vector<double> frame_ms, pixels_ms, calibration_ms;
+  time_frame(unit, instant, unit_frame);  // warms up
+  time_frame(tested, instant, frame);
+  const TimeNs start_ns = steady_now_ns();
+  for (int block = 0; block < blocks; ++block) {
+    if (block > 0 && static_cast<double>(steady_now_ns() - start_ns) * 1e-9 > seconds) break;
+    calibration_ms.push_back(calibration.time().rays_ms);
+    FrameTime of_unit[2], of_tested[2];
+    of_unit[0] = time_frame(unit, instant, unit_frame);
+    of_tested[0] = time_frame(tested, instant, frame);
+    of_tested[1] = time_frame(tested, instant, frame);
+    of_unit[1] = time_frame(unit, instant, unit_frame);
+    for (int i = 0; i < 2; ++i) {
+      out.log_ratios.push_back(std::log(of_tested[i].frame_ms / of_unit[i].frame_ms));
+      out.work_log_ratios.push_back(std::log(of_tested[i].work_ms() / of_unit[i].work_ms()));
+      frame_ms.push_back(of_tested[i].frame_ms);
+      pixels_ms.push_back(of_tested[i].pixels_ms);
+    }
+  }
+  out.frame_ms = median(frame_ms);
+  out.pixels_ms = median(pixels_ms);
+  out.calibration_ms = median(calibration_ms);
+  return out;
+}
+
+}  // namespace herr

@@ -1,0 +1,25 @@
+// How long frames of two renderers take, side by side: blocks of AB BA, so that what drifts in the machine
+// meets both alike, each block after the calibration's bare rays. Before: two renderers at one instant. After:
+// paired_ratio.
+#pragma once
+
+#include <vector>
+
+#include "server/check/measure/calibration.h"
+#include "server/study/reference/frame_instant.h"
+
+namespace herr {
+
+struct PairedTimes {
+  std::vector<double> log_ratios;       // ln(tested / unit) of frame times, one a pair
+  std::vector<double> work_log_ratios;  // of frame times without the stage from samples to pixels
+  double frame_ms = 0, pixels_ms = 0;   // of the tested one, medians
+  double calibration_ms = 0;            // median
+};
+
+// Two pairs a block; `blocks` of them, fewer (but one) when they take longer than `seconds`. The tested
+// renderer has rendered this instant before.
+PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant, Calibration& calibration,
+                       int blocks, double seconds);
+
+}  // namespace herr

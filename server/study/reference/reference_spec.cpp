@@ -1,0 +1,80 @@
+#include "server/study/reference/reference_spec.h"
+
+#include <algorithm>
+
+#include "server/study/plan/knobs.h"
+
+namespace herr {
+namespace {
+
+constexpr int kPassSamples = 16;        // light samples and short rays of one pass
+constexpr double kPassRayWidth = 0.25;  // of a pixel that 16 rays or more share
+constexpr int kProbeRays = 256;
+constexpr int kPasses = 8;
+
+// Rays through every seen pixel, and nothing saved.
+RenderSettings through_pixels(RenderSettings settings) {
+  settings.foveation = Foveation::off;
+  settings.scale = 1;
+  settings.covered_pixels = false;  // no error counts there
+  settings.adaptive_min_samples = 0;
+  settings.light_sampler = LightSampler::jittered;
+  settings.detail_error = 0;
+  settings.ray_width = std::min(settings.ray_width, kPassRayWidth);
+  return settings;
+}
+
+std::string model_name(const SettingChanges& model) {
+  return model.empty() ? "" : ", " + flags_text(model);
+}
+
+}  // namespace
+
+ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChanges& model) {
+  ReferenceSpec spec;
+  RenderSettings lit = with_changes(defaults, model);
+  lit.adaptive_min_samples = 0;
+  spec.settings = through_pixels(lit);
+  spec.settings.light_samples = kPassSamples;
+  if (lit.occlusion_rays > 0) spec.settings.occlusion_rays = kPassSamples;
+  if (lit.probes.on) {
+    spec.settings.probes.rays = std::max(lit.probes.rays, kProbeRays);
+    spec.settings.probes.budget = 0;
+  }
+  SettingChanges named = model;
+  std::erase_if(named, [](const auto& change) { return change.first == "first_light_samples"; });
+  spec.name = "endless effort" + model_name(named);
+  spec.passes = kPasses;
+  spec.finest = lit;
+  spec.finest.polar_width *= 2, spec.finest.polar_height *= 2;
+  spec.finest.light_samples = 256;
+  return spec;
+}
+
+ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& setting) {
+  const RenderSettings settings = with_changes(defaults, setting.changes);
+  ReferenceSpec spec;
+  spec.passes = kPasses;
+  if (setting.own == OwnReference::pixels) {
+    // The knob is one of resolution: all light as the setting has it.
+    spec.settings = through_pixels(with_changes(with_changes(defaults, setting.model),
+                                                {{"light_samples", std::to_string(settings.light_samples)}}));
+    spec.name =
+        (settings.light_samples == kHardSamples ? std::string("hard light")
+                                                : std::to_string(settings.light_samples) + " light samples") +
+        model_name(setting.model);
+    spec.finest = defaults;
+    spec.finest.light_samples = settings.light_samples;
+    spec.finest.polar_width *= 2, spec.finest.polar_height *= 2;
+    return spec;
+  }
+  spec.by_pixels = false;
+  spec.settings = with_changes(settings, setting.own_limit);
+  spec.name = flags_text(changes_between(defaults, spec.settings));
+  if (spec.name.empty()) spec.name = "the default";
+  spec.name += ", many seeds";
+  spec.finest = spec.settings;
+  return spec;
+}
+
+}  // namespace herr
