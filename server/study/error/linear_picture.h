@@ -1,5 +1,5 @@
-// A picture as errors are measured on it: linear light, white = 1, as floats. Colour over a camera feed is what
-// is shown; without one it is the premultiplied colour, over black. Before: viewport images of a frame.
+// A picture as errors are measured on it: linear light, white = 1, as floats. Colour over a camera feed is
+// what is shown; without one it is the premultiplied colour, over black. Before: viewport images of a frame.
 // After: pixel_errors, acuity_filter, flip.
 #pragma once
 

@@ -19,8 +19,8 @@ struct Band {
   const char* label;  // for people: "0–5°"
   double from_deg, to_deg;
 };
-inline constexpr std::size_t kBands = 6;       // 0-5, 5-15, 15-30, 30-45, 45-180, all
-inline constexpr std::size_t kAllPixels = 5;   // index of the last
+inline constexpr std::size_t kBands = 6;      // 0-5, 5-15, 15-30, 30-45, 45-180, all
+inline constexpr std::size_t kAllPixels = 5;  // index of the last
 std::span<const Band, kBands> bands();
 
 inline constexpr std::uint8_t kNotSeen = 255;
