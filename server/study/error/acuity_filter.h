@@ -21,7 +21,8 @@ double acuity_weight(double eccentricity_deg, double solid_angle_sr);
 
 // Each pixel becomes the mean of its neighbours under a Gaussian that halves a grating of f_c (its standard
 // deviation is sqrt(ln 2 / 2) / (pi f_c) degrees): first along rows, then along columns, each with the width
-// that the pixel's own size asks for. Pixels that are not seen have no weight, and keep 0. In place.
+// that the pixel's own size asks for. Pixels that are not seen have no weight, and become 0. Gaussians
+// narrower than 0.15 pixels leave a pixel as it is, those wider than 64 pixels are cut to that. In place.
 void low_pass_at_acuity(const ViewportMap& map, LinearPicture& difference, const ParallelFor& parallel_for);
 
 }  // namespace herr

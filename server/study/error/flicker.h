@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,7 +23,8 @@ struct Flicker {
 // Takes a clip frame by frame. Not thread-safe.
 class FlickerSum {
  public:
-  // `maps`: of this frame. Pixels count that are seen in this frame and were in the last.
+  // `maps`: of this frame. Pixels count that are seen in this frame and were in the last. Throws
+  // std::invalid_argument for other numbers or sizes than those of the maps and of the frame before.
   void add(std::span<const ViewportMap> maps, std::vector<LinearPicture> test,
            std::vector<LinearPicture> reference);
   // None before two frames.
@@ -32,7 +34,11 @@ class FlickerSum {
   struct Sum {
     double test = 0, reference = 0, excess = 0, count = 0;
   };
+  void add_row(const ViewportMap& map, std::size_t viewport, std::size_t y, const LinearPicture& test,
+               const LinearPicture& reference);
+
   std::vector<LinearPicture> last_test_, last_reference_;
+  std::vector<std::vector<std::uint8_t>> last_band_;
   std::array<Sum, kBands> sums_{};
   int frames_ = 0;
 };

@@ -11,7 +11,8 @@
 namespace herr {
 
 // Both limited to white and of one size; linear light with the primaries of sRGB. `pixels_per_degree`: of the
-// viewer, > 0. `out`: width * height values, rows from the top; its storage is kept. Borders repeat.
+// viewer, > 0; more than 500 are taken as 500. `out`: width * height values, rows from the top; its storage
+// is kept. Borders repeat.
 void flip_map(const LinearPicture& test, const LinearPicture& reference, double pixels_per_degree,
               const ParallelFor& parallel_for, std::vector<float>& out);
 

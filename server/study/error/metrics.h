@@ -18,8 +18,8 @@ struct MetricRow {
   const char* sentence;  // its formula, ends with a full stop
   const char* blind_to;  // what it does not see, ends with a full stop
   // The reference is the mean of two halves: its own error is this times the metric of one half against the
-  // other (1/2 where the metric grows with the difference, 1/4 where it grows with its square). 0: derived
-  // from the RMSE (PSNR).
+  // other (1/2 where the metric grows with the difference, 1/4 where it grows with its square, 0.5^0.7 for
+  // FLIP, whose colour difference grows with that power). 0: derived from the RMSE (PSNR).
   double of_halves;
 };
 std::span<const MetricRow, kMetrics> metric_rows();
