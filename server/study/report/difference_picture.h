@@ -9,9 +9,9 @@
 
 namespace herr {
 
-// Three panels of at most `panel_px` columns each (box-filtered when smaller, never enlarged): test, reference
-// in sRGB, and |difference| of the brightest channel times `gain`, on a black-body ramp (black, red, yellow,
-// white at 1). Both pictures of one size.
+// Three panels of at most `panel_px` columns each (box-filtered when smaller, never enlarged): test,
+// reference in sRGB, and |difference| of the brightest channel times `gain`, on a black-body ramp (black,
+// red, yellow, white at 1). Both pictures of one size.
 StudyPicture difference_picture(const std::string& title, const LinearPicture& test,
                                 const LinearPicture& reference, double gain, int panel_px);
 

@@ -29,11 +29,11 @@ struct StudyFrame {
 
 // A picture that others are held against, and what it says of itself (frames together).
 struct StudyReference {
-  std::string name;      // "soft light", "hard light", "occlusion_rays at 64, N = 64", ...
-  std::string settings;  // one line
-  int passes = 0;        // per half at least: one ray through each pixel, or one frame of other seeds
-  int most_passes = 0;   // where the halves differed
-  ErrorTable error;      // its own
+  std::string name;       // "soft light", "hard light", "occlusion_rays at 64, N = 64", ...
+  std::string settings;   // one line
+  int passes = 0;         // per half at least: one ray through each pixel, or one frame of other seeds
+  int most_passes = 0;    // where the halves differed
+  ErrorTable error;       // its own
   bool goal_met = false;  // below 1/5 of the smallest error that is judged by it
   double seconds = 0;
 };
@@ -48,16 +48,16 @@ struct StudyPoint {
   std::string flags;  // that give it: "--polar 788x384 --light-samples 64"
   int frames = 0;     // that it was measured on
 
-  ErrorTable error;                    // against the picture that endless effort would give
+  ErrorTable error;                     // against the picture that endless effort would give
   std::optional<ErrorTable> own_error;  // against endless effort of this knob alone, all others as here
-  std::string own_reference;           // which one; empty without own_error
-  bool at_floor = false;               // acuity-weighted: below 3 times the error of the reference
-  std::optional<double> bias;          // RMSE of the mean over many seeds, noise taken out; own reference
+  std::string own_reference;            // which one; empty without own_error
+  bool at_floor = false;                // acuity-weighted: below 3 times the error of the reference
+  std::optional<double> bias;           // RMSE of the mean over many seeds, noise taken out; own reference
 
-  Interval time_ratio;      // to the default, paired
-  double frame_ms = 0;      // median
-  double pixels_ms = 0;     // of that, the stage from samples to viewport pixels
-  double calibration_ms = 0;  // bare rays beside it: how fast the machine was
+  Interval time_ratio;                                   // to the default, paired
+  double frame_ms = 0;                                   // median
+  double pixels_ms = 0;                                  // of that, the stage from samples to viewport pixels
+  double calibration_ms = 0;                             // bare rays beside it: how fast the machine was
   std::vector<std::pair<std::string, double>> counters;  // mean per frame, in order: "primary_rays", ...
 
   bool on_front = false;        // no point beats it in acuity-weighted RMSE and time
@@ -68,12 +68,12 @@ struct StudyPoint {
 // How the error of one knob falls.
 struct StudyFit {
   std::string knob, base;
-  std::string against;       // "own reference", "endless effort"
+  std::string against;  // "own reference", "endless effort"
   Metric metric = Metric::acuity_rmse;
-  std::string effort;        // what n counts: "samples per light", "polar samples per side"
+  std::string effort;  // what n counts: "samples per light", "polar samples per side"
   std::optional<PowerFit> fit;
-  std::string theory;        // "-0.75: a straight edge crosses sqrt(N) of N strata"; empty: none is known
-  std::string remark;        // why there is none, or what is odd ("the error rises with n"); mostly empty
+  std::string theory;  // "-0.75: a straight edge crosses sqrt(N) of N strata"; empty: none is known
+  std::string remark;  // why there is none, or what is odd ("the error rises with n"); mostly empty
 };
 
 // What a knob did, in words, where it is not as expected: "no material reflects", "the error does not fall".
@@ -90,7 +90,7 @@ struct StudyAdvice {
 
 // A claim that the study was asked to test, missed or met: told first when missed.
 struct StudyAim {
-  std::string name;      // "N = 64 at full scale at least 8 times faster than rays per pixel"
+  std::string name;  // "N = 64 at full scale at least 8 times faster than rays per pixel"
   Interval measured;
   double aim = 0;
   bool at_least = true;  // the measured value should be at least (at most) the aim
