@@ -1,0 +1,28 @@
+// The tables of a study's reports. Before: StudyRecord. After: study_page, study_text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/study/report/report_table.h"
+#include "server/study/report/study_record.h"
+
+namespace herr {
+
+ReportTable frame_table(const StudyRecord& record);
+ReportTable reference_table(const StudyRecord& record);
+// Numbered as in the diagram.
+ReportTable front_table(const StudyRecord& record);
+// One for each knob.
+std::vector<ReportTable> point_tables(const StudyRecord& record);
+// Of the default and the front: by band, and by all metrics.
+ReportTable band_table(const StudyRecord& record);
+ReportTable metric_table(const StudyRecord& record);
+ReportTable fit_table(const StudyRecord& record);
+ReportTable flicker_table(const StudyRecord& record);
+
+// "missed: NAME: measured 6.2 [5.9, 6.6], aim at least 8. How it was measured."
+std::string aim_text(const StudyAim& aim);
+
+}  // namespace herr
