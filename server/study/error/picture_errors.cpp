@@ -38,15 +38,16 @@ class ViewportErrors {
                  const ParallelFor& parallel_for)
       : map_(map), test_(test), reference_(reference), parallel_for_(parallel_for) {}
 
-  // `largest`: of each pixel's channels.
-  RowSums sum(std::vector<float>& largest) {
+  // `largest`: of each pixel's channels. Without `with_flip` the sums of FLIP stay 0.
+  RowSums sum(std::vector<float>& largest, bool with_flip) {
     largest.resize(map_.band.size());
     difference_ = {map_.width_px, map_.height_px, {}};
     for (auto& plane : difference_.plane) plane.resize(map_.band.size());
     rows_.assign(static_cast<std::size_t>(map_.height_px), {});
     for_rows([&](std::size_t first, std::size_t end, RowSums& sums) { measure(first, end, sums, largest); });
     low_pass_at_acuity(map_, difference_, parallel_for_);
-    flip_map(test_, reference_, map_.pixels_per_degree, parallel_for_, flip_);
+    flip_.assign(with_flip ? 0 : map_.band.size(), 0.0f);
+    if (with_flip) flip_map(test_, reference_, map_.pixels_per_degree, parallel_for_, flip_);
     for_rows([&](std::size_t first, std::size_t end, RowSums& sums) { measure_seen(first, end, sums); });
     RowSums total;
     for (const RowSums& row : rows_) {
@@ -144,7 +145,7 @@ ErrorTable picture_errors(std::span<const ViewportMap> maps, std::span<const Lin
   std::array<BandSums, kBands> sums;
   std::vector<std::vector<float>> largest(maps.size());
   for (std::size_t v = 0; v < maps.size(); ++v) {
-    const RowSums of_viewport = ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest[v]);
+    const RowSums of_viewport = ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest[v], true);
     for (std::size_t band = 0; band < kAllPixels; ++band) sums[band].add(of_viewport[band]);
   }
   for (std::size_t band = 0; band < kAllPixels; ++band) sums[kAllPixels].add(sums[band]);
@@ -153,6 +154,20 @@ ErrorTable picture_errors(std::span<const ViewportMap> maps, std::span<const Lin
   for (std::size_t band = 0; band < kBands; ++band)
     fill_row(sums[band], percentiles[band], table.value[band]);
   return table;
+}
+
+double acuity_weighted_rmse(std::span<const ViewportMap> maps, std::span<const LinearPicture> test,
+                            std::span<const LinearPicture> reference, const ParallelFor& parallel_for) {
+  check_sizes(maps, test);
+  check_sizes(maps, reference);
+  BandSums all;
+  std::vector<float> largest;
+  for (std::size_t v = 0; v < maps.size(); ++v) {
+    for (const BandSums& band : ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest, false)) {
+      all.add(band);
+    }
+  }
+  return all.weight > 0 ? std::sqrt(all.visible / all.weight) : 0.0;
 }
 
 }  // namespace herr

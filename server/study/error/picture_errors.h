@@ -21,4 +21,8 @@ using ParallelFor = std::function<void(int count, const std::function<void(int)>
 ErrorTable picture_errors(std::span<const ViewportMap> maps, std::span<const LinearPicture> test,
                           std::span<const LinearPicture> reference, const ParallelFor& parallel_for);
 
+// Of these the acuity-weighted RMSE over all pixels alone, in a fifth of the time.
+double acuity_weighted_rmse(std::span<const ViewportMap> maps, std::span<const LinearPicture> test,
+                            std::span<const LinearPicture> reference, const ParallelFor& parallel_for);
+
 }  // namespace herr

@@ -1,0 +1,34 @@
+// Renders one setting at one frame: its errors, its time beside the default's, its counters. Before: a
+// StudySetting, references. After: StudyRow.
+#pragma once
+
+#include <vector>
+
+#include "server/study/measure/paired_times.h"
+#include "server/study/measure/references.h"
+#include "server/study/measure/study_row.h"
+#include "server/study/plan/study_setting.h"
+
+namespace herr {
+
+struct MeasuringRules {
+  int blocks = 3;          // of two pairs
+  double seconds = 2.0;    // of timing: after them no further block begins
+  int bias_seeds = 4;      // more pictures, of other seeds, of settings that have a reference of seeds
+};
+
+// What stays the same for all settings of an instant.
+struct MeasuringBench {
+  const RenderSettings& defaults;
+  const FrameInstant& instant;
+  Renderer& unit;  // of the default settings, at the instant
+  Calibration& calibration;
+  References& references;
+  MeasuringRules rules;
+};
+
+// `picture` (may be null) gets the viewports, limited to white.
+StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& bench,
+                         std::vector<LinearPicture>* picture = nullptr);
+
+}  // namespace herr

@@ -1,0 +1,45 @@
+// The references of one instant, made when they are first asked for. Before: reference_spec. After:
+// measure_setting takes errors against them.
+#pragma once
+
+#include <functional>
+#include <list>
+#include <string>
+#include <vector>
+
+#include "server/study/reference/reference_cache.h"
+#include "server/study/reference/reference_picture.h"
+
+namespace herr {
+
+// Not thread-safe. `instant` must outlive it.
+class References {
+ public:
+  struct Context {
+    std::string subject;  // what the pictures are of, beside frame and settings: inputs, instruction set
+    ReferenceCache* cache = nullptr;
+    ParallelFor parallel_for;
+    std::function<bool()> out_of_time;  // of passes over pixels, beyond the first
+    std::function<void(const std::string&)> tell;  // what is being made
+  };
+  References(const FrameInstant& instant, Context context) : instant_(instant), context_(std::move(context)) {}
+
+  // Valid until the next call. Those over pixels are kept in memory and on disk, those of many seeds the last
+  // two in memory.
+  const ReferencePicture& get(const ReferenceSpec& spec);
+
+  // What was made or found, without pictures, in order.
+  const std::vector<ReferencePicture>& made() const { return made_; }
+  double seconds() const { return seconds_; }  // that making them took, earlier runs included
+
+ private:
+  ReferencePicture make(const ReferenceSpec& spec);
+
+  const FrameInstant& instant_;
+  Context context_;
+  std::list<ReferencePicture> kept_;
+  std::vector<ReferencePicture> made_;
+  double seconds_ = 0;
+};
+
+}  // namespace herr

@@ -1,0 +1,61 @@
+#include "server/study/plan/study_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace herr {
+namespace {
+
+// Of the time; the rest is for the clip and the report.
+constexpr double kShareOfKnobs = 0.95;
+constexpr double kLeastShareOfCombinations = 0.1;
+constexpr std::size_t kMostCombinations = 40;
+
+double sum_of(const std::vector<double>& seconds) {
+  double sum = 0;
+  for (const double value : seconds) sum += value;
+  return sum;
+}
+
+bool is_kept(const std::string& knob) {
+  return knob == "default" || knob == "light_samples" || knob == "polar";
+}
+
+}  // namespace
+
+StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::vector<double>& seconds_of,
+                        std::size_t frames, double seconds) {
+  StudyBudget budget;
+  budget.settings = settings;
+  budget.frames = frames;
+  std::vector<double> costs = seconds_of;
+  const auto needed = [&] { return sum_of(costs) * static_cast<double>(budget.frames); };
+  if (needed() > seconds * (kShareOfKnobs - kLeastShareOfCombinations)) budget.dropped.emplace_back("combinations");
+  while (needed() > seconds * kShareOfKnobs && !is_kept(budget.settings.back().knob)) {
+    const auto last = std::find_if(budget.settings.rbegin(), budget.settings.rend(),
+                                   [](const StudySetting& setting) { return !is_kept(setting.knob); });
+    const std::string knob = last->knob;
+    std::size_t count = 0;
+    for (std::size_t i = budget.settings.size(); i-- > 0;) {
+      if (budget.settings[i].knob != knob) continue;
+      budget.settings.erase(budget.settings.begin() + static_cast<std::ptrdiff_t>(i));
+      costs.erase(costs.begin() + static_cast<std::ptrdiff_t>(i));
+      ++count;
+    }
+    budget.dropped.push_back(knob + ": all " + std::to_string(count) + " settings");
+  }
+  while (needed() > seconds * kShareOfKnobs && budget.frames > 1) --budget.frames;
+  if (budget.frames < frames) {
+    budget.dropped.push_back(std::to_string(frames - budget.frames) + " of " + std::to_string(frames) + " frames");
+  }
+  if (budget.dropped.empty()) {
+    const double mean = sum_of(costs) / static_cast<double>(std::max<std::size_t>(1, costs.size()));
+    const double left = seconds * kShareOfKnobs - needed();
+    budget.combinations = std::min(
+        kMostCombinations,
+        static_cast<std::size_t>(std::max(0.0, left / (mean * static_cast<double>(budget.frames)))));
+  }
+  return budget;
+}
+
+}  // namespace herr

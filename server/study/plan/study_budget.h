@@ -1,0 +1,25 @@
+// What the time of a study is enough for. Combinations go first, then whole sweeps from the end of the list,
+// then frames. Before: how long a setting takes. After: study_run measures what is left and lists what is not.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "server/study/plan/study_setting.h"
+
+namespace herr {
+
+struct StudyBudget {
+  std::size_t frames = 1;           // of those chosen, from the first
+  std::vector<StudySetting> settings;
+  std::size_t combinations = 0;     // that the rest of the time is enough for
+  std::vector<std::string> dropped;  // "combinations", "detail error: all 12 settings", "frames 2 ... 3"
+};
+
+// `seconds_of`: of one frame, for each of `settings`. Default, light samples and polar size are
+// never dropped.
+StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::vector<double>& seconds_of,
+                        std::size_t frames, double seconds);
+
+}  // namespace herr
