@@ -145,7 +145,8 @@ ErrorTable picture_errors(std::span<const ViewportMap> maps, std::span<const Lin
   std::array<BandSums, kBands> sums;
   std::vector<std::vector<float>> largest(maps.size());
   for (std::size_t v = 0; v < maps.size(); ++v) {
-    const RowSums of_viewport = ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest[v], true);
+    const RowSums of_viewport =
+        ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest[v], true);
     for (std::size_t band = 0; band < kAllPixels; ++band) sums[band].add(of_viewport[band]);
   }
   for (std::size_t band = 0; band < kAllPixels; ++band) sums[kAllPixels].add(sums[band]);
@@ -163,7 +164,8 @@ double acuity_weighted_rmse(std::span<const ViewportMap> maps, std::span<const L
   BandSums all;
   std::vector<float> largest;
   for (std::size_t v = 0; v < maps.size(); ++v) {
-    for (const BandSums& band : ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest, false)) {
+    for (const BandSums& band :
+         ViewportErrors(maps[v], test[v], reference[v], parallel_for).sum(largest, false)) {
       all.add(band);
     }
   }

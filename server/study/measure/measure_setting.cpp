@@ -28,9 +28,9 @@ double squared_error(const std::vector<ViewportMap>& maps, const std::vector<Lin
   return count > 0 ? sum / count : 0;
 }
 
-// The picture's mean over seeds lies off by the bias and a share of the noise: with MSE_1 = bias^2 + noise and
-// MSE_K = bias^2 + noise / K, bias^2 = (K MSE_K - MSE_1) / (K - 1). Of what the reference itself is off, half
-// the squared difference of its halves is taken out.
+// The picture's mean over seeds lies off by the bias and a share of the noise: with MSE_1 = bias^2 + noise
+// and MSE_K = bias^2 + noise / K, bias^2 = (K MSE_K - MSE_1) / (K - 1). Of what the reference itself is off,
+// half the squared difference of its halves is taken out.
 double bias_of(Renderer& renderer, const MeasuringBench& bench, const ReferencePicture& reference) {
   const int seeds = bench.rules.bias_seeds;
   const FrameInstant& instant = bench.instant;
@@ -77,12 +77,13 @@ StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& benc
   row.flags = flags_text(setting.changes);
   row.frame = instant.number;
 
-  const std::unique_ptr<Renderer> renderer = renderer_at(instant, with_changes(bench.defaults, setting.changes));
+  const std::unique_ptr<Renderer> renderer =
+      renderer_at(instant, with_changes(bench.defaults, setting.changes));
   RenderedFrame frame;
   renderer->render_frame(*instant.sample, *instant.state, frame);
   row.counters = frame.counters;
-  const PairedTimes times = time_pairs(*renderer, bench.unit, instant, bench.calibration, bench.rules.blocks,
-                                       bench.rules.seconds);
+  const PairedTimes times =
+      time_pairs(*renderer, bench.unit, instant, bench.calibration, bench.rules.blocks, bench.rules.seconds);
   row.log_ratios = times.log_ratios, row.work_log_ratios = times.work_log_ratios;
   row.frame_ms = times.frame_ms, row.pixels_ms = times.pixels_ms, row.calibration_ms = times.calibration_ms;
 

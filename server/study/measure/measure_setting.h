@@ -12,9 +12,9 @@
 namespace herr {
 
 struct MeasuringRules {
-  int blocks = 3;          // of two pairs
-  double seconds = 2.0;    // of timing: after them no further block begins
-  int bias_seeds = 4;      // more pictures, of other seeds, of settings that have a reference of seeds
+  int blocks = 3;        // of two pairs
+  double seconds = 2.0;  // of timing: after them no further block begins
+  int bias_seeds = 4;    // more pictures, of other seeds, of settings that have a reference of seeds
 };
 
 // What stays the same for all settings of an instant.

@@ -24,8 +24,8 @@ FrameTime time_frame(Renderer& renderer, const FrameInstant& instant, RenderedFr
 
 }  // namespace
 
-PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant, Calibration& calibration,
-                       int blocks, double seconds) {
+PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant,
+                       Calibration& calibration, int blocks, double seconds) {
   PairedTimes out;
   RenderedFrame frame, unit_frame;
   std::vector<double> frame_ms, pixels_ms, calibration_ms;

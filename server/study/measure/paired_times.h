@@ -1,6 +1,6 @@
 // How long frames of two renderers take, side by side: blocks of AB BA, so that what drifts in the machine
-// meets both alike, each block after the calibration's bare rays. Before: two renderers at one instant. After:
-// paired_ratio.
+// meets both alike, each block after the calibration's bare rays. Before: two renderers at one instant.
+// After: paired_ratio.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct PairedTimes {
 
 // Two pairs a block; `blocks` of them, fewer (but one) when they take longer than `seconds`. The tested
 // renderer has rendered this instant before.
-PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant, Calibration& calibration,
-                       int blocks, double seconds);
+PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant,
+                       Calibration& calibration, int blocks, double seconds);
 
 }  // namespace herr

@@ -19,10 +19,11 @@ class References {
     std::string subject;  // what the pictures are of, beside frame and settings: inputs, instruction set
     ReferenceCache* cache = nullptr;
     ParallelFor parallel_for;
-    std::function<bool()> out_of_time;  // of passes over pixels, beyond the first
+    std::function<bool()> out_of_time;             // of passes over pixels, beyond the first
     std::function<void(const std::string&)> tell;  // what is being made
   };
-  References(const FrameInstant& instant, Context context) : instant_(instant), context_(std::move(context)) {}
+  References(const FrameInstant& instant, Context context)
+      : instant_(instant), context_(std::move(context)) {}
 
   // Valid until the next call. Those over pixels are kept in memory and on disk, those of many seeds the last
   // two in memory.

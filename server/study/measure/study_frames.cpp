@@ -84,13 +84,13 @@ StudyFrames choose_frames(FrameStep& step, const FrameRange& range, int count) {
   for (std::size_t part = 0; part < parts; ++part) {
     const auto begin = moments.begin() + static_cast<std::ptrdiff_t>(part * moments.size() / parts);
     const auto end = moments.begin() + static_cast<std::ptrdiff_t>((part + 1) * moments.size() / parts);
-    std::stable_sort(begin, end, [](const Moment& a, const Moment& b) {
-      return a.frame.gaze_deg < b.frame.gaze_deg;
-    });
+    std::stable_sort(begin, end,
+                     [](const Moment& a, const Moment& b) { return a.frame.gaze_deg < b.frame.gaze_deg; });
     // Parts 0, 1, 2 take the ranks of parts 1, 2, 0: the middle, the far and the near.
     const std::size_t rank = (part + parts / 2) % parts;
     const auto size = static_cast<std::size_t>(end - begin);
-    chosen.frames.push_back((begin + static_cast<std::ptrdiff_t>((2 * rank + 1) * size / (2 * parts)))->frame);
+    chosen.frames.push_back(
+        (begin + static_cast<std::ptrdiff_t>((2 * rank + 1) * size / (2 * parts)))->frame);
   }
   std::sort(chosen.frames.begin(), chosen.frames.end(),
             [](const StudyFrame& a, const StudyFrame& b) { return a.number < b.number; });

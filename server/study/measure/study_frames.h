@@ -1,5 +1,5 @@
-// Which frames of a session a study looks at: spread over how fast the head turns and where the eyes look, and
-// a clip in which the gaze rests. Before: an opened session. After: study_run prepares them.
+// Which frames of a session a study looks at: spread over how fast the head turns and where the eyes look,
+// and a clip in which the gaze rests. Before: an opened session. After: study_run prepares them.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct StudyFrames {
 };
 
 // Looks at up to 96 moments, evenly spaced. They are divided into `count` parts by the speed of the head; of
-// each part the frame is taken whose eccentricity of gaze has the rank of another part, so that slow and fast,
-// straight and sideways all occur. The clip begins at the moment whose gaze moves least, against the head and
-// in the world. Rewinds `step` before and after.
+// each part the frame is taken whose eccentricity of gaze has the rank of another part, so that slow and
+// fast, straight and sideways all occur. The clip begins at the moment whose gaze moves least, against the
+// head and in the world. Rewinds `step` before and after.
 StudyFrames choose_frames(FrameStep& step, const FrameRange& range, int count);
 
 }  // namespace herr

@@ -83,34 +83,37 @@ void add_errors(const std::string& prefix, std::optional<ErrorTable> StudyRow::*
 void add_flicker(const std::string& name, std::array<double, kBands> Flicker::*values,
                  std::vector<Column>& columns) {
   for (std::size_t band = 0; band < kBands; ++band) {
-    columns.push_back({"flicker_" + name + "_" + bands()[band].name,
-                       [=](const StudyRow& row) { return row.flicker ? cell_of(((*row.flicker).*values)[band]) : ""; },
-                       [=](StudyRow& row, const std::string& cell) {
-                         if (cell.empty()) return;
-                         if (!row.flicker) {
-                           row.flicker.emplace();
-                           for (auto* all : {&row.flicker->test, &row.flicker->reference, &row.flicker->excess}) {
-                             all->fill(kNone);
-                           }
-                         }
-                         ((*row.flicker).*values)[band] = number_of(cell);
-                       }});
+    columns.push_back(
+        {"flicker_" + name + "_" + bands()[band].name,
+         [=](const StudyRow& row) { return row.flicker ? cell_of(((*row.flicker).*values)[band]) : ""; },
+         [=](StudyRow& row, const std::string& cell) {
+           if (cell.empty()) return;
+           if (!row.flicker) {
+             row.flicker.emplace();
+             for (auto* all : {&row.flicker->test, &row.flicker->reference, &row.flicker->excess}) {
+               all->fill(kNone);
+             }
+           }
+           ((*row.flicker).*values)[band] = number_of(cell);
+         }});
   }
 }
 
 std::vector<Column> make_columns() {
-  std::vector<Column> columns{
-      text_column("name", &StudyRow::name),   text_column("knob", &StudyRow::knob),
-      text_column("base", &StudyRow::base),   text_column("value", &StudyRow::value),
-      number_column("n", &StudyRow::n),       text_column("flags", &StudyRow::flags),
-      {"frame", [](const StudyRow& row) { return std::to_string(row.frame); },
-       [](StudyRow& row, const std::string& cell) { row.frame = std::stoll(cell); }},
-      number_column("frame_ms", &StudyRow::frame_ms),
-      number_column("pixels_ms", &StudyRow::pixels_ms),
-      number_column("calibration_ms", &StudyRow::calibration_ms),
-      list_column("ln_time_ratios", &StudyRow::log_ratios),
-      list_column("ln_work_ratios", &StudyRow::work_log_ratios),
-      text_column("reference", &StudyRow::reference)};
+  std::vector<Column> columns{text_column("name", &StudyRow::name),
+                              text_column("knob", &StudyRow::knob),
+                              text_column("base", &StudyRow::base),
+                              text_column("value", &StudyRow::value),
+                              number_column("n", &StudyRow::n),
+                              text_column("flags", &StudyRow::flags),
+                              {"frame", [](const StudyRow& row) { return std::to_string(row.frame); },
+                               [](StudyRow& row, const std::string& cell) { row.frame = std::stoll(cell); }},
+                              number_column("frame_ms", &StudyRow::frame_ms),
+                              number_column("pixels_ms", &StudyRow::pixels_ms),
+                              number_column("calibration_ms", &StudyRow::calibration_ms),
+                              list_column("ln_time_ratios", &StudyRow::log_ratios),
+                              list_column("ln_work_ratios", &StudyRow::work_log_ratios),
+                              text_column("reference", &StudyRow::reference)};
   add_errors("", &StudyRow::error, columns);
   columns.push_back(text_column("own_reference", &StudyRow::own_reference));
   add_errors("own_", &StudyRow::own_error, columns);
@@ -123,9 +126,10 @@ std::vector<Column> make_columns() {
     columns.push_back({name,
                        [=](const StudyRow& row) {
                          std::string text;
-                         for_each_counter(row.counters, [&](const std::string& other, const std::int64_t& count) {
-                           if (other == name) text = std::to_string(count);
-                         });
+                         for_each_counter(row.counters,
+                                          [&](const std::string& other, const std::int64_t& count) {
+                                            if (other == name) text = std::to_string(count);
+                                          });
                          return text;
                        },
                        [=](StudyRow& row, const std::string& cell) {

@@ -42,7 +42,8 @@ double gain(const Foretold& pair, const std::vector<std::pair<double, double>>& 
   return std::log(best / std::max(pair.error, 1e-12));
 }
 
-std::vector<Foretold> all_pairs(const RenderSettings& defaults, const std::vector<MeasuredSetting>& measured) {
+std::vector<Foretold> all_pairs(const RenderSettings& defaults,
+                                const std::vector<MeasuredSetting>& measured) {
   std::vector<Foretold> pairs;
   for (std::size_t i = 0; i < measured.size(); ++i) {
     for (std::size_t k = i + 1; k < measured.size(); ++k) {
@@ -57,8 +58,8 @@ std::vector<Foretold> all_pairs(const RenderSettings& defaults, const std::vecto
       pair.error = std::sqrt(std::max(squared, 0.25 * a.error * a.error));
       pair.setting.knob = "combination";
       pair.setting.model = a.setting.model;
-      pair.setting.changes = changes_between(
-          defaults, with_changes(defaults, merged(a.setting.changes, b.setting.changes)));
+      pair.setting.changes =
+          changes_between(defaults, with_changes(defaults, merged(a.setting.changes, b.setting.changes)));
       pair.setting.value = flags_text(pair.setting.changes);
       pair.setting.name = pair.setting.value;
       pairs.push_back(std::move(pair));

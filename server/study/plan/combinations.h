@@ -18,9 +18,9 @@ struct MeasuredSetting {
 };
 
 // Foretold of two changes together: times multiply, squared errors add, against what each was swept around.
-// Pairs of changes to different settings on one model (StudySetting::model); at most `most` of them, those first
-// that would gain most against the front of what was measured and of the pairs before them. A pair gains the
-// larger, the farther (in logarithms) it lies below every point that is as fast.
+// Pairs of changes to different settings on one model (StudySetting::model); at most `most` of them, those
+// first that would gain most against the front of what was measured and of the pairs before them. A pair
+// gains the larger, the farther (in logarithms) it lies below every point that is as fast.
 std::vector<StudySetting> combinations(const RenderSettings& defaults,
                                        const std::vector<MeasuredSetting>& measured, std::size_t most);
 

@@ -30,7 +30,8 @@ StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::ve
   budget.frames = frames;
   std::vector<double> costs = seconds_of;
   const auto needed = [&] { return sum_of(costs) * static_cast<double>(budget.frames); };
-  if (needed() > seconds * (kShareOfKnobs - kLeastShareOfCombinations)) budget.dropped.emplace_back("combinations");
+  if (needed() > seconds * (kShareOfKnobs - kLeastShareOfCombinations))
+    budget.dropped.emplace_back("combinations");
   while (needed() > seconds * kShareOfKnobs && !is_kept(budget.settings.back().knob)) {
     const auto last = std::find_if(budget.settings.rbegin(), budget.settings.rend(),
                                    [](const StudySetting& setting) { return !is_kept(setting.knob); });
@@ -46,14 +47,15 @@ StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::ve
   }
   while (needed() > seconds * kShareOfKnobs && budget.frames > 1) --budget.frames;
   if (budget.frames < frames) {
-    budget.dropped.push_back(std::to_string(frames - budget.frames) + " of " + std::to_string(frames) + " frames");
+    budget.dropped.push_back(std::to_string(frames - budget.frames) + " of " + std::to_string(frames) +
+                             " frames");
   }
   if (budget.dropped.empty()) {
     const double mean = sum_of(costs) / static_cast<double>(std::max<std::size_t>(1, costs.size()));
     const double left = seconds * kShareOfKnobs - needed();
-    budget.combinations = std::min(
-        kMostCombinations,
-        static_cast<std::size_t>(std::max(0.0, left / (mean * static_cast<double>(budget.frames)))));
+    budget.combinations =
+        std::min(kMostCombinations,
+                 static_cast<std::size_t>(std::max(0.0, left / (mean * static_cast<double>(budget.frames)))));
   }
   return budget;
 }

@@ -1,5 +1,6 @@
 // What the time of a study is enough for. Combinations go first, then whole sweeps from the end of the list,
-// then frames. Before: how long a setting takes. After: study_run measures what is left and lists what is not.
+// then frames. Before: how long a setting takes. After: study_run measures what is left and lists what is
+// not.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +12,9 @@
 namespace herr {
 
 struct StudyBudget {
-  std::size_t frames = 1;           // of those chosen, from the first
+  std::size_t frames = 1;  // of those chosen, from the first
   std::vector<StudySetting> settings;
-  std::size_t combinations = 0;     // that the rest of the time is enough for
+  std::size_t combinations = 0;      // that the rest of the time is enough for
   std::vector<std::string> dropped;  // "combinations", "detail error: all 12 settings", "frames 2 ... 3"
 };
 

@@ -73,8 +73,7 @@ std::optional<ReferenceHalves> ReferenceCache::load(const std::string& key, cons
   if (!path_exists(file)) return std::nullopt;
   try {
     const std::int64_t bytes = 2 * values_of(profile);
-    const std::string text =
-        read_whole_file(file, {bytes + kLongestHead, "remove it; it is made again"});
+    const std::string text = read_whole_file(file, {bytes + kLongestHead, "remove it; it is made again"});
     const std::size_t head = text.find('\n');
     if (head == std::string::npos) throw InputError(file, 0, "has no head", "remove it");
     const JsonDocument document(std::string_view(text).substr(0, head), file, 1);

@@ -87,7 +87,9 @@ Json point_json(const StudyPoint& point) {
   put_text(json, "own_reference", point.own_reference);
   json["at_floor"] = point.at_floor;
   if (point.bias) json["bias"] = std::isfinite(*point.bias) ? Json(*point.bias) : Json(nullptr);
+  json["on_same_model"] = point.on_same_model;
   json["time_ratio"] = interval_json(point.time_ratio);
+  json["work_ratio"] = interval_json(point.work_ratio);
   put_number(json, "frame_ms", point.frame_ms);
   put_number(json, "pixels_ms", point.pixels_ms);
   put_number(json, "calibration_ms", point.calibration_ms);
@@ -182,6 +184,8 @@ Json definitions_json() {
           {"own_error", "against endless effort of this knob alone"},
           {"at_floor", "acuity_rmse of all pixels below 3 times that of the reference"},
           {"bias", "RMSE of the mean over many seeds, without the noise left in it"},
+          {"work_ratio", "the same of frame times without the stage from samples to viewport pixels"},
+          {"on_same_model", "lit as the default is: its error compares with that of the others"},
           {"time_ratio", "frame time over that of the default, of pairs timed side by side"},
           {"front_confidence", "share of bootstrap draws in which the point is on the Pareto front"},
           {"flicker", "RMS change from frame to frame; excess: of the difference of both changes"},

@@ -138,25 +138,13 @@ std::pair<std::string, double> read_counter(const JsonObject& object) {
 }
 
 StudyPoint read_point(const JsonObject& object) {
-  object.allow_only({"name",
-                     "knob",
-                     "base",
-                     "value",
-                     "n",
-                     "flags",
-                     "frames",
-                     "error",
-                     "own_error",
-                     "own_reference",
-                     "at_floor",
-                     "bias",
-                     "time_ratio",
-                     "frame_ms",
-                     "pixels_ms",
-                     "calibration_ms",
-                     "counters",
-                     "on_front",
-                     "front_confidence",
+  object.allow_only({"name",          "knob",       "base",
+                     "value",         "n",          "flags",
+                     "frames",        "error",      "own_error",
+                     "own_reference", "at_floor",   "bias",
+                     "on_same_model", "time_ratio", "work_ratio",
+                     "frame_ms",      "pixels_ms",  "calibration_ms",
+                     "counters",      "on_front",   "front_confidence",
                      "flicker"});
   StudyPoint point;
   point.name = bounded_text(object, "name");
@@ -172,7 +160,9 @@ StudyPoint read_point(const JsonObject& object) {
   point.at_floor = truth_of(object, "at_floor");
   if (object.has("bias"))
     point.bias = object.value("bias").is_null() ? kNotFinite : number_of(object, "bias");
+  point.on_same_model = object.boolean_or("on_same_model", false);
   point.time_ratio = read_interval(object, "time_ratio");
+  point.work_ratio = read_interval(object, "work_ratio");
   point.frame_ms = number_of(object, "frame_ms");
   point.pixels_ms = number_of(object, "pixels_ms");
   point.calibration_ms = number_of(object, "calibration_ms");

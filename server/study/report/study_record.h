@@ -54,7 +54,10 @@ struct StudyPoint {
   bool at_floor = false;                // acuity-weighted: below 3 times the error of the reference
   std::optional<double> bias;           // RMSE of the mean over many seeds, noise taken out; own reference
 
+  bool on_same_model = false;  // lit as the default is: its error compares with that of the others
+
   Interval time_ratio;                                   // to the default, paired
+  Interval work_ratio;                                   // the same without the stage from samples to pixels
   double frame_ms = 0;                                   // median
   double pixels_ms = 0;                                  // of that, the stage from samples to viewport pixels
   double calibration_ms = 0;                             // bare rays beside it: how fast the machine was

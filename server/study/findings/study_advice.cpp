@@ -1,0 +1,187 @@
+#include "server/study/findings/study_advice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "server/study/findings/study_points.h"
+#include "server/text/number_text.h"
+
+namespace herr {
+namespace {
+
+constexpr double kLeastGainAtFullScale = 8, kMostShareOfPaper = 0.7;
+
+// Four digits, as errors are told.
+std::string error_text(double value) {
+  return fixed_text(value, value < 0.01 ? 5 : 4);
+}
+
+std::string ratio_text(const Interval& ratio) {
+  std::string text = fixed_text(ratio.estimate, 2);
+  if (std::isfinite(ratio.lower) && std::isfinite(ratio.upper)) {
+    text += " [" + fixed_text(ratio.lower, 2) + ", " + fixed_text(ratio.upper, 2) + "]";
+  }
+  return text;
+}
+
+double acuity_error(const StudyPoint& point) {
+  return point.error.at(Metric::acuity_rmse);
+}
+
+const StudyPoint* point_named(std::span<const StudyPoint> points, const std::string& name) {
+  for (const StudyPoint& point : points) {
+    if (point.name == name && point.frames > 0) return &point;
+  }
+  return nullptr;
+}
+
+// The fastest of those that `counts` and have at most this error; null: none.
+template <class Counts, class Error, class Time>
+const StudyPoint* fastest(std::span<const StudyPoint> points, double most_error, const Counts& counts,
+                          const Error& error, const Time& time) {
+  const StudyPoint* best = nullptr;
+  for (const StudyPoint& point : points) {
+    if (point.frames == 0 || !counts(point) || !(error(point) <= most_error)) continue;
+    if (best == nullptr || time(point) < time(*best)) best = &point;
+  }
+  return best;
+}
+
+double frame_time(const StudyPoint& point) {
+  return point.time_ratio.estimate;
+}
+
+StudyAdvice advise(std::span<const StudyPoint> points, double most_error, const std::string& reason) {
+  StudyAdvice advice;
+  advice.most_error = most_error;
+  // Models of other light have other errors.
+  const auto counts = [](const StudyPoint& point) { return point.on_same_model; };
+  const StudyPoint* best = fastest(points, most_error, counts, acuity_error, frame_time);
+  const std::string wish = "For an error of at most " + error_text(most_error) + " (" + reason + "): ";
+  if (best == nullptr) {
+    advice.sentence = wish + "nothing that was measured reaches it.";
+    return advice;
+  }
+  advice.point = best->name;
+  advice.sentence = wish + "take " + (best->flags.empty() ? "the default" : best->flags) + "; error " +
+                    error_text(acuity_error(*best)) + ", time of the default times " +
+                    ratio_text(best->time_ratio) + ".";
+  return advice;
+}
+
+StudyAim uniform_at_same_error(std::span<const StudyPoint> points, const StudyPoint& ours) {
+  StudyAim aim;
+  aim.name = "rays per pixel at the error of foveation, " + ours.base + ": time against ours";
+  aim.aim = 1;
+  const double error = isolated_error(ours);
+  const auto counts = [&](const StudyPoint& point) {
+    return point.knob == "uniform" && point.base == ours.base;
+  };
+  const StudyPoint* same = fastest(points, error, counts, isolated_error, frame_time);
+  if (same != nullptr) {
+    aim.measured = ratio_between(same->time_ratio, ours.time_ratio);
+    aim.met = aim.measured.estimate >= aim.aim;
+    aim.sentence = "Scale " + same->value + " has error " + error_text(isolated_error(*same)) + ", " +
+                   ours.name + " has " + error_text(error) + "; rays per pixel take " +
+                   ratio_text(aim.measured) + " times the frame time.";
+    return aim;
+  }
+  const auto best = fastest(points, HUGE_VAL, counts, isolated_error,
+                            [](const StudyPoint& p) { return isolated_error(p); });
+  if (best != nullptr) {
+    aim.measured = ratio_between(best->time_ratio, ours.time_ratio);
+    aim.met = aim.measured.estimate >= aim.aim;
+    aim.sentence = "No scale reaches the error " + error_text(error) + " of " + ours.name +
+                   ": the least, at scale " + best->value + ", is " + error_text(isolated_error(*best)) +
+                   ", in " + ratio_text(aim.measured) + " times the frame time.";
+  }
+  return aim;
+}
+
+StudyAim uniform_at_full_scale(const StudyPoint& full, const StudyPoint& ours) {
+  StudyAim aim;
+  aim.name = "rays per pixel at full scale, " + ours.base + ": time against ours";
+  aim.measured = ratio_between(full.time_ratio, ours.time_ratio);
+  aim.aim = ours.base == "N = 64" ? kLeastGainAtFullScale : 1;
+  aim.met = aim.measured.estimate >= aim.aim;
+  aim.sentence = "Foveation is " + ratio_text(aim.measured) + " times faster; its error is " +
+                 error_text(isolated_error(ours)) + ", that of rays per pixel " +
+                 error_text(isolated_error(full)) + ".";
+  return aim;
+}
+
+StudyAim against_paper(std::span<const StudyPoint> points, const StudyPoint& paper) {
+  StudyAim aim;
+  aim.name = "ours at the error of " + paper.name + ": time that is not pixels";
+  aim.aim = kMostShareOfPaper;
+  aim.at_least = false;
+  // With hard light both have the same bias, which says nothing of either: then of the same light alone.
+  const bool hard = paper.own_error.has_value();
+  const auto counts = [&](const StudyPoint& point) {
+    return point.on_same_model && point.knob != "uniform" && point.knob != "paper" &&
+           (!hard || point.own_reference == paper.own_reference);
+  };
+  const auto error = [&](const StudyPoint& point) {
+    return hard ? isolated_error(point) : acuity_error(point);
+  };
+  const auto work = [](const StudyPoint& point) { return point.work_ratio.estimate; };
+  const StudyPoint* best = fastest(points, error(paper), counts, error, work);
+  if (best == nullptr) {
+    aim.sentence = "Nothing that was measured has so small an error: " + error_text(error(paper)) + ".";
+    return aim;
+  }
+  aim.measured = ratio_between(best->work_ratio, paper.work_ratio);
+  aim.met = aim.measured.estimate <= aim.aim;
+  aim.sentence = best->name + (best->flags.empty() ? "" : " (" + best->flags + ")") + ": error " +
+                 error_text(error(*best)) + " against " + error_text(error(paper)) +
+                 (hard ? ", both against hard light" : "") + "; time " + ratio_text(aim.measured) +
+                 " of the paper's.";
+  return aim;
+}
+
+}  // namespace
+
+std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points) {
+  std::vector<StudyAdvice> all;
+  for (const char* base : {"N = 1", "N = 64"}) {
+    const StudyPoint* point = point_named(points, std::string("default, ") + base);
+    if (point == nullptr) continue;
+    for (const auto& [factor, words] :
+         {std::pair{2.0, "twice that of"}, std::pair{1.0, "that of"}, std::pair{0.5, "half that of"},
+          std::pair{0.25, "a quarter of that of"}}) {
+      all.push_back(
+          advise(points, factor * acuity_error(*point), std::string(words) + " the default with " + base));
+    }
+  }
+  return all;
+}
+
+std::vector<StudyAim> aims_of(std::span<const StudyPoint> points) {
+  std::vector<StudyAim> aims;
+  for (const StudyPoint& point : points) {
+    if (point.knob != "uniform" || point.value != "1" || point.frames == 0) continue;
+    // Ours with as many light samples: the default where it is swept around them, else from the sweep of
+    // those.
+    const StudyPoint* ours = point_named(points, "default, " + point.base);
+    if (ours == nullptr) {
+      for (const StudyPoint& other : points) {
+        if (other.knob == "light_samples" && "N = " + other.value == point.base) ours = &other;
+      }
+    }
+    if (ours == nullptr) continue;
+    StudyPoint against = *ours;
+    against.base = point.base;
+    // A light sample's own reference is no reference of pixels.
+    if (ours->knob == "light_samples") against.own_error.reset();
+    aims.push_back(uniform_at_full_scale(point, against));
+    aims.push_back(uniform_at_same_error(points, against));
+  }
+  for (const StudyPoint& point : points) {
+    if (point.knob == "paper" && point.frames > 0) aims.push_back(against_paper(points, point));
+  }
+  return aims;
+}
+
+}  // namespace herr

@@ -1,0 +1,110 @@
+#include "server/study/findings/study_fits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "server/study/findings/study_points.h"
+#include "server/text/number_text.h"
+
+namespace herr {
+namespace {
+
+constexpr std::size_t kPointsForAFloor = 4;
+// A knob that changes the error by less is said to have no effect.
+constexpr double kLeastChange = 0.02;
+
+double own_floor(const StudyPoint& point, std::span<const StudyReference> references) {
+  const std::string name = point.own_error ? point.own_reference : std::string();
+  for (const StudyReference& reference : references) {
+    if (name.empty() || reference.name == name) return 3 * reference.error.at(Metric::acuity_rmse);
+  }
+  return 0;
+}
+
+std::vector<const StudyPoint*> sweep_of(const Knob& knob, const std::string& base,
+                                        std::span<const StudyPoint> points) {
+  std::vector<const StudyPoint*> sweep;
+  for (const StudyPoint& point : points) {
+    if (point.knob == knob.name && point.base == base && point.frames > 0) sweep.push_back(&point);
+  }
+  std::stable_sort(sweep.begin(), sweep.end(),
+                   [](const StudyPoint* a, const StudyPoint* b) { return a->n < b->n; });
+  return sweep;
+}
+
+std::string percent(double share) {
+  return fixed_text(100 * share, 0) + " %";
+}
+
+// What is odd about a sweep in the order of n; empty: nothing.
+std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep,
+                   std::span<const StudyReference> references) {
+  if (sweep.size() < 2) return "";
+  const double first = isolated_error(*sweep.front()), last = isolated_error(*sweep.back());
+  const double floor = own_floor(*sweep.front(), references);
+  double least = first, most = first;
+  for (const StudyPoint* point : sweep) {
+    least = std::min(least, isolated_error(*point));
+    most = std::max(most, isolated_error(*point));
+  }
+  if (most <= floor) {
+    return "no value can be told from the reference (" + shortest_text(std::round(floor * 1e6) * 1e-6) +
+           ", 3 times its own error): what it changes is too little to see here";
+  }
+  if (most - least < kLeastChange * most) {
+    return "the error changes by less than " + percent(kLeastChange) +
+           ": other errors of the default are larger than what it changes";
+  }
+  if (knob.expected == 0 || knob.effort.empty()) return "";
+  const bool falls = last < first;
+  if (falls == (knob.expected > 0)) return "";
+  return "the error " + std::string(falls ? "falls" : "rises") + " with " + knob.effort + ", from " +
+         shortest_text(std::round(first * 1e6) * 1e-6) + " to " +
+         shortest_text(std::round(last * 1e6) * 1e-6) + ", against expectation";
+}
+
+StudyFit fit_of(const Knob& knob, const std::string& base, const std::vector<const StudyPoint*>& sweep) {
+  StudyFit fit;
+  fit.knob = knob.name, fit.base = base, fit.effort = knob.effort, fit.theory = knob.theory;
+  fit.against = sweep.front()->own_error ? "own reference" : "endless effort";
+  std::vector<double> n, error;
+  for (const StudyPoint* point : sweep) {
+    const double value = isolated_error(*point);
+    if (point->n < knob.fit_from || !(point->n > 0) || !(value > 0)) continue;
+    n.push_back(point->n);
+    error.push_back(value);
+  }
+  fit.fit = fit_power(n, error, n.size() >= kPointsForAFloor);
+  if (!fit.fit) fit.fit = fit_power(n, error, false);
+  if (!fit.fit) fit.remark = "too few points for a fit";
+  return fit;
+}
+
+}  // namespace
+
+StudyFits fit_knobs(std::span<const Knob> knobs, std::span<const StudyPoint> points,
+                    std::span<const StudyReference> references) {
+  StudyFits out;
+  for (const Knob& knob : knobs) {
+    if (knob.name == "default" || knob.name == "paper") continue;
+    std::set<std::string> bases;
+    for (const StudyPoint& point : points) {
+      if (point.knob == knob.name) bases.insert(point.base);
+    }
+    for (const std::string& base : bases) {
+      const std::vector<const StudyPoint*> sweep = sweep_of(knob, base, points);
+      if (sweep.empty()) continue;
+      const std::string odd = oddity(knob, sweep, references);
+      if (!odd.empty()) out.remarks.push_back({knob.name, (base.empty() ? "" : base + ": ") + odd});
+      if (knob.effort.empty()) continue;
+      out.fits.push_back(fit_of(knob, base, sweep));
+      if (out.fits.back().remark.empty()) out.fits.back().remark = odd;
+    }
+  }
+  return out;
+}
+
+}  // namespace herr

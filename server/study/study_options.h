@@ -1,0 +1,28 @@
+// What `herr study` is asked to do. Before: study_flags fills it. After: study_command.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "renderer/render_settings.h"
+#include "sessions/streams/session_options.h"
+
+namespace herr {
+
+struct StudyOptions {
+  std::filesystem::path session;
+  std::string scene;                 // empty: the scene that the session names
+  std::string profile = "xr1-half";  // built-in name or file
+  RenderSettings render;             // the default, around which everything is swept
+  SessionOptions reading;
+  std::filesystem::path out = "study";
+  std::filesystem::path references;  // folder of references that studies share; empty: OUT/references
+  std::filesystem::path export_to;   // new folder of picture sequences; empty: none
+  std::filesystem::path report;      // a study.json to print again; nothing is measured
+  int frames = 3;
+  double minutes = 20;
+  bool overwrite = false, resume = false;
+  bool json = false;
+};
+
+}  // namespace herr

@@ -1,0 +1,365 @@
+#include "server/study/study_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "server/process/stop_signal.h"
+#include "server/process/version.h"
+#include "server/results/settings_report.h"
+#include "server/study/clip_flicker.h"
+#include "server/study/measure/measure_setting.h"
+#include "server/study/plan/combinations.h"
+#include "server/study/plan/study_budget.h"
+#include "server/study/reference/reference_spec.h"
+#include "sessions/files/folders.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
+
+namespace herr {
+namespace {
+
+constexpr std::int64_t kLongestCsv = std::int64_t{1} << 30;
+constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
+constexpr int kClipPasses = 4;
+const char* const kHardBase = "default, N = 1";
+const char* const kSoftBase = "default, N = 64";
+
+// Thrown through the loops when a signal asks for the end.
+struct Stopped {};
+
+void stop_if_asked() {
+  if (stop_signal() != 0) throw Stopped{};
+}
+
+std::string subject_of(const StudySubject& subject, const StudyOptions& options) {
+  return std::string(program_with_version()) + "; " + subject.inputs() + settings_text(subject.defaults()) +
+         "; " + std::to_string(options.frames) + " frames";
+}
+
+double seconds_since(TimeNs start_ns) {
+  return static_cast<double>(steady_now_ns() - start_ns) * 1e-9;
+}
+
+}  // namespace
+
+StudyRun::StudyRun(const StudyOptions& options, StudySubject& subject, const StudyFolder& folder)
+    : options_(options),
+      subject_(subject),
+      folder_(folder),
+      sweeps_(sweeps_of(subject.defaults(), [&](const RenderSettings& s) { return subject.plan_of(s); })),
+      cache_(options.references.empty() ? folder.references() : options.references),
+      progress_(60 * options.minutes),
+      start_ns_(steady_now_ns()),
+      last_row_ns_(start_ns_) {
+  state_.subject = subject_of(subject, options);
+  if (options.resume && path_exists(folder.state())) {
+    StudyState earlier = read_state(folder.state());
+    if (earlier.subject != state_.subject) {
+      throw InputError(folder.state(), 0, "is of another session, scene, setting or program",
+                       "give the same command, or begin anew with --overwrite");
+    }
+    state_ = std::move(earlier);
+  }
+  read_rows();
+}
+
+// Whole rows stay as they are; a last one that was cut off is measured again.
+void StudyRun::read_rows() {
+  std::int64_t kept = 0;
+  if (options_.resume && path_exists(folder_.csv())) {
+    const std::string text = read_whole_file(folder_.csv(), {kLongestCsv, "begin anew with --overwrite"});
+    const std::string header = study_csv_header();
+    if (!text.empty() && !text.starts_with(header) && !header.starts_with(text)) {
+      throw InputError(folder_.csv(), 1, "has other columns", "begin anew with --overwrite");
+    }
+    std::size_t at = text.starts_with(header) ? header.size() : 0;
+    for (std::int64_t line = 2; at > 0; ++line) {
+      const std::size_t end = text.find('\n', at);
+      if (end == std::string::npos) break;
+      const std::optional<StudyRow> row = study_row_of(std::string_view(text).substr(at, end - at));
+      if (!row) throw InputError(folder_.csv(), line, "is no row of a study", "begin anew with --overwrite");
+      rows_.push_back(*row);
+      earlier_s_ += row->seconds;
+      at = end + 1;
+    }
+    kept = static_cast<std::int64_t>(at);
+  }
+  for (const auto& [frame, reference] : state_.references) {
+    if (reference.settings == "pixels") earlier_s_ += reference.seconds;
+  }
+  csv_.emplace(folder_.csv(), kept);
+  if (kept == 0) csv_->append(study_csv_header());
+  csv_->sync();
+}
+
+double StudyRun::seconds() const {
+  return earlier_s_ + seconds_since(start_ns_);
+}
+
+References::Context StudyRun::reference_context() {
+  References::Context context;
+  context.subject = subject_.inputs();
+  context.cache = &cache_;
+  context.out_of_time = [this] { return stop_signal() != 0 || seconds() > references_until_s_; };
+  context.tell = [this](const std::string& what) { progress_.tell(what, seconds()); };
+  return context;
+}
+
+void StudyRun::note(const References& references, std::int64_t frame) {
+  bool changed = false;
+  for (const ReferencePicture& made : references.made()) {
+    const bool known = std::any_of(state_.references.begin(), state_.references.end(), [&](const auto& one) {
+      return one.first == frame && one.second.name == made.spec.name;
+    });
+    if (known) continue;
+    state_.references.emplace_back(
+        frame, StudyReference{made.spec.name, made.spec.by_pixels ? "pixels" : "seeds", made.passes,
+                              made.most_passes, made.error, made.goal_met, made.seconds});
+    changed = true;
+  }
+  if (changed) write_state(folder_.state(), state_);
+}
+
+bool StudyRun::measure() {
+  try {
+    make_references();
+    share_time();
+    progress_.expect(state_.settings->size() * state_.frames);
+    measure_settings(wanted_settings(), state_.frames, limit_s() - clip_seconds() - kReportSeconds);
+    choose_combinations();
+    measure_settings(*state_.combinations, state_.frames, limit_s() - clip_seconds() - kReportSeconds);
+    measure_flicker();
+  } catch (const Stopped&) {
+    return false;
+  }
+  return true;
+}
+
+// Endless effort and hard light at every frame; each has its share of half the time.
+void StudyRun::make_references() {
+  StudySetting hard;
+  hard.own = OwnReference::pixels;
+  hard.changes = {{"light_samples", std::to_string(kHardSamples)}};
+  const std::vector<ReferenceSpec> specs{endless_effort(subject_.defaults(), {}),
+                                         own_reference(subject_.defaults(), hard)};
+  const auto all = static_cast<double>(specs.size() * subject_.frames().frames.size());
+  double done = 0;
+  subject_.rewind();
+  for (const StudyFrame& frame : subject_.frames().frames) {
+    const auto is_known = [&](const ReferenceSpec& spec) {
+      return std::any_of(state_.references.begin(), state_.references.end(), [&](const auto& one) {
+        return one.first == frame.number && one.second.name == spec.name;
+      });
+    };
+    if (std::all_of(specs.begin(), specs.end(), is_known)) {
+      done += static_cast<double>(specs.size());
+      continue;
+    }
+    const FrameInstant instant = subject_.instant(frame.number);
+    const std::unique_ptr<Renderer> threads = renderer_at(instant, subject_.defaults());
+    References::Context context = reference_context();
+    context.parallel_for = threads_of(*threads);
+    References references(instant, context);
+    for (const ReferenceSpec& spec : specs) {
+      stop_if_asked();
+      references_until_s_ = 0.5 * limit_s() * ++done / all;
+      references.get(spec);
+      if (!cache_.remark().empty()) warnings_.push_back(cache_.remark());
+      stop_if_asked();  // one that was cut short is not noted
+      note(references, frame.number);
+    }
+  }
+  references_until_s_ = 0.5 * limit_s();
+  last_row_ns_ = steady_now_ns();
+}
+
+bool StudyRun::is_measured(const std::string& name, std::int64_t frame) const {
+  return row_of(name, frame) != nullptr;
+}
+
+const StudyRow* StudyRun::row_of(const std::string& name, std::int64_t frame) const {
+  for (const StudyRow& row : rows_) {
+    if (row.name == name && row.frame == frame && row.error) return &row;
+  }
+  return nullptr;
+}
+
+std::vector<StudySetting> StudyRun::wanted_settings() const {
+  std::vector<StudySetting> wanted;
+  for (const StudySetting& setting : sweeps_.settings) {
+    const auto& names = *state_.settings;
+    if (std::find(names.begin(), names.end(), setting.name) != names.end()) wanted.push_back(setting);
+  }
+  return wanted;
+}
+
+void StudyRun::keep(StudyRow row) {
+  row.seconds = seconds_since(last_row_ns_);
+  last_row_ns_ = steady_now_ns();
+  csv_->append(study_csv_row(row));
+  csv_->sync();
+  rows_.push_back(std::move(row));
+}
+
+void StudyRun::measure_settings(const std::vector<StudySetting>& settings, std::size_t frames,
+                                double until_s) {
+  subject_.rewind();
+  for (std::size_t f = 0; f < frames; ++f) {
+    measure_frame(settings, subject_.frames().frames[f].number, until_s);
+  }
+}
+
+void StudyRun::measure_frame(const std::vector<StudySetting>& settings, std::int64_t frame, double until_s) {
+  const auto missing = [&](const StudySetting& setting) { return !is_measured(setting.name, frame); };
+  for (const StudySetting& setting : settings) {
+    if (!missing(setting)) progress_.count();
+  }
+  if (std::none_of(settings.begin(), settings.end(), missing)) return;
+  const FrameInstant instant = subject_.instant(frame);
+  const std::unique_ptr<Renderer> unit = renderer_at(instant, subject_.defaults());
+  Calibration calibration(*unit);
+  References::Context context = reference_context();
+  context.parallel_for = threads_of(*unit);
+  References references(instant, context);
+  const MeasuringBench bench{subject_.defaults(), instant, *unit, calibration, references, {}};
+  for (const StudySetting& setting : settings) {
+    if (!missing(setting)) continue;
+    stop_if_asked();
+    if (seconds() > until_s) {
+      out_of_time_.push_back(setting.name + ", frame " + std::to_string(frame));
+      continue;
+    }
+    progress_.tell(setting.name + ", frame " + std::to_string(frame), seconds());
+    StudyRow row = measure_setting(setting, bench);
+    stop_if_asked();
+    note(references, frame);
+    keep(std::move(row));
+    progress_.count();
+  }
+}
+
+double StudyRun::clip_seconds() const {
+  double of_pass = 0;
+  for (const auto& [frame, reference] : state_.references) {
+    if (reference.settings != "pixels" || reference.passes == 0) continue;
+    of_pass =
+        std::max(of_pass, reference.seconds / (2.0 * std::max(reference.passes, reference.most_passes)));
+  }
+  return std::min(static_cast<double>(subject_.frames().clip.size()) * (2 * kClipPasses * of_pass + 2),
+                  0.15 * limit_s());
+}
+
+// From the two bases at the first frame: errors cost what they cost there, frames in proportion.
+double StudyRun::estimated_seconds(const StudySetting& setting) const {
+  const std::int64_t frame = subject_.frames().frames.front().number;
+  const StudyRow *hard = row_of(kHardBase, frame), *soft = row_of(kSoftBase, frame);
+  const RenderSettings settings = with_changes(subject_.defaults(), setting.changes);
+  const RenderSettings& usual = subject_.defaults();
+  const double per_sample_s =
+      1e-3 * std::max(0.0, soft->frame_ms - hard->frame_ms) / (kSoftSamples - kHardSamples);
+  const double unit_s = 1e-3 * hard->frame_ms;
+  double size = static_cast<double>(settings.polar_width) * settings.polar_height /
+                (static_cast<double>(usual.polar_width) * usual.polar_height);
+  if (settings.foveation == Foveation::off) size = 4 * settings.scale * settings.scale;
+  const double frame_s = size * (unit_s + per_sample_s * (settings.light_samples - kHardSamples));
+  const MeasuringRules rules;
+  const double pairs_s = 2.0 * (unit_s + frame_s);
+  const double timing_s = std::min(rules.blocks * pairs_s, rules.seconds + pairs_s);
+  const double fixed_s = std::max(0.3, soft->seconds - 1e-3 * soft->frame_ms * 8);
+  double seconds = fixed_s + unit_s + 2 * frame_s + timing_s;
+  if (setting.own == OwnReference::seeds) seconds += (rules.bias_seeds + 4) * frame_s;
+  if (settings.probes.on) seconds += 3;
+  return seconds;
+}
+
+void StudyRun::share_time() {
+  if (state_.settings) return;
+  const std::int64_t first = subject_.frames().frames.front().number;
+  std::vector<StudySetting> bases;
+  for (const StudySetting& setting : sweeps_.settings) {
+    if (setting.knob == "default") bases.push_back(setting);
+  }
+  subject_.rewind();
+  measure_frame(bases, first, HUGE_VAL);
+  std::vector<double> costs;
+  for (const StudySetting& setting : sweeps_.settings) costs.push_back(estimated_seconds(setting));
+  const double left = std::max(1.0, limit_s() - seconds() - clip_seconds() - kReportSeconds);
+  const StudyBudget budget = fit_to_time(sweeps_.settings, costs, subject_.frames().frames.size(), left);
+  state_.settings.emplace();
+  for (const StudySetting& setting : budget.settings) state_.settings->push_back(setting.name);
+  state_.frames = budget.frames;
+  state_.dropped = budget.dropped;
+  state_.most_combinations = budget.combinations;
+  write_state(folder_.state(), state_);
+}
+
+// By the means over frames of what each knob did alone.
+void StudyRun::choose_combinations() {
+  if (state_.combinations) return;
+  struct Mean {
+    double log_time = 0, squared = 0;
+    int frames = 0;
+  };
+  const auto mean_of = [&](const std::string& name) {
+    Mean mean;
+    for (const StudyRow& row : rows_) {
+      if (row.name != name || !row.error || row.log_ratios.empty()) continue;
+      for (const double ratio : row.log_ratios)
+        mean.log_time += ratio / static_cast<double>(row.log_ratios.size());
+      mean.squared += std::pow(row.error->at(Metric::acuity_rmse), 2);
+      ++mean.frames;
+    }
+    return mean;
+  };
+  std::vector<MeasuredSetting> measured;
+  for (const StudySetting& setting : wanted_settings()) {
+    const Mean own = mean_of(setting.name);
+    // Sweeps of the number of light samples are swept around hard light.
+    const Mean base = mean_of(setting.base == "N = 64" ? kSoftBase : kHardBase);
+    if (own.frames == 0 || base.frames == 0 || !setting.model.empty()) continue;
+    measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames),
+                        base.log_time / base.frames, std::sqrt(base.squared / base.frames)});
+  }
+  state_.combinations = combinations(subject_.defaults(), measured, state_.most_combinations);
+  write_state(folder_.state(), state_);
+}
+
+void StudyRun::measure_flicker() {
+  std::vector<StudySetting> shown;
+  const auto has_flicker = [&](const StudySetting& setting) {
+    return std::any_of(rows_.begin(), rows_.end(),
+                       [&](const StudyRow& row) { return row.name == setting.name && row.flicker; });
+  };
+  for (const StudySetting& setting : wanted_settings()) {
+    const bool wanted = setting.knob == "default" || setting.knob == "paper" || setting.knob == "filter" ||
+                        setting.name == "adaptive light samples 64" || setting.name == "light samples 4" ||
+                        (setting.knob == "uniform" && setting.value == "0.5");
+    if (wanted && setting.changes.size() < 8 && !has_flicker(setting)) shown.push_back(setting);
+  }
+  if (shown.empty() || subject_.frames().clip.size() < 2) return;
+  if (seconds() > limit_s() - kReportSeconds) {
+    out_of_time_.emplace_back("flicker over the clip");
+    return;
+  }
+  References::Context context = reference_context();
+  context.out_of_time = [] { return true; };
+  context.parallel_for = [](int count, const std::function<void(int)>& work) {
+    for (int i = 0; i < count; ++i) work(i);
+  };
+  std::vector<StudyRow> rows = measure_clip(subject_, shown, context, kClipPasses, [&](std::size_t frame) {
+    progress_.tell("clip, frame " + std::to_string(frame + 1) + " of " + std::to_string(kClipFrames),
+                   seconds());
+    return stop_signal() == 0;
+  });
+  stop_if_asked();
+  for (StudyRow& row : rows) keep(std::move(row));
+}
+
+std::vector<std::string> StudyRun::dropped() const {
+  std::vector<std::string> all = state_.dropped;
+  all.insert(all.end(), out_of_time_.begin(), out_of_time_.end());
+  return all;
+}
+
+}  // namespace herr

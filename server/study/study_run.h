@@ -1,0 +1,73 @@
+// A study from its first reference to its last row: what is there from an earlier run is kept. Before:
+// subject and folder. After: study_record makes the report of it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/process/steady_time.h"
+#include "server/study/measure/references.h"
+#include "server/study/measure/study_row.h"
+#include "server/study/plan/knobs.h"
+#include "server/study/study_folder.h"
+#include "server/study/study_progress.h"
+#include "server/study/study_state.h"
+#include "server/study/study_subject.h"
+#include "sessions/files/append_file.h"
+
+namespace herr {
+
+class StudyRun {
+ public:
+  // All must outlive it. Reads what an earlier run left (options.resume). Throws InputError where that is of
+  // another study.
+  StudyRun(const StudyOptions& options, StudySubject& subject, const StudyFolder& folder);
+
+  // False: a signal asked for the end; what was measured stands in the folder. Throws as the renderer and
+  // WriteError.
+  bool measure();
+
+  const std::vector<StudyRow>& rows() const { return rows_; }
+  const StudyState& state() const { return state_; }
+  const StudySweeps& sweeps() const { return sweeps_; }
+  std::vector<std::string> dropped() const;
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  double seconds() const;  // earlier runs included
+  References::Context reference_context();
+
+ private:
+  void read_rows();
+  void make_references();
+  void share_time();
+  void measure_settings(const std::vector<StudySetting>& settings, std::size_t frames, double until_s);
+  void measure_frame(const std::vector<StudySetting>& settings, std::int64_t frame, double until_s);
+  void choose_combinations();
+  void measure_flicker();
+  void keep(StudyRow row);
+  void note(const References& references, std::int64_t frame);
+  bool is_measured(const std::string& name, std::int64_t frame) const;
+  const StudyRow* row_of(const std::string& name, std::int64_t frame) const;
+  std::vector<StudySetting> wanted_settings() const;
+  double estimated_seconds(const StudySetting& setting) const;
+  double limit_s() const { return 60 * options_.minutes; }
+  double clip_seconds() const;
+
+  const StudyOptions& options_;
+  StudySubject& subject_;
+  const StudyFolder& folder_;
+  StudySweeps sweeps_;
+  StudyState state_;
+  std::vector<StudyRow> rows_;
+  std::vector<std::string> warnings_, out_of_time_;
+  std::optional<AppendFile> csv_;
+  ReferenceCache cache_;
+  StudyProgress progress_;
+  double earlier_s_ = 0;
+  TimeNs start_ns_, last_row_ns_;
+  double references_until_s_ = 0;
+};
+
+}  // namespace herr
