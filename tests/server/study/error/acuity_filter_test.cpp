@@ -5,26 +5,27 @@
 
 #include <algorithm>
 #include <iostream>
+#include <numbers>
 
 #include "tests/server/study/error/error_pictures.h"
 
 namespace herr {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 TEST(AcuityFilterTest, TheLimitIsThatOfGeislerAndPerry) {
   // 2.3 * ln 64 / (0.106 * (e + 2.3)): 9.565431 / 0.2438 and / 4.4838.
   EXPECT_NEAR(finest_visible_cycles_per_deg(0), 39.23475, 1e-4);
   EXPECT_NEAR(finest_visible_cycles_per_deg(40), 2.133331, 1e-5);
   // One square degree, 78.4695^2 samples.
-  EXPECT_NEAR(acuity_weight(0, kPi * kPi / 32400), 6157.46, 0.05);
+  EXPECT_NEAR(acuity_weight(0, std::numbers::pi * std::numbers::pi / 32400), 6157.46, 0.05);
 }
 
 // The pixel in a picture that lies nearest to (right_deg, up_deg) on the axes, by tangents.
 std::size_t pixel_at(const Viewport& v, double right_deg, double up_deg = 0) {
-  const double x = (std::tan(right_deg * kPi / 180) - v.tan_left) / (v.tan_right - v.tan_left) * v.width_px;
-  const double y = (v.tan_up - std::tan(up_deg * kPi / 180)) / (v.tan_up - v.tan_down) * v.height_px;
+  const double x =
+      (std::tan(right_deg * std::numbers::pi / 180) - v.tan_left) / (v.tan_right - v.tan_left) * v.width_px;
+  const double y =
+      (v.tan_up - std::tan(up_deg * std::numbers::pi / 180)) / (v.tan_up - v.tan_down) * v.height_px;
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width_px) + static_cast<std::size_t>(x);
 }
 
@@ -59,12 +60,12 @@ double amplitude_left(double share, bool along_rows) {
   constexpr int kSize = 401;  // a pixel in the middle
   const DisplayProfile profile = test::plain_profile(kSize, kSize, 5, 5);
   const ViewportMap map = viewport_map(profile, 0, along_rows ? test::gaze_at(0, 40) : test::gaze_at(40));
-  const double cycles_per_px =
-      share * finest_visible_cycles_per_deg(40) * 2 * profile.viewports[0].tan_right / kSize * 180 / kPi;
+  const double cycles_per_px = share * finest_visible_cycles_per_deg(40) * 2 *
+                               profile.viewports[0].tan_right / kSize * 180 / std::numbers::pi;
   LinearPicture picture = test::picture_of(map, 0);
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      const double phase = 2 * kPi * cycles_per_px * ((along_rows ? x : y) - kSize / 2);
+      const double phase = 2 * std::numbers::pi * cycles_per_px * ((along_rows ? x : y) - kSize / 2);
       for (auto& plane : picture.plane)
         plane[static_cast<std::size_t>(y * kSize + x)] = static_cast<float>(std::cos(phase));
     }

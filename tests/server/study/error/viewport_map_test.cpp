@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 #include "tests/server/study/error/error_pictures.h"
 
 namespace herr {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(ViewportMapTest, APixelsAnglesAreThoseOfItsMiddleAndItsEdges) {
   // Two by two pixels over +-45 degrees: middles at tangents of +-1/2.
@@ -31,7 +30,7 @@ TEST(ViewportMapTest, SmallPixelsTakeTheDerivativeOfTheAngle) {
   // d(angle) / d(tan) = 1 / (1 + tan^2) on the axis; 901 columns so that one middle lies on it. A step of
   // h = 2 / 901 has an angle that is smaller by h^2 / 12 = 4e-7 at most: floats decide, 1e-6.
   const ViewportMap map = viewport_map(test::plain_profile(901, 901, 45, 45), 0, test::gaze_at(0));
-  const double step_deg = 2.0 / 901 * 180 / kPi;
+  const double step_deg = 2.0 / 901 * 180 / std::numbers::pi;
   for (const std::size_t x : {0u, 200u, 450u, 900u}) {
     const double tan = (static_cast<double>(x) - 450) * 2 / 901;
     const std::size_t i = 450 * 901 + x;
