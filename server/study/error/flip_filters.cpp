@@ -39,10 +39,11 @@ FlipFilter scaled(const std::vector<double>& values, double factor) {
   return filter;
 }
 
-// Positive weights add up to 1, negative ones to -1.
+// Positive weights add up to 1, negative ones to -1. Pixels so large that one of the two vanishes: all are 0.
 FlipFilter balanced(const std::vector<double>& values) {
   double positive = 0, negative = 0;
   for (const double value : values) (value > 0 ? positive : negative) += std::abs(value);
+  if (!(positive > 0 && negative > 0)) return scaled(values, 0);
   FlipFilter filter;
   for (const double value : values)
     filter.weights.push_back(static_cast<float>(value / (value > 0 ? positive : negative)));
