@@ -19,9 +19,10 @@ struct FrontPlace {
 };
 
 // `draws` resamples frames (the same ones for all candidates: they share what makes a frame hard) and each
-// candidate's ratios (Efron, "Bootstrap methods", 1979). A candidate is beaten by one that is no worse in both
-// and better in one. The same for the same seed on any machine. Candidates without errors or ratios are never
-// on the front.
+// candidate's ratios (Efron, "Bootstrap methods", 1979). A candidate is beaten by one that is no worse in
+// both and better in one. The same for the same seed on any machine. Candidates without errors or ratios are
+// never on the front and beat nothing. Throws std::invalid_argument for fewer than 1 draw, different numbers
+// of frames and values that are not finite.
 std::vector<FrontPlace> pareto_front(std::span<const FrontCandidate> candidates, int draws = 1000,
                                      std::uint64_t seed = 1);
 

@@ -14,15 +14,17 @@
 namespace herr {
 
 struct PowerFit {
-  Interval p;              // within [-8, 8]
-  Interval floor;          // 0 without floor
-  double c = 0;            // error of n = 1 without the floor
+  Interval p;               // within [-8, 8]
+  Interval floor;           // 0 without floor
+  double c = 0;             // error of n = 1 without the floor
   double relative_rms = 0;  // of the residuals
   int points = 0;
 };
 
-// `n` and `error` positive and finite, of one length. None for fewer points than parameters + 1 (2 parameters,
-// 3 with floor), or where all n are equal. Pure.
+// `n` and `error` are positive and finite, of one length; throws std::invalid_argument otherwise. None for
+// fewer points than parameters + 1 (2 parameters, 3 with floor), or fewer different n than parameters. A
+// bound of p is infinite where its end of [-8, 8] still fits. Where any p fits as well, p is 0 and the floor
+// is 0.
 std::optional<PowerFit> fit_power(std::span<const double> n, std::span<const double> error, bool with_floor);
 
 }  // namespace herr
