@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -81,6 +83,12 @@ TEST(ParetoFrontTest, AChanceOfFramesIsCounted) {
   EXPECT_TRUE(places[1].on_front);
   EXPECT_NEAR(places[0].confidence, 0.75, tolerance(0.75));
   EXPECT_NEAR(places[1].confidence, 0.75, tolerance(0.75));
+  // Squares 1, 1, 16 against 8, 8, 8: three draws sum to less than 24 with one 16 (18) and more with two
+  // (33), so the first wins with (2/3)^3 + 3 (2/3)^2 (1/3) = 20/27.
+  const double even = std::sqrt(8.0);
+  const auto three = front_of({{{1, 1, 4}, {0}}, {{even, even, even}, {0}}});
+  EXPECT_NEAR(three[0].confidence, 20.0 / 27, tolerance(20.0 / 27));
+  EXPECT_NEAR(three[1].confidence, 7.0 / 27, tolerance(7.0 / 27));
 }
 
 TEST(ParetoFrontTest, AChanceOfRatiosIsCounted) {

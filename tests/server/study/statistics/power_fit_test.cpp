@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -153,6 +157,18 @@ TEST(PowerFitTest, EqualErrorsDoNotFall) {
   EXPECT_NEAR(floored->floor.upper, 0.3, 1e-6);
 }
 
+TEST(PowerFitTest, NoiseAloneBoundsNoPower) {
+  // Errors that go up and down by 5 % about a floor: the floor alone leaves 6 * 0.05^2 = 0.015. A law beside
+  // it can remove one point's share at an end, which leaves more than 1 / 4.4 of that, and the limit is 4.4
+  // times what is left (t of 3 degrees of freedom: 3.18).
+  const auto fit =
+      fit_power(doubled_from(1, 6), std::vector<double>{1.05, 0.95, 1.05, 0.95, 1.05, 0.95}, true);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->p.lower, -kInfinity);
+  EXPECT_EQ(fit->p.upper, kInfinity);
+  EXPECT_GT(fit->floor.upper, 1);
+}
+
 TEST(PowerFitTest, ThePowerHolds95OfHundredTimes) {
   // Of 500 sets 475 +- 4.9 hold a truth that is held with 95 %: 460 ... 490 is 3.1 deviations, which one seed
   // of 500 misses.
@@ -191,6 +207,60 @@ TEST(PowerFitTest, AFloorIsSeldomFoundWhereThereIsNone) {
   // deviations below are 477.
   EXPECT_GE(count_noisy({0, 1, -0.5}, 9, true, [](const PowerFit& fit) { return fit.floor.lower == 0; }),
             477);
+}
+
+// The least sum of squared relative residuals with this floor, by trying p in steps of a thousandth.
+double sum_with_floor(const std::vector<double>& n, const std::vector<double>& errors, double floor) {
+  double least = kInfinity;
+  for (int step = -8000; step <= 8000; ++step) {
+    double by_target = 0, squares = 0, sum = 0;
+    for (std::size_t i = 0; i < n.size(); ++i) {
+      const double power = std::pow(n[i], 0.001 * step) / errors[i];
+      by_target += power * (1 - floor / errors[i]);
+      squares += power * power;
+    }
+    const double c = std::max(0.0, by_target / squares);
+    for (std::size_t i = 0; i < n.size(); ++i) {
+      const double residual = (floor + c * std::pow(n[i], 0.001 * step)) / errors[i] - 1;
+      sum += residual * residual;
+    }
+    least = std::min(least, sum);
+  }
+  return least;
+}
+
+TEST(PowerFitTest, BoundsOfAFloorAreWhereItsBestFitIsAtTheLimit) {
+  // 1 / n + 0.1 with up to 4 % added or taken; t of 3 degrees of freedom is 3.182446 (Student's table). A
+  // thousandth of p changes residuals by 0.003 at most, next to 0.04.
+  const std::vector<double> n = doubled_from(1, 6);
+  const std::vector<double> errors{1.1 * 1.03,   0.6 * 0.97,    0.35 * 1.02,
+                                   0.225 * 1.03, 0.1625 * 0.96, 0.13125 * 1.01};
+  const auto fit = fit_power(n, errors, true);
+  ASSERT_TRUE(fit);
+  const double least = 6 * fit->relative_rms * fit->relative_rms,
+               limit = least * (1 + 3.182446 * 3.182446 / 3);
+  EXPECT_NEAR(sum_with_floor(n, errors, fit->floor.estimate) / least, 1, 0.01);
+  ASSERT_GT(fit->floor.lower, 0);
+  EXPECT_GT(sum_with_floor(n, errors, fit->floor.lower * 0.98), limit);
+  EXPECT_LT(sum_with_floor(n, errors, fit->floor.lower * 1.02), limit);
+  EXPECT_LT(sum_with_floor(n, errors, fit->floor.upper * 0.99), limit);
+  EXPECT_GT(sum_with_floor(n, errors, fit->floor.upper * 1.01), limit);
+}
+
+TEST(PowerFitTest, NeitherFloorNorLawIsEverNegative) {
+  // Errors that bend below a power law, 1.1 n^(-1/2) - 0.1, would like a floor below 0.
+  const std::vector<double> n = doubled_from(1, 6);
+  const auto bent = fit_power(n, errors_of({-0.1, 1.1, -0.5}, n), true);
+  ASSERT_TRUE(bent);
+  EXPECT_EQ(bent->floor.estimate, 0);
+  EXPECT_EQ(bent->floor.lower, 0);
+  EXPECT_GT(bent->c, 0);
+  // 2 - n^(-1/2) rises, which takes a p above 0 where c is not negative.
+  const auto rising = fit_power(n, errors_of({2, -1, -0.5}, n), true);
+  ASSERT_TRUE(rising);
+  EXPECT_GT(rising->p.estimate, 0);
+  EXPECT_GE(rising->floor.lower, 0);
+  EXPECT_GT(rising->c, 0);
 }
 
 TEST(PowerFitTest, UnitsOfErrorAndEffortDoNotMatter) {
