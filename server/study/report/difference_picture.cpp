@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "server/output/png_encoder.h"
-#include "server/study/report/figure_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {
@@ -109,7 +109,7 @@ StudyPicture difference_picture(const std::string& title, const LinearPicture& t
   StudyPicture picture;
   picture.title = title;
   picture.caption = "Left: picture. Middle: reference. Right: difference of the brightest channel times " +
-                    figure(gain) + ", from black over red and yellow to white.";
+                    shortest_text(gain) + ", from black over red and yellow to white.";
   picture.width_px = image.width_px;
   picture.height_px = image.height_px;
   encode_png(image, picture.png, kPicturePngLevel);

@@ -18,11 +18,13 @@ bool has_efforts(const StudyRecord& record, const std::string& knob) {
                      [&](const StudyPoint& p) { return p.knob == knob && p.n > 0; });
 }
 
-std::string fit_text(const StudyFit& fit) {
-  std::string text = fit.base.empty() ? "" : fit.base + ", ";
-  text += metric_label(fit.metric) + " against " + fit.against + ": ";
+// What the diagram does not say: `plain`, the fit is of what it shows.
+std::string fit_text(const StudyFit& fit, bool plain) {
+  std::string text = fit.base;
+  if (!plain) text += (text.empty() ? "" : ", ") + metric_label(fit.metric) + " against " + fit.against;
+  text += text.empty() ? "" : ": ";
   if (!fit.fit) return text + "no fit" + (fit.remark.empty() ? "" : "; " + fit.remark);
-  text += "p = " + figure(fit.fit->p) + ", floor " + figure(fit.fit->floor);
+  text += "p = " + figure(fit.fit->p, 2) + ", floor " + figure(fit.fit->floor, 2);
   text += fit.theory.empty() ? ", no theory" : ", theory " + fit.theory;
   return text + (fit.remark.empty() ? "" : "; " + fit.remark);
 }
@@ -58,8 +60,8 @@ void add_fits(const StudyRecord& record, const std::string& knob, bool own,
               const std::vector<BaseSeries>& all, StudyPlot& out) {
   for (const StudyFit& fit : record.fits) {
     if (fit.knob != knob) continue;
-    out.lines.push_back(fit_text(fit));
     const bool same = fit.metric == Metric::acuity_rmse && (fit.against == "own reference") == own;
+    out.lines.push_back(fit_text(fit, same));
     for (const BaseSeries& series : all) {
       if (!fit.fit || !same || series.base != fit.base || !(series.highest_n > series.lowest_n)) continue;
       out.plot.curves.push_back(fit_curve(*fit.fit, series.lowest_n, series.highest_n, series.style.colour));

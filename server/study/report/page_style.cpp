@@ -24,11 +24,11 @@ dl.facts dd, dl.metrics dd { margin: 0; min-width: 0 }
 dl.metrics dt { margin-top: .6rem }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); gap: 1.2rem }
 figure { margin: .6rem 0; min-width: 0; break-inside: avoid; page-break-inside: avoid }
-figure.main { max-width: 46rem }
+figure.main { max-width: 42rem }
 figcaption, .note { font-size: .9rem; color: #444 }
 figcaption p { margin: .15rem 0 }
 figcaption b { color: #1a1a1a }
-svg.plot { display: block; width: 100%; height: auto; max-width: 46rem }
+svg.plot { display: block; width: 100%; height: auto; max-width: 42rem }
 .grid svg.plot { max-width: 30rem }
 .legend { display: flex; flex-wrap: wrap; gap: .1rem 1rem; list-style: none; padding: 0; margin: .2rem 0;
   font-size: .9rem }
@@ -42,7 +42,8 @@ th, td { padding: .2rem .7rem .2rem 0; text-align: right; vertical-align: top; w
 th { border-bottom: 1px solid #1a1a1a; vertical-align: bottom }
 td { border-bottom: 1px solid #ddd }
 .w { text-align: left }
-td.w { white-space: normal; min-width: 6rem; max-width: 26rem }
+td.prose { white-space: normal; min-width: 13rem; max-width: 26rem }
+code span { display: inline-block; max-width: 100% }
 @media (max-width: 40rem) {
   body { padding: 0 .75rem; margin: .75rem auto }
   h1 { font-size: 1.35rem }
@@ -57,7 +58,7 @@ td.w { white-space: normal; min-width: 6rem; max-width: 26rem }
   .wide { overflow: visible }
   table { font-size: 7pt; width: 100% }
   th, td { white-space: normal; padding-right: .4rem; overflow-wrap: anywhere }
-  td.w { min-width: 0; max-width: none }
+  td.prose { min-width: 0; max-width: none }
   tr, li, dd { break-inside: avoid; page-break-inside: avoid }
   .grid { grid-template-columns: 1fr 1fr }
   ul.aims li { background: #fff }

@@ -65,27 +65,25 @@ void fit_widths(std::vector<int>& widths, const std::vector<bool>& words, int mo
 
 }  // namespace
 
-std::string table_html(const ReportTable& table) {
-  const auto cell = [&](std::size_t column, const char* element, const std::string& text,
-                        const std::string& more) {
-    const std::string attributes = (table.columns[column].words ? "class=\"w\"" : "") + more;
-    return html_element(element, attributes, html_text(text));
+std::string table_html(const ReportTable& table, bool caption) {
+  const auto kind = [&](std::size_t column) {
+    if (!table.columns[column].words) return "";
+    return table.columns[column].page_only ? "class=\"w prose\"" : "class=\"w\"";
   };
   std::string head, body;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    head += cell(i, "th", table.columns[i].name,
-                 std::string(table.columns[i].words ? " " : "") + "scope=\"col\"");
+    head += html_element("th", "scope=\"col\" " + std::string(kind(i)), html_text(table.columns[i].name));
   }
   for (const std::vector<std::string>& row : table.rows) {
     std::string cells;
     for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i)
-      cells += cell(i, "td", row[i], "");
+      cells += html_element("td", kind(i), html_text(row[i]));
     body += html_element("tr", "", cells) + "\n";
   }
   const std::string name = html_text(table.title);
   return html_element("div", "class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + name + "\"",
                       html_element("table", "",
-                                   (name.empty() ? "" : html_element("caption", "", name)) +
+                                   (caption ? html_element("caption", "", name) : "") +
                                        html_element("thead", "", html_element("tr", "", head)) + "\n" +
                                        html_element("tbody", "", body))) +
          "\n" + (table.note.empty() ? "" : html_element("p", "class=\"note\"", html_text(table.note)) + "\n");

@@ -9,7 +9,7 @@ namespace herr {
 struct ReportColumn {
   std::string name;
   bool words = false;      // to the left; else a number, to the right
-  bool page_only = false;  // too much for a terminal
+  bool page_only = false;  // too much for a terminal; words may take several lines
 };
 
 struct ReportTable {
@@ -19,8 +19,8 @@ struct ReportTable {
   std::string note;                            // a sentence below; mostly empty
 };
 
-// In a wrapper that scrolls sideways by itself.
-std::string table_html(const ReportTable& table);
+// In a wrapper that scrolls sideways by itself. Without `caption` the title is only read out.
+std::string table_html(const ReportTable& table, bool caption = true);
 
 // Lines of at most `most_columns` characters: columns of words are cut to what numbers leave them.
 std::string table_text(const ReportTable& table, int most_columns);

@@ -1,7 +1,6 @@
 #include "server/study/report/study_page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -24,8 +23,8 @@ std::string page_section(const std::string& id, const std::string& title, const 
   return html_element("section", "id=\"" + id + "\"", html_element("h2", "", title) + "\n" + content) + "\n";
 }
 
-std::string page_table(const ReportTable& table) {
-  return table.rows.empty() ? "" : table_html(table);
+std::string page_table(const ReportTable& table, bool caption = true) {
+  return table.rows.empty() ? "" : table_html(table, caption);
 }
 
 std::string page_list(const std::vector<std::string>& lines) {
@@ -34,23 +33,24 @@ std::string page_list(const std::vector<std::string>& lines) {
   return items.empty() ? "" : html_element("ul", "class=\"lines\"", items) + "\n";
 }
 
+// Broken between its words, as far as they fit into a line: not at hyphens.
+std::string page_code(const std::string& text) {
+  std::string words;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    words += (at > 0 ? " " : "") + html_element("span", "", html_text(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return html_element("code", "", words);
+}
+
 std::string head_facts(const StudyRecord& record) {
   std::string facts;
-  const auto fact = [&](const char* name, const std::string& value) {
+  const auto fact = [&](const std::string& name, const std::string& value) {
     facts += html_element("dt", "", name) + html_element("dd", "", value) + "\n";
   };
-  fact("Session", html_text(record.session));
-  fact("Scene", html_text(record.scene) + ", " + std::to_string(record.triangles) + " triangles");
-  fact("Profile", html_text(record.profile));
-  fact("Machine", html_text(record.cpu) + ", " + html_text(record.isa) + ", " +
-                      std::to_string(record.threads) + " threads");
-  fact("Measured", std::to_string(record.points.size()) + " settings on " +
-                       std::to_string(record.frames.size()) + " frames, in " +
-                       fixed_figure(record.minutes_taken, 1) + " of " +
-                       fixed_figure(record.minutes_allowed, 1) + " minutes");
-  fact("Default", html_text(record.default_settings));
-  fact("Again", html_element("code", "", html_text(record.command_line)));
-  fact("Program", html_text(record.program));
+  for (const auto& [name, value] : study_facts(record)) fact(name, html_text(value));
+  if (!record.command_line.empty()) fact("Again", page_code(record.command_line));
   if (!record.warnings.empty()) {
     fact("Warnings", html_element("a", "href=\"#warnings\"", std::to_string(record.warnings.size())));
   }
@@ -62,7 +62,9 @@ std::string aims_part(const StudyRecord& record) {
   for (const bool met : {false, true}) {
     for (const StudyAim& aim : record.aims) {
       if (aim.met != met) continue;
-      items += html_element("li", met ? "" : "class=\"missed\"", html_text(aim_text(aim))) + "\n";
+      items += html_element("li", met ? "" : "class=\"missed\"",
+                            html_element("b", "", met ? "Met: " : "Missed: ") + html_text(aim_text(aim))) +
+               "\n";
     }
   }
   return items.empty() ? "" : html_element("ul", "class=\"aims\"", items) + "\n";
@@ -75,10 +77,9 @@ std::string advice_part(const StudyRecord& record) {
       return !advice.point.empty() && p.name == advice.point;
     });
     const bool flags = point != record.points.end() && !point->flags.empty();
-    items += html_element("li", "",
-                          html_text(advice.sentence) +
-                              (flags ? " " + html_element("code", "", html_text(point->flags)) : "")) +
-             "\n";
+    items +=
+        html_element("li", "", html_text(advice.sentence) + (flags ? " " + page_code(point->flags) : "")) +
+        "\n";
   }
   return items.empty() ? "" : html_element("ul", "class=\"lines\"", items) + "\n";
 }
@@ -167,10 +168,13 @@ std::string page_body(const StudyRecord& record) {
          page_section("points", "All settings", points_part(record)) +
          page_section("bands", "Default and front in detail",
                       page_table(band_table(record)) + page_table(metric_table(record))) +
-         page_section("fits", "How errors fall", page_table(fit_table(record))) +
-         page_section("flicker", "Flicker", page_table(flicker_table(record))) +
-         page_section("references", "References", page_table(reference_table(record))) +
-         page_section("frames", "Frames", page_table(frame_table(record))) +
+         page_section("fits", "How errors fall: error = floor + c n^p",
+                      page_table(fit_table(record), false)) +
+         page_section("flicker", "Flicker: change from frame to frame while the gaze rests",
+                      page_table(flicker_table(record), false)) +
+         page_section("references", "References and their own errors",
+                      page_table(reference_table(record), false)) +
+         page_section("frames", "Frames", page_table(frame_table(record), false)) +
          page_section("metrics", "Metrics", metrics_part()) +
          page_section("remarks", "Remarks", remarks_part(record)) +
          page_section("left-out", "Left out: nothing in the scene for them", page_list(record.left_out)) +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <limits>
 
 #include "server/study/report/figure_text.h"
@@ -69,6 +70,29 @@ void drop_empty_columns(ReportTable& table) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> study_facts(const StudyRecord& record) {
+  std::vector<std::pair<std::string, std::string>> facts;
+  const auto add = [&](const char* name, std::initializer_list<std::string> parts) {
+    std::string value;
+    for (const std::string& part : parts) value += (part.empty() || value.empty() ? "" : ", ") + part;
+    if (!value.empty()) facts.push_back({name, value});
+  };
+  const auto counted = [](std::int64_t count, const char* what) {
+    return count > 0 ? std::to_string(count) + " " + what : std::string();
+  };
+  add("Session", {record.session});
+  add("Scene", {record.scene, counted(record.triangles, "triangles")});
+  add("Profile", {record.profile});
+  add("Machine", {record.cpu, record.isa, counted(record.threads, "threads")});
+  add("Measured",
+      {std::to_string(record.points.size()) + " settings on " + std::to_string(record.frames.size()) +
+       (record.frames.size() == 1 ? " frame" : " frames") + ", in " + fixed_figure(record.minutes_taken, 1) +
+       " of " + fixed_figure(record.minutes_allowed, 1) + " minutes"});
+  add("Default", {record.default_settings});
+  add("Program", {record.program});
+  return facts;
+}
+
 ReportTable frame_table(const StudyRecord& record) {
   ReportTable table{"Frames", {{"frame"}, {"time, s"}, {"head, \u00b0/s"}, {"gaze, \u00b0"}}, {}, ""};
   for (const StudyFrame& frame : record.frames) {
@@ -132,7 +156,7 @@ std::vector<ReportTable> point_tables(const StudyRecord& record) {
                        {"bias"},
                        {"time / default"},
                        {"ms"},
-                       {"primary rays"},
+                       {"primary rays", false, true},
                        {"shadow rays"},
                        {"on front"},
                        {"frames", false, true},
@@ -194,7 +218,7 @@ ReportTable fit_table(const StudyRecord& record) {
   for (const StudyFit& fit : record.fits) {
     std::vector<std::string> row{fit.knob, fit.base, metric_label(fit.metric), fit.against};
     if (fit.fit) {
-      row.insert(row.end(), {figure(fit.fit->p), figure(fit.fit->floor), figure(fit.fit->c),
+      row.insert(row.end(), {figure(fit.fit->p, 2), figure(fit.fit->floor), figure(fit.fit->c),
                              percent_figure(fit.fit->relative_rms), std::to_string(fit.fit->points)});
     } else {
       row.insert(row.end(), 5, kNoFigure);
@@ -226,8 +250,8 @@ ReportTable flicker_table(const StudyRecord& record) {
 }
 
 std::string aim_text(const StudyAim& aim) {
-  return std::string(aim.met ? "met: " : "missed: ") + aim.name + ": measured " + figure(aim.measured) +
-         ", aim " + (aim.at_least ? "at least " : "at most ") + figure(aim.aim) + "." +
+  return aim.name + ": measured " + figure(aim.measured) + ", aim " +
+         (aim.at_least ? "at least " : "at most ") + figure(aim.aim) + "." +
          (aim.sentence.empty() ? "" : " " + aim.sentence);
 }
 

@@ -1,14 +1,17 @@
 // The tables of a study's reports. Before: StudyRecord. After: study_page, study_text.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/study/report/report_table.h"
 #include "server/study/report/study_record.h"
 
 namespace herr {
+
+// What was measured, on what and how long, by name; without what is not known.
+std::vector<std::pair<std::string, std::string>> study_facts(const StudyRecord& record);
 
 ReportTable frame_table(const StudyRecord& record);
 ReportTable reference_table(const StudyRecord& record);
@@ -22,7 +25,7 @@ ReportTable metric_table(const StudyRecord& record);
 ReportTable fit_table(const StudyRecord& record);
 ReportTable flicker_table(const StudyRecord& record);
 
-// "missed: NAME: measured 6.2 [5.9, 6.6], aim at least 8. How it was measured."
+// "NAME: measured 6.2 [5.9, 6.6], aim at least 8. How it was measured."
 std::string aim_text(const StudyAim& aim);
 
 }  // namespace herr

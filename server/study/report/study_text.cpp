@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "server/study/report/figure_text.h"
 #include "server/study/report/report_table.h"
 #include "server/study/report/study_tables.h"
 
@@ -28,21 +27,16 @@ std::vector<std::string> aim_lines(const StudyRecord& record) {
   std::vector<std::string> lines;
   for (const bool met : {false, true}) {
     for (const StudyAim& aim : record.aims) {
-      if (aim.met == met) lines.push_back(aim_text(aim));
+      if (aim.met == met) lines.push_back((met ? "met: " : "MISSED: ") + aim_text(aim));
     }
   }
   return lines;
 }
 
 std::string subject_lines(const StudyRecord& record) {
-  return text_line(record.program + ": session " + record.session + ", scene " + record.scene + ", profile " +
-                   record.profile + ", " + std::to_string(record.triangles) + " triangles; " + record.cpu +
-                   ", " + record.isa + ", " + std::to_string(record.threads) + " threads") +
-         text_line(std::to_string(record.points.size()) + " settings on " +
-                   std::to_string(record.frames.size()) + " frames, " +
-                   fixed_figure(record.minutes_taken, 1) + " of " + fixed_figure(record.minutes_allowed, 1) +
-                   " minutes; default: " + record.default_settings) +
-         "\n";
+  std::string text;
+  for (const auto& [name, value] : study_facts(record)) text += text_line(name + ": " + value);
+  return text + "\n";
 }
 
 std::string text_section(const ReportTable& table) {

@@ -14,6 +14,9 @@ namespace {
 constexpr double kLeft_px = 66, kRight_px = 14, kTop_px = 12, kBottom_px = 48, kZeroLane_px = 24;
 // The floor widens the axis only where it is this near to the lowest mark.
 constexpr double kNearFloor = 10;
+// Of text over lines.
+const std::string kHalo =
+    "text-anchor=\"end\" font-size=\"11\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
 bool has_place(const PlotMark& mark) {
   return std::isfinite(mark.x) && mark.x > 0 && std::isfinite(mark.y) && mark.y >= 0;
@@ -63,7 +66,7 @@ std::string floor_area(const Plot& plot, const PlotFrame& frame) {
   return "<rect x=\"" + px(frame.left) + "\" y=\"" + px(*at) + "\" width=\"" + px(frame.right - frame.left) +
          "\" height=\"" + px(frame.lowest_y() - *at) + "\" fill=\"#e4e4e4\"/>" +
          svg_text(frame.right - 5, *at + 14 < frame.lowest_y() - 2 ? *at + 14 : *at - 4,
-                  "text-anchor=\"end\" font-size=\"11\" fill=\"#444\"", html_text(plot.floor_label));
+                  kHalo + " fill=\"#444\"", html_text(plot.floor_label));
 }
 
 std::string axis_parts(const Plot& plot, const PlotFrame& frame) {
@@ -140,10 +143,7 @@ std::string label_parts(const Plot& plot, const PlotFrame& frame) {
     if (mark.label.empty() || !has_place(mark)) continue;
     const double x = *frame.x.place(mark.x), y = mark.y > 0 ? *frame.y.place(mark.y) : frame.zero_y();
     if (std::abs(x - last_x) < 15 && std::abs(y - last_y) < 11) continue;
-    svg += svg_text(x - mark.radius - 2, y + mark.radius + 8,
-                    "text-anchor=\"end\" font-size=\"11\" stroke=\"#fff\" stroke-width=\"3\" "
-                    "paint-order=\"stroke\"",
-                    html_text(mark.label));
+    svg += svg_text(x - mark.radius - 2, y + mark.radius + 8, kHalo, html_text(mark.label));
     last_x = x;
     last_y = y;
   }

@@ -16,7 +16,7 @@ inline constexpr double kNoBar = std::numeric_limits<double>::quiet_NaN();
 struct PlotMark {
   double x = 0, y = 0;  // y = 0 has a lane of its own below the axis
   MarkStyle style;
-  double radius = 4, opacity = 1;
+  double radius = 3.6, opacity = 1;
   double x_low = kNoBar, x_high = kNoBar;  // error bars, cut at the ends of the axes
   double y_low = kNoBar, y_high = kNoBar;
   std::string title;  // plain text, told where a pointer rests
@@ -32,7 +32,7 @@ struct PlotCurve {
 struct Plot {
   std::string id;     // of this diagram alone in its page
   std::string title;  // read out in place of the picture
-  int width = 520, height = 400;
+  int width = 460, height = 390;
   std::string x_label, y_label;
   std::vector<PlotMark> marks;    // later ones lie above
   std::vector<PlotCurve> curves;  // below the marks; they do not widen the axes
