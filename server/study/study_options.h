@@ -18,6 +18,7 @@ struct StudyOptions {
   std::filesystem::path out = "study";
   std::filesystem::path references;  // folder of references that studies share; empty: OUT/references
   std::filesystem::path export_to;   // new folder of picture sequences; empty: none
+  std::filesystem::path page;        // with `report`: where its page is written; empty: nowhere
   std::filesystem::path report;      // a study.json to print again; nothing is measured
   int frames = 3;
   double minutes = 20;

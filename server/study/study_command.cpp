@@ -1,0 +1,63 @@
+#include "server/study/study_command.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "server/process/exit_code.h"
+#include "server/process/stop_signal.h"
+#include "server/process/terminal.h"
+#include "server/results/summary_json.h"
+#include "server/settings/option_checks.h"
+#include "server/study/export_sequences.h"
+#include "server/study/report/study_json.h"
+#include "server/study/report/study_page.h"
+#include "server/study/report/study_text.h"
+#include "server/study/study_folder.h"
+#include "server/study/study_record_of.h"
+#include "server/study/study_run.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
+
+namespace herr {
+namespace {
+
+constexpr JsonLimits kStudyLimits{256 << 20, 64, 4'000'000};
+
+void print_study(const StudyRecord& record, bool json) {
+  print_result(json ? json_text(study_json(record)) : study_text(record));
+}
+
+int print_again(const StudyOptions& options) {
+  const nlohmann::json document = parse_json_file(options.report, kStudyLimits);
+  const StudyRecord record = read_study(document, options.report.string());
+  if (!options.page.empty()) write_whole_file(options.page, study_page(record));
+  print_study(record, options.json);
+  return kExitDone;
+}
+
+}  // namespace
+
+int run_study(const StudyOptions& options) {
+  if (!options.report.empty()) return print_again(options);
+  check_isa(options.render);
+  StudySubject subject(options);
+  const StudyFolder folder(options.out);
+  const FolderLock lock = folder.prepare(options.overwrite, options.resume);
+  StudyRun run(options, subject, folder);
+  if (!run.measure()) {
+    print_message("stopped after " + std::to_string(run.rows().size()) + " rows; go on with --resume");
+    return kExitSignalBase + stop_signal();
+  }
+  const StudyRecord record = record_of(options, subject, run);
+  write_whole_file(folder.json(), json_text(study_json(record)));
+  write_whole_file(folder.page(), study_page(record));
+  sync_folder(folder.path());
+  if (!options.export_to.empty()) export_sequences(options, subject, run);
+  print_study(record, options.json);
+  print_message("report: " + printable(folder.page().string()));
+  return kExitDone;
+}
+
+}  // namespace herr

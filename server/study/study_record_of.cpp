@@ -1,0 +1,164 @@
+#include "server/study/study_record_of.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "server/bench/bench_subject.h"
+#include "server/process/version.h"
+#include "server/results/settings_report.h"
+#include "server/study/findings/study_advice.h"
+#include "server/study/findings/study_fits.h"
+#include "server/study/findings/study_points.h"
+#include "server/study/reference/reference_spec.h"
+#include "server/study/report/difference_picture.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
+
+namespace herr {
+namespace {
+
+constexpr double kPictureGain = 8;
+constexpr int kPanelPx = 300;
+constexpr std::size_t kMostPictured = 6;
+
+// As a shell takes it.
+std::string shell_word(const std::string& word) {
+  const bool plain =
+      !word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%") ==
+          std::string::npos;
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string command_line_of(const StudyOptions& options, const RenderSettings& defaults) {
+  std::string text = "herr study " + shell_word(options.session.string());
+  if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
+  text += " --profile " + shell_word(options.profile);
+  RenderSettings from;
+  from.isa = RenderSettings{}.isa;
+  const std::string flags = flags_text(changes_between(from, defaults));
+  return text + (flags.empty() ? "" : " " + flags) + " --frames " + std::to_string(options.frames) +
+         " --minutes " + shortest_text(options.minutes);
+}
+
+// One of each name, over its frames; the first is the picture of endless effort.
+std::vector<StudyReference> references_of(const StudyState& state, const StudySubject& subject) {
+  std::vector<StudyReference> all;
+  std::vector<std::vector<ErrorTable>> errors;
+  const auto is_frame = [&](std::int64_t number) {
+    const auto& frames = subject.frames().frames;
+    return std::any_of(frames.begin(), frames.end(), [&](const StudyFrame& f) { return f.number == number; });
+  };
+  for (const auto& [frame, reference] : state.references) {
+    if (!is_frame(frame)) continue;
+    const auto same = [&, &name = reference.name](const StudyReference& one) { return one.name == name; };
+    const auto found = std::find_if(all.begin(), all.end(), same);
+    if (found == all.end()) {
+      all.push_back(reference);
+      errors.push_back({reference.error});
+      continue;
+    }
+    found->passes = std::min(found->passes, reference.passes);
+    found->most_passes = std::max(found->most_passes, reference.most_passes);
+    found->goal_met = found->goal_met && reference.goal_met;
+    found->seconds += reference.seconds;
+    errors[static_cast<std::size_t>(found - all.begin())].push_back(reference.error);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].error = over_frames(errors[i]);
+    all[i].settings =
+        all[i].settings == "pixels" ? "rays through many places of each pixel" : "frames of many seeds";
+  }
+  return all;
+}
+
+bool is_pictured(const StudySetting& setting) {
+  return setting.knob == "default" || setting.name == "adaptive light samples 64" ||
+         (setting.knob == "filter" && setting.value == "nearest" && setting.base == "N = 64") ||
+         (setting.knob == "uniform" && setting.value == "0.25" && setting.base == "N = 64") ||
+         (setting.knob == "polar" && setting.n < 400 && setting.n > 300 && setting.base == "N = 64");
+}
+
+std::vector<StudyPicture> pictures_of(StudySubject& subject, StudyRun& run) {
+  std::vector<StudyPicture> pictures;
+  subject.rewind();
+  const FrameInstant instant = subject.instant(subject.frames().frames.front().number);
+  const std::unique_ptr<Renderer> unit = renderer_at(instant, subject.defaults());
+  References::Context context = run.reference_context();
+  context.parallel_for = threads_of(*unit);
+  context.tell = {};
+  References references(instant, context);
+  const ReferencePicture& truth = references.get(endless_effort(subject.defaults(), {}));
+  const auto& names = *run.state().settings;
+  for (const StudySetting& setting : run.sweeps().settings) {
+    if (!is_pictured(setting) || pictures.size() >= 2 * kMostPictured) continue;
+    if (std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
+    const auto renderer = renderer_at(instant, with_changes(subject.defaults(), setting.changes));
+    RenderedFrame frame;
+    renderer->render_frame(*instant.sample, *instant.state, frame);
+    std::vector<LinearPicture> test;
+    read_viewports(frame, instant, threads_of(*renderer), test);
+    for (std::size_t v = 0; v < test.size() && v < instant.profile->viewports.size(); ++v) {
+      const Viewport& viewport = instant.profile->viewports[v];
+      if (viewport.eye != Eye::left) continue;
+      limit_to_white(test[v]);
+      pictures.push_back(difference_picture(setting.name + ", " + viewport.name, test[v], truth.picture[v],
+                                            kPictureGain, kPanelPx));
+    }
+  }
+  return pictures;
+}
+
+void add_reference_warnings(StudyRecord& record) {
+  for (const StudyReference& reference : record.references) {
+    if (reference.goal_met) continue;
+    record.warnings.push_back(
+        "the reference '" + reference.name +
+        "' was left with a larger error than a fifth of the smallest that is judged by it: " +
+        "its share of the time was spent, or 512 passes a half; give more --minutes");
+  }
+}
+
+}  // namespace
+
+StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyRun& run) {
+  const SessionReport& report = subject.report();
+  StudyRecord record;
+  record.program = program_with_version();
+  record.command_line = command_line_of(options, options.render);
+  record.session = report.header.name;
+  record.scene = report.scene_name;
+  record.profile = report.profile.name;
+  record.cpu = cpu_name();
+  record.isa = name_of(subject.defaults().isa);
+  record.triangles = report.scene_triangles;
+  record.threads = subject.defaults().threads;
+  record.minutes_allowed = options.minutes;
+  record.default_settings = settings_text(subject.defaults());
+  const StudyFrames& frames = subject.frames();
+  record.frames.assign(frames.frames.begin(),
+                       frames.frames.begin() + static_cast<std::ptrdiff_t>(run.state().frames));
+  record.clip = frames.clip;
+  record.references = references_of(run.state(), subject);
+  record.points = points_of(run.rows(), record.references);
+  StudyFits fits = fit_knobs(run.sweeps().knobs, record.points, record.references);
+  record.fits = std::move(fits.fits);
+  record.remarks = std::move(fits.remarks);
+  record.advice = advice_of(record.points);
+  record.aims = aims_of(record.points);
+  record.left_out = run.sweeps().left_out;
+  record.dropped = run.dropped();
+  record.warnings = report.warnings;
+  record.warnings.insert(record.warnings.end(), run.warnings().begin(), run.warnings().end());
+  add_reference_warnings(record);
+  record.pictures = pictures_of(subject, run);
+  record.minutes_taken = run.seconds() / 60;
+  return record;
+}
+
+}  // namespace herr
