@@ -215,7 +215,7 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width) {
       samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
-      set_planar_grid(view, profile.viewports[i], buffers[i], key, grids[i]);
+      set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }
     const auto tiles_along = [](int length) { return (length + kTileSide - 1) / kTileSide; };
     const bool seen = !plan.polar || grids[i].frustum_count > 0;
@@ -256,6 +256,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     job.out = &out.viewports[i];
     job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
     job.polar = plan.polar;
+    job.filter = settings.filter;
     job.opaque = shading.background_is_environment || settings.debug_tiles;
     if (plan.polar) {
       const PolarSamples& polar = *samples[eye];
@@ -264,6 +265,11 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
       job.theta_to_column = static_cast<float>(polar.width() / polar.map().log_range);
       job.to_gaze = pixel_to_gaze(viewport, eyes[eye].gaze);
       job.exact_below_deg = exact_below_deg(viewport, polar.map(), polar.width(), polar.height());
+    } else {
+      job.planar_width = grids[i].sink.width;
+      job.planar_height = grids[i].sink.height;
+      // Each pixel has a texel of its own: no filter has anything to do.
+      if (job.one_texel_per_pixel()) job.filter = ResampleFilter::nearest;
     }
     job.feed = {};
     if (!plan.camera || !sample.cameras[eye]) continue;
