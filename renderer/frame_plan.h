@@ -36,7 +36,7 @@ inline constexpr const char* kColouredRatio = "coloured catcher ratio";
 
 struct FramePlan {
   // What the kernels are chosen by.
-  bool polar = true;  // log-polar buffer; false: one ray per viewport pixel
+  bool polar = true;  // log-polar buffer; false: a planar grid of rays per viewport
   bool mirror_rays = false;
   bool catcher_mirrors = false;  // mirror rays of catchers: virtual objects reflect in the real room
   bool refraction = false;

@@ -8,7 +8,8 @@
 
 namespace herr {
 
-// Rays that are traced together, a square of a viewport: columns [x0, x1), rows [y0, y1).
+// Rays that are traced together, a square of a viewport: columns [x0, x1), rows [y0, y1) of its rays, which
+// at scale 1 are its pixels.
 struct PixelTile {
   int viewport = 0;
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;

@@ -13,6 +13,8 @@ inline constexpr int kFewestProbeRays = 8, kMostProbeRays = 512;
 
 enum class Foveation : std::uint8_t { log_polar, off };
 enum class LightSampler : std::uint8_t { jittered, random };
+// How viewport pixels are made of the samples around them. bicubic: Catmull-Rom, which keeps the samples.
+enum class ResampleFilter : std::uint8_t { nearest, bilinear, bicubic };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 // Light that bounces between surfaces, gathered by a grid of probes over time.
@@ -28,7 +30,9 @@ struct ProbeSettings {
 };
 
 struct RenderSettings {
-  Foveation foveation = Foveation::log_polar;  // off: one ray per viewport pixel, the reference
+  Foveation foveation = Foveation::log_polar;        // off: one ray per viewport pixel (but see scale)
+  ResampleFilter filter = ResampleFilter::bilinear;  // samples to viewport pixels; the feed stays bilinear
+  double scale = 1;        // rays per viewport pixel and axis; without foveation only
   int polar_width = 788;   // radial samples per eye (the paper's "1576x768" counts both eyes)
   int polar_height = 768;  // angular samples, an even number
   int light_samples = 1;   // per light and hit; 1 = centre of the light, hard shadows

@@ -79,9 +79,9 @@ class Renderer {
   bool render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,
                     RenderedFrame& out, const std::atomic<bool>* abandon = nullptr);
 
-  // A frame of the settings' quality with the random numbers and rays of `pass`. Probes stay as the last frame
-  // left them. Throws std::invalid_argument for jitter or tiles with foveation, or at a scale below 1, and for
-  // another number of tiles.
+  // A frame of the settings' quality with the random numbers and rays of `pass`. Probes stay as the last
+  // frame left them. Throws std::invalid_argument for jitter or tiles with foveation, or at a scale below 1,
+  // and for another number of tiles.
   void render_pass(const FrameSample& sample, const SceneState& state, const PixelPass& pass,
                    RenderedFrame& out);
   // Without foveation: how a frame is divided; empty with it.

@@ -18,6 +18,11 @@ std::vector<Setting> of_rays(RenderSettings& s) {
   return {
       {"foveation", "--foveation", "", Group::look, Effect::error_for_time,
        "log-polar, or off: one ray per pixel", one_of(s.foveation, {"log-polar", "off"})},
+      {"scale", "--scale", "", Group::look, Effect::error_for_time,
+       "rays per pixel and axis without foveation; with it, no effect", real(s.scale, 0.05, 1)},
+      {"filter", "--filter", "", Group::rays, Effect::error_for_time,
+       "how pixels are made of the samples around them: nearest, bilinear or bicubic",
+       one_of(s.filter, {"nearest", "bilinear", "bicubic"})},
       {"polar", "--polar", "", Group::rays, Effect::error_for_time, "polar buffer of both eyes together",
        SizeSetting{&s.polar_width, &s.polar_height, kLargestPolar, kLargestPolar}},
       {"light_samples", "--light-samples", "", Group::rays, Effect::error_for_time,
@@ -98,7 +103,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 168);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 176);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;

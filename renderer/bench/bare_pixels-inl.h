@@ -16,8 +16,10 @@ void precompute_pixels(const ViewportJob& job, int x, int y, PrecomputedPixels& 
   FeedCoordinates camera;
   if (job.polar) {
     place_polar_exactly(job, x, y, polar);
-  } else {
+  } else if (job.one_texel_per_pixel()) {
     place_planar(job, x, y, polar);
+  } else {
+    place_scaled(job, x, y, polar);
   }
   if (job.feed.image) project_feed_exactly(job, x, y, camera);
   for (int i = 0; i < kBlockColumns; ++i) {
@@ -31,7 +33,7 @@ void precompute_pixels(const ViewportJob& job, int x, int y, PrecomputedPixels& 
   }
 }
 
-template <bool kFeed, bool kColoured>
+template <ResampleFilter kFilter, bool kFeed, bool kColoured>
 void composite_precomputed_with(const ViewportJob& job, PrecomputedPixels& pixels, std::size_t first,
                                 std::size_t count) {
   const BlendSources sources = sources_of(job);
@@ -47,18 +49,31 @@ void composite_precomputed_with(const ViewportJob& job, PrecomputedPixels& pixel
       std::memcpy(camera.at.x, &pixels.camera_x[block], sizeof(camera.at.x));
       std::memcpy(camera.at.y, &pixels.camera_y[block], sizeof(camera.at.y));
     }
-    blend_block<kFeed, kColoured>(sources, polar, camera, &pixels.out[4 * block]);
+    blend_block<kFilter, kFeed, kColoured>(sources, polar, camera, &pixels.out[4 * block]);
   }
+}
+
+template <ResampleFilter kFilter>
+void composite_precomputed_by(const ViewportJob& job, PrecomputedPixels& pixels, std::size_t first,
+                              std::size_t count) {
+  const bool coloured = job.radiance->ratios() != nullptr;
+  if (job.feed.image) {
+    return coloured ? composite_precomputed_with<kFilter, true, true>(job, pixels, first, count)
+                    : composite_precomputed_with<kFilter, true, false>(job, pixels, first, count);
+  }
+  composite_precomputed_with<kFilter, false, false>(job, pixels, first, count);
 }
 
 void composite_precomputed(const ViewportJob& job, PrecomputedPixels& pixels, std::size_t first,
                            std::size_t count) {
-  const bool coloured = job.radiance->ratios() != nullptr;
-  if (job.feed.image) {
-    return coloured ? composite_precomputed_with<true, true>(job, pixels, first, count)
-                    : composite_precomputed_with<true, false>(job, pixels, first, count);
+  switch (job.filter) {
+    case ResampleFilter::nearest:
+      return composite_precomputed_by<ResampleFilter::nearest>(job, pixels, first, count);
+    case ResampleFilter::bilinear:
+      return composite_precomputed_by<ResampleFilter::bilinear>(job, pixels, first, count);
+    case ResampleFilter::bicubic:
+      return composite_precomputed_by<ResampleFilter::bicubic>(job, pixels, first, count);
   }
-  composite_precomputed_with<false, false>(job, pixels, first, count);
 }
 
 }  // namespace HWY_NAMESPACE

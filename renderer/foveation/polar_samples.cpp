@@ -5,7 +5,7 @@
 
 namespace herr {
 
-PolarSamples::PolarSamples(int max_width, int height) : height_(height) {
+PolarSamples::PolarSamples(int max_width, int height, int reach) : height_(height), reach_(reach) {
   const std::size_t columns = static_cast<std::size_t>(max_width) + 32;
   const std::size_t rows = 4 * (static_cast<std::size_t>(height) + 16);
   sin_theta_.resize(columns);
@@ -35,9 +35,10 @@ void PolarSamples::update(const PolarMap& map, int width) {
     const double next = theta_rad(i + 1);
     sin_theta_[column] = static_cast<float>(std::sin(theta));
     cos_theta_[column] = static_cast<float>(std::cos(theta));
+    const double farthest = theta_rad(i + reach_);
     // The circle's circumference grows up to 90 degrees; 1 bounds its radius beyond.
-    const double ring = next < glm::half_pi<double>() ? std::sin(next) : 1.0;
-    const double gap = std::hypot(next - theta + (i == 0 ? theta : 0.0), ring * phi_step);
+    const double ring = farthest < glm::half_pi<double>() ? std::sin(farthest) : 1.0;
+    const double gap = std::hypot(farthest - theta + (i == 0 ? theta : 0.0), ring * reach_ * phi_step);
     constexpr double kRounding = 1.001;  // the tables and dot products are float
     margin_[column] = static_cast<float>(std::min(gap, 2.0) * kRounding + 1e-6);
     // Between the borders of the column, at u = i / W and (i + 1) / W, and of the row.

@@ -13,8 +13,9 @@ namespace herr {
 
 class PolarSamples {
  public:
-  // Allocates for widths up to `max_width`; `height` is even.
-  PolarSamples(int max_width, int height);
+  // Allocates for widths up to `max_width`; `height` is even. `reach`: a pixel uses samples less than so many
+  // columns and rows away.
+  PolarSamples(int max_width, int height, int reach = 1);
 
   // New frame: any width in [1, max_width], any theta_max in (0, 180]. No allocation.
   void update(const PolarMap& map, int width);
@@ -29,7 +30,8 @@ class PolarSamples {
   const float* sin_theta() const { return sin_theta_.data(); }
   const float* cos_theta() const { return cos_theta_.data(); }
   // Sine of the angle within which a viewport pixel may use this column's sample: the diagonal of the gap to
-  // the next samples outwards. A sample farther than this outside every viewport is seen by no pixel.
+  // the samples outwards that are `reach` away. A sample farther than this outside every viewport is seen by
+  // no pixel.
   const float* margin() const { return margin_.data(); }
   // Per column: the angle between samples, radians: of a square as large as the cell of radius and angle.
   const float* spread() const { return spread_.data(); }
@@ -38,7 +40,7 @@ class PolarSamples {
   const float* cos_phi4() const { return cos_phi4_.data(); }
 
  private:
-  int width_ = 0, height_;
+  int width_ = 0, height_, reach_;
   PolarMap map_;
   std::vector<float> sin_theta_, cos_theta_, margin_, spread_, sin_phi4_, cos_phi4_;
 };

@@ -15,9 +15,9 @@ bool contains(const Viewport& outer, const Viewport& inner) {
          outer.tan_down <= inner.tan_down && outer.tan_up >= inner.tan_up;
 }
 
-// The angle between pixels in the middle of a viewport, as if they were square.
-double pixel_rad(const Viewport& v) {
-  return std::sqrt((v.tan_right - v.tan_left) / v.width_px * (v.tan_up - v.tan_down) / v.height_px);
+// The angle between pixels, or rays, in the middle of a viewport, as if they were square.
+double spacing_rad(const Viewport& v, int columns, int rows) {
+  return std::sqrt((v.tan_right - v.tan_left) / columns * (v.tan_up - v.tan_down) / rows);
 }
 
 // A viewport that lies within another of the same eye adds nothing to what the eye can see. Of
@@ -58,7 +58,8 @@ void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Ey
   grid.frustum_count = 0;
   double finest_rad = 1;
   for (const Viewport& viewport : viewports) {
-    if (viewport.eye == eye) finest_rad = std::min(finest_rad, pixel_rad(viewport));
+    if (viewport.eye != eye) continue;
+    finest_rad = std::min(finest_rad, spacing_rad(viewport, viewport.width_px, viewport.height_px));
   }
   grid.finest_pixel_rad = static_cast<float>(finest_rad);
   for (std::size_t i = 0; i < viewports.size(); ++i) {
@@ -72,8 +73,14 @@ void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Ey
   grid.key = key;
 }
 
-void set_planar_grid(const EyeView& view, const Viewport& v, RadianceBuffer& buffer, std::uint32_t key,
-                     RayGrid& grid) {
+int rays_along(int pixels, double scale) {
+  constexpr double kRounding = 1e-9;  // 0.1 * 30 is a little more than 3
+  return std::max(1, static_cast<int>(std::ceil(scale * pixels - kRounding)));
+}
+
+void set_planar_grid(const EyeView& view, const Viewport& v, double scale, RadianceBuffer& buffer,
+                     std::uint32_t key, RayGrid& grid) {
+  const int columns = rays_along(v.width_px, scale), rows = rays_along(v.height_px, scale);
   const glm::dquat& turn = view.anchored_from_eye.orientation;
   grid.polar = false;
   store(grid.origin, view.anchored_from_eye.position);
@@ -82,10 +89,10 @@ void set_planar_grid(const EyeView& view, const Viewport& v, RadianceBuffer& buf
   store(grid.gaze, turn * glm::dvec3{0, 0, -1});
   grid.tan_left = static_cast<float>(v.tan_left);
   grid.tan_up = static_cast<float>(v.tan_up);
-  grid.finest_pixel_rad = static_cast<float>(pixel_rad(v));
-  grid.step_x = static_cast<float>((v.tan_right - v.tan_left) / v.width_px);
-  grid.step_y = static_cast<float>((v.tan_up - v.tan_down) / v.height_px);
-  grid.sink = {buffer.texels(), buffer.ratios(), buffer.row_stride(), v.width_px, v.height_px, false};
+  grid.finest_pixel_rad = static_cast<float>(spacing_rad(v, columns, rows));
+  grid.step_x = static_cast<float>((v.tan_right - v.tan_left) / columns);
+  grid.step_y = static_cast<float>((v.tan_up - v.tan_down) / rows);
+  grid.sink = {buffer.texels(), buffer.ratios(), buffer.row_stride(), columns, rows, false};
   grid.key = key;
 }
 

@@ -40,9 +40,9 @@ struct RayGrid {
   std::array<FrustumNormals, kMaxFrusta> frusta;
   int frustum_count = 0;
   float tan_left = 0, tan_up = 0, step_x = 0,
-        step_y = 0;  // planar: tangents at the upper left corner, per pixel
+        step_y = 0;  // planar: tangents at the upper left corner, per ray
   float finest_pixel_rad =
-      0;  // polar: between pixels in the middle of the eye's finest viewport; planar: of this one
+      0;  // polar: between pixels in the middle of the eye's finest viewport; planar: between its rays
   float ray_width = 1;  // of the cones of rays against their samples
   TexelSink sink;
   std::uint32_t key = 0;  // frame, eye and seed
@@ -55,22 +55,17 @@ struct RayGrid {
 // Random-number key of a frame and eye.
 std::uint32_t frame_key(TimeNs t_ns, int eye, std::uint32_t seed);
 
-// Fill `grid` for an eye's polar buffer, or for one viewport's pixels. `samples` and `buffer` must outlive
-// it; of the eye's viewports (kMaxFrusta at most) those that lie within another are left out.
+// Fill `grid` for an eye's polar buffer, or for one viewport's planar one. `samples` and `buffer` must
+// outlive it; of the eye's viewports (kMaxFrusta at most) those that lie within another are left out.
 void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,
                     const PolarSamples& samples, RadianceBuffer& buffer, std::uint32_t key, RayGrid& grid);
-void set_planar_grid(const EyeView& view, const Viewport& viewport, RadianceBuffer& buffer, std::uint32_t key,
-                     RayGrid& grid);
+void set_planar_grid(const EyeView& view, const Viewport& viewport, double scale, RadianceBuffer& buffer,
+                     std::uint32_t key, RayGrid& grid);
 
 // Rays of a planar grid through the places that `pass` asks for; `viewport` keeps viewports apart.
 void set_jitter(const PixelPass& pass, int viewport, RayGrid& grid);
 
-// Columns and rows of a polar buffer with its padding.
-inline int padded_columns(int width) {
-  return width + 2;
-}
-inline int padded_rows(int height) {
-  return height + 1;
-}
+// Rays along so many pixels of a viewport without foveation (RenderSettings::scale).
+int rays_along(int pixels, double scale);
 
 }  // namespace herr

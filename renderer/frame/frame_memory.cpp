@@ -26,8 +26,9 @@ void Renderer::Impl::allocate_buffers() {
       buffers[i].allocate(padded_columns(settings.polar_width), padded_rows(settings.polar_height),
                           plan.coloured_ratio);
     } else {
-      buffers[i].allocate(profile.viewports[i].width_px, profile.viewports[i].height_px + 1,
-                          plan.coloured_ratio);
+      const Viewport& v = profile.viewports[i];
+      buffers[i].allocate(padded_columns(rays_along(v.width_px, settings.scale)),
+                          padded_rows(rays_along(v.height_px, settings.scale)), plan.coloured_ratio);
     }
   }
 }

@@ -116,7 +116,8 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
     }
   };
   decide(plan.polar, settings.foveation == Foveation::log_polar, "log-polar rays", "foveation is on",
-         "foveation is off: one ray per viewport pixel");
+         settings.scale < 1 ? "foveation is off: rays on a grid of each viewport, pixels between them"
+                            : "foveation is off: one ray per viewport pixel");
   decide(plan.textures, t.textured > 0, "textures", share(t.textured, t.instances, "have textures"),
          "no instance has a texture", t.textured == 0);
   decide(plan.voxels, t.voxels > 0, "voxels", share(t.voxels, t.instances, "are grids of voxels"),

@@ -17,9 +17,7 @@ bool thin_polar_buffer(Renderer& renderer, Eye eye, int longest_px, ViewportImag
   if (out.width_px != columns || out.height_px != rows) out.resize(columns, rows);
   const RadianceBuffer& buffer = impl.buffers[e];
   for (int y = 0; y < rows; ++y) {
-    // Column 0 of the buffer lies across the pole.
-    const std::uint16_t* from =
-        buffer.texels() + 4 * (static_cast<std::size_t>(y * step) * buffer.row_stride() + 1);
+    const std::uint16_t* from = buffer.texels() + 4 * texel_index(buffer.row_stride(), 0, y * step);
     std::uint16_t* to = out.row(y);
     for (int x = 0; x < columns; ++x)
       std::memcpy(to + 4 * x, from + 4 * static_cast<std::size_t>(x * step), 4 * sizeof(std::uint16_t));

@@ -87,7 +87,7 @@ void Renderer::render_pass(const FrameSample& sample, const SceneState& state, c
                            RenderedFrame& out) {
   Impl& impl = *impl_;
   const bool by_pixels = pass.jitter || !pass.tiles.empty();
-  if (by_pixels && (impl.plan.polar)) {
+  if (by_pixels && (impl.plan.polar || impl.settings.scale < 1)) {
     throw std::invalid_argument("passes over single pixels or tiles need --foveation off and --scale 1");
   }
   if (!pass.tiles.empty() && pass.tiles.size() != impl.pixel_tiles().size()) {
@@ -234,7 +234,7 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
       samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
-      set_planar_grid(view, profile.viewports[i], buffers[i], key, grids[i]);
+      set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }
     grids[i].ray_width = static_cast<float>(settings.ray_width);
     grids[i].jitter = pass && pass->jitter;
@@ -282,6 +282,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     job.out = &out.viewports[i];
     job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
     job.polar = plan.polar;
+    job.filter = settings.filter;
     job.opaque = shading.background_is_environment || settings.debug_tiles;
     if (plan.polar) {
       const PolarSamples& polar = *samples[eye];
@@ -290,6 +291,11 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
       job.theta_to_column = static_cast<float>(polar.width() / polar.map().log_range);
       job.to_gaze = pixel_to_gaze(viewport, eyes[eye].gaze);
       job.exact_below_deg = exact_below_deg(viewport, polar.map(), polar.width(), polar.height());
+    } else {
+      job.planar_width = grids[i].sink.width;
+      job.planar_height = grids[i].sink.height;
+      // Each pixel has a texel of its own: no filter has anything to do.
+      if (job.one_texel_per_pixel()) job.filter = ResampleFilter::nearest;
     }
     job.feed = {};
     if (!plan.camera || !sample.cameras[eye]) continue;

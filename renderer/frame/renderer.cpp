@@ -38,7 +38,9 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   for (const Viewport& v : profile.viewports) {
     DetailEye& eye = detail_eyes[static_cast<std::size_t>(v.eye)];
     eye.most_samples_per_deg = std::max(eye.most_samples_per_deg, finest_pixels_per_degree(v));
-    eye.samples_per_deg = eye.most_samples_per_deg;  // with a polar buffer that of each frame
+  }
+  for (DetailEye& eye : detail_eyes) {  // with a polar buffer that of each frame
+    eye.samples_per_deg = plan.polar ? eye.most_samples_per_deg : settings.scale * eye.most_samples_per_deg;
   }
   const std::size_t viewports = profile.viewports.size();
   int widest = 1;
@@ -46,7 +48,8 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   buffers.resize(plan.polar ? 2 : viewports);
   allocate_buffers();
   for (std::size_t i = 0; i < buffers.size() && plan.polar; ++i) {
-    samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height);
+    const int reach = settings.filter == ResampleFilter::bicubic ? 2 : 1;
+    samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height, reach);
   }
   grids.resize(buffers.size());
   first_tile.resize(buffers.size() + 1);

@@ -11,7 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-constexpr float kLargestRatio = 4.0f;
 constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
 constexpr float kPi = 3.14159265f;
 
@@ -117,24 +116,28 @@ HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
   }
 }
 
-// Copies one texel to its place and to the padding that repeats it.
+// Copies one texel to its place and to those of the border that repeat it (foveation/radiance_buffer.h).
 HWY_INLINE void place(const TexelSink& sink, std::uint16_t* plane, int x, int y, const std::uint16_t* texel) {
   const auto put = [&](int column, int row) {
-    std::memcpy(
-        plane + 4 * (static_cast<std::size_t>(row) * sink.row_stride + static_cast<std::size_t>(column)),
-        texel, 4 * sizeof(std::uint16_t));
+    std::memcpy(plane + 4 * texel_index(sink.row_stride, column, row), texel, 4 * sizeof(std::uint16_t));
   };
-  if (!sink.polar) return put(x, y);
-  const auto put_row = [&](int row) {
-    put(x + 1, row);
-    if (x == sink.width - 1) put(x + 2, row);
+  const int width = sink.width, height = sink.height;
+  const auto put_rows = [&](int column, int row) {
+    put(column, row);
+    if (row == (sink.polar ? height - 1 : 0)) put(column, -1);
+    for (int below = height; below < height + kBorderBelow; ++below) {
+      if (row == (sink.polar ? below - height : height - 1)) put(column, below);
+    }
   };
-  put_row(y);
-  if (y == 0) put_row(sink.height);
-  if (x != 0) return;
-  const int across = y < sink.height / 2 ? y + sink.height / 2 : y - sink.height / 2;
-  put(0, across);
-  if (across == 0) put(0, sink.height);
+  const int across = y < height / 2 ? y + height / 2 : y - height / 2;
+  for (int column = x; column <= (x == width - 1 ? width + 1 : x); ++column) {
+    put_rows(column, y);
+    if (sink.polar && column < 2) put_rows(-1 - column, across);
+  }
+  if (!sink.polar && x == 0) {
+    put_rows(-1, y);
+    put_rows(-2, y);
+  }
 }
 
 HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& rgb, VF w, int packet,
@@ -150,12 +153,12 @@ HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& 
   const int x = scratch.packet_x[static_cast<std::size_t>(packet)],
             y = scratch.packet_y[static_cast<std::size_t>(packet)];
   const TexelSink& sink = job.grid->sink;
-  const bool repeated = sink.polar && (x == 0 || y == 0 || x + 4 >= sink.width);
+  constexpr int kRows = kLanes / 4;
+  const bool repeated = x == 0 || y < 2 || x + 4 >= sink.width || y + kRows >= sink.height;
   if (!repeated && hn::AllTrue(kI, hn::Ne(kind, hn::Set(kI, static_cast<int>(HitKind::none))))) {
     // Rows of four texels at once: stores wait for the cache, so few of them.
-    for (int row = 0; row < kLanes / 4; ++row) {
-      const auto first = static_cast<std::size_t>(y + row) * sink.row_stride +
-                         static_cast<std::size_t>(x + (sink.polar ? 1 : 0));
+    for (int row = 0; row < kRows; ++row) {
+      const std::size_t first = texel_index(sink.row_stride, x, y + row);
       std::memcpy(plane + 4 * first, texels + 16 * row, 16 * sizeof(std::uint16_t));
     }
     return;

@@ -13,8 +13,16 @@ HWY_INLINE VF lane_x(int x, int lane) {
   return hn::ConvertTo(kF, hn::Add(hn::Iota(kI, 0), hn::Set(kI, x + lane)));
 }
 
+// Columns and rows of the sample to the upper left -> texel offsets.
+HWY_INLINE void store_offsets(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
+  const VI stride = hn::Set(kI, static_cast<std::int32_t>(job.radiance->row_stride()));
+  const VI columns = hn::Add(hn::ConvertTo(kI, column), hn::Set(kI, kBorderLeft)),
+           rows = hn::Add(hn::ConvertTo(kI, row), hn::Set(kI, kBorderAbove));
+  hn::Store(hn::BitCast(kU, hn::Add(hn::Mul(rows, stride), columns)), kU, &out.offset[lane]);
+}
+
 // Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap;
-// the padding holds the rest.
+// the border holds the rest.
 HWY_INLINE void place_polar(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
   const VF last = set(static_cast<float>(job.polar_width) - 0.5f),
            height = set(static_cast<float>(job.polar_height));
@@ -24,10 +32,7 @@ HWY_INLINE void place_polar(const ViewportJob& job, VF column, VF row, int lane,
   const VF c0 = hn::Floor(c), r0 = hn::Min(hn::Floor(r), hn::Sub(height, set(1.0f)));
   hn::Store(hn::Sub(c, c0), kF, &out.x[lane]);
   hn::Store(hn::Sub(r, r0), kF, &out.y[lane]);
-  const VI stride = hn::Set(kI, static_cast<std::int32_t>(job.radiance->row_stride()));
-  const VI offset =
-      hn::Add(hn::Mul(hn::ConvertTo(kI, r0), stride), hn::Add(hn::ConvertTo(kI, c0), hn::Set(kI, 1)));
-  hn::Store(hn::BitCast(kU, offset), kU, &out.offset[lane]);
+  store_offsets(job, c0, r0, lane, out);
 }
 
 // Camera pixel coordinates -> texel offset and weights, clamped to the image; outside it nothing is seen.
@@ -63,13 +68,30 @@ inline void project_feed_exactly(const ViewportJob& job, int x, int y, FeedCoord
   }
 }
 
-// Without foveation there is one texel per pixel.
+// Without foveation, one texel per pixel.
 HWY_INLINE void place_planar(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
   for (int i = 0; i < kBlockColumns; ++i) {
     const int column = x + i < job.viewport->width_px ? x + i : job.viewport->width_px - 1;
-    out.offset[i] = static_cast<std::uint32_t>(static_cast<std::size_t>(y) * job.radiance->row_stride() +
-                                               static_cast<std::size_t>(column));
+    out.offset[i] = static_cast<std::uint32_t>(texel_index(job.radiance->row_stride(), column, y));
     out.x[i] = out.y[i] = 0.0f;
+  }
+}
+
+// Without foveation, fewer texels than pixels: centres of pixels among centres of texels, clamped to these.
+HWY_INLINE void place_scaled(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
+  const auto texels_at = [](VF pixel, int pixels, int texels) HWY_ATTR {
+    const VF per_pixel = set(static_cast<float>(texels) / static_cast<float>(pixels)), half = set(0.5f);
+    const VF at = hn::MulSub(hn::Add(pixel, half), per_pixel, half);
+    return hn::Min(hn::Max(at, hn::Zero(kF)), set(static_cast<float>(texels - 1)));
+  };
+  const VF r = texels_at(set(static_cast<float>(y)), job.viewport->height_px, job.planar_height);
+  const VF r0 = hn::Floor(r);
+  for (int lane = 0; lane < kBlockColumns; lane += kLanes) {
+    const VF c = texels_at(lane_x(x, lane), job.viewport->width_px, job.planar_width);
+    const VF c0 = hn::Floor(c);
+    hn::Store(hn::Sub(c, c0), kF, &out.x[lane]);
+    hn::Store(hn::Sub(r, r0), kF, &out.y[lane]);
+    store_offsets(job, c0, r0, lane, out);
   }
 }
 

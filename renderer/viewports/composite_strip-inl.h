@@ -112,7 +112,7 @@ HWY_INLINE bool set_camera_cell(const StripScratch& scratch, int block, CellRows
          set_quadratic_cell(ys, &scratch.camera_y[at], scratch.camera_stride);
 }
 
-template <bool kFeed, bool kColoured>
+template <ResampleFilter kFilter, bool kFeed, bool kColoured>
 void composite_strip_with(const ViewportJob& job, int strip, StripScratch& scratch) {
   const int y0 = strip * kStripRows;
   const BlendSources sources = sources_of(job);
@@ -137,8 +137,10 @@ void composite_strip_with(const ViewportJob& job, int strip, StripScratch& scrat
           }
         } else if (job.polar) {
           place_polar_exactly(job, x, y, polar);
-        } else {
+        } else if (job.one_texel_per_pixel()) {
           place_planar(job, x, y, polar);
+        } else {
+          place_scaled(job, x, y, polar);
         }
         if (kFeed && camera_cell) {
           const VF t = set(static_cast<float>(y - y0) / kStripRows);
@@ -148,19 +150,31 @@ void composite_strip_with(const ViewportJob& job, int strip, StripScratch& scrat
         } else if (kFeed) {
           project_feed_exactly(job, x, y, camera);
         }
-        blend_block<kFeed, kColoured>(sources, polar, camera, job.out->row(y) + 4 * x);
+        blend_block<kFilter, kFeed, kColoured>(sources, polar, camera, job.out->row(y) + 4 * x);
       }
     }
   }
 }
 
-void composite_strip(const ViewportJob& job, int strip, StripScratch& scratch) {
+template <ResampleFilter kFilter>
+void composite_strip_by(const ViewportJob& job, int strip, StripScratch& scratch) {
   const bool coloured = job.radiance->ratios() != nullptr;
   if (job.feed.image) {
-    return coloured ? composite_strip_with<true, true>(job, strip, scratch)
-                    : composite_strip_with<true, false>(job, strip, scratch);
+    return coloured ? composite_strip_with<kFilter, true, true>(job, strip, scratch)
+                    : composite_strip_with<kFilter, true, false>(job, strip, scratch);
   }
-  composite_strip_with<false, false>(job, strip, scratch);
+  composite_strip_with<kFilter, false, false>(job, strip, scratch);
+}
+
+void composite_strip(const ViewportJob& job, int strip, StripScratch& scratch) {
+  switch (job.filter) {
+    case ResampleFilter::nearest:
+      return composite_strip_by<ResampleFilter::nearest>(job, strip, scratch);
+    case ResampleFilter::bilinear:
+      return composite_strip_by<ResampleFilter::bilinear>(job, strip, scratch);
+    case ResampleFilter::bicubic:
+      return composite_strip_by<ResampleFilter::bicubic>(job, strip, scratch);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

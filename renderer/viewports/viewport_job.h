@@ -42,13 +42,19 @@ struct ViewportJob {
   const Viewport* viewport = nullptr;
   ViewportImage* out = nullptr;
   const RadianceBuffer* radiance = nullptr;
-  bool polar = true;  // false: one texel per pixel
+  bool polar = true;
+  ResampleFilter filter = ResampleFilter::bilinear;  // of the radiance buffer; the feed is always bilinear
+  int planar_width = 0, planar_height = 0;           // rays of the viewport, without foveation
   int polar_width = 0, polar_height = 0;
   float theta_to_column = 0;  // columns per unit of log1p(theta in degrees)
   PixelToGaze to_gaze{};
   float exact_below_deg = 0;  // cells with a point nearer to pole or antipode than this are exact
   FeedView feed;
   bool opaque = false;  // no feed, but the background is already in s: alpha is 1
+
+  bool one_texel_per_pixel() const {
+    return !polar && planar_width == viewport->width_px && planar_height == viewport->height_px;
+  }
 };
 
 // Smallest eccentricity at which bilinear interpolation in a cell is off by less than 1/16 sample in both

@@ -46,10 +46,10 @@ std::string range_and_default(const Setting& setting) {
          (now.empty() ? ": " + setting.otherwise : " " + now) + ")";
 }
 
-// How the help calls the value: N, a unit such as MS, or the form of a text.
+// How the help calls the value: N, X, a unit such as MS, or the form of a text.
 std::string value_name(const Setting& setting) {
   if (const auto* number = std::get_if<NumberSetting>(&setting.value)) {
-    std::string name = number->step > 0 ? "n" : setting.unit;
+    std::string name = number->step > 0 ? "n" : setting.unit.empty() ? "x" : setting.unit;
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return name;

@@ -22,9 +22,7 @@ Scene lit_sphere() {
 
 void poison(Renderer& renderer) {
   for (RadianceBuffer& buffer : renderer.internals().buffers) {
-    const int rows = padded_rows(renderer.settings().polar_height);
-    std::fill_n(buffer.texels(), 4 * buffer.row_stride() * static_cast<std::size_t>(rows),
-                std::uint16_t{0x7e00});
+    std::fill_n(buffer.texels(), 4 * buffer.texel_count(), std::uint16_t{0x7e00});
   }
 }
 
@@ -86,6 +84,34 @@ TEST(EveryPixelHasDataTest, InAViewOf179Degrees) {
   expect_data_everywhere(test::single_view(128, 96, 89.5, 89.5), test::small_settings(), hard_gazes());
 }
 
+TEST(EveryPixelHasDataTest, ForEveryFilter) {
+  RenderSettings settings = test::small_settings();
+  for (const ResampleFilter filter : {ResampleFilter::nearest, ResampleFilter::bicubic}) {
+    settings.filter = filter;
+    expect_data_everywhere(test::small_profile(), settings, hard_gazes());
+    expect_data_everywhere(test::single_view(40, 40, 3, 3), settings, hard_gazes());
+    for (const auto& [width, height] : {std::pair{1, 2}, {2, 4}, {5, 6}}) {
+      RenderSettings few = settings;
+      few.polar_width = width, few.polar_height = height;
+      expect_data_everywhere(test::small_profile(), few, hard_gazes());
+    }
+  }
+}
+
+TEST(EveryPixelHasDataTest, WithoutFoveationAtAnyScale) {
+  RenderSettings settings = test::planar_settings();
+  for (const ResampleFilter filter :
+       {ResampleFilter::nearest, ResampleFilter::bilinear, ResampleFilter::bicubic}) {
+    settings.filter = filter;
+    for (const double scale : {0.05, 0.3, 0.77, 1.0}) {
+      settings.scale = scale;
+      DisplayProfile profile = test::single_view(37, 22, 40, 30);
+      profile.viewports.push_back(viewport_deg(Eye::right, 1, 1, -30, 5, -10, 40));
+      expect_data_everywhere(profile, settings, {{0, 0, -1}});
+    }
+  }
+}
+
 TEST(EveryPixelHasDataTest, InNarrowLopsidedAndSeparateViewports) {
   DisplayProfile profile;
   profile.viewports = {
@@ -115,18 +141,23 @@ TEST(EveryPixelHasDataTest, ThePaddingRepeatsTheSamplesAcrossThePoleTheSeamAndTh
     test::render_with(renderer, scene, test::sample_from({0, 0, 0}), frame);
     const RadianceBuffer& buffer = renderer.internals().buffers[0];
     const auto texel = [&](int column, int row) {
-      const std::uint16_t* t = buffer.texels() + 4 * (static_cast<std::size_t>(row) * buffer.row_stride() +
-                                                      static_cast<std::size_t>(column + 1));
+      const std::uint16_t* t = buffer.texels() + 4 * texel_index(buffer.row_stride(), column, row);
       return std::vector<std::uint16_t>(t, t + 4);
     };
     int unlike = 0;
     for (int row = 0; row < kHeight; ++row) {
-      EXPECT_EQ(texel(-1, row), texel(0, (row + kHeight / 2) % kHeight)) << "across the pole, row " << row;
+      const int across = (row + kHeight / 2) % kHeight;
+      EXPECT_EQ(texel(-1, row), texel(0, across)) << "across the pole, row " << row;
+      EXPECT_EQ(texel(-2, row), texel(1, across)) << "further across the pole, row " << row;
       EXPECT_EQ(texel(37, row), texel(36, row)) << "beyond the edge, row " << row;
-      unlike += texel(-1, row) != texel(0, row);
+      EXPECT_EQ(texel(38, row), texel(36, row)) << "further beyond the edge, row " << row;
+      unlike += texel(-1, row) != texel(0, row) && texel(1, row) != texel(0, row);
     }
-    for (int column = -1; column <= 37; ++column)
+    for (int column = -2; column <= 38; ++column) {
       EXPECT_EQ(texel(column, kHeight), texel(column, 0)) << "beyond the seam, column " << column;
+      EXPECT_EQ(texel(column, kHeight + 1), texel(column, 1)) << "further beyond it, column " << column;
+      EXPECT_EQ(texel(column, -1), texel(column, kHeight - 1)) << "before the seam, column " << column;
+    }
     EXPECT_GT(unlike, 0) << "the pole must lie on an edge, or nothing was tested";
   }
 }

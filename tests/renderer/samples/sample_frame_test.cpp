@@ -170,7 +170,7 @@ TEST_F(SampleFrameTest, EveryPixelHasDataForAnyGaze) {
                                  {0, 0, 1}}) {
     SCOPED_TRACE(testing::Message() << gaze.x << " " << gaze.y << " " << gaze.z);
     for (RadianceBuffer& buffer : renderer.internals().buffers) {
-      std::fill_n(buffer.texels(), 4 * buffer.row_stride() * 769, std::uint16_t{0x7e00});
+      std::fill_n(buffer.texels(), 4 * buffer.texel_count(), std::uint16_t{0x7e00});
     }
     FrameSample sample = looking_at({0, 0, 0});
     sample.gaze.head_direction = {gaze, gaze};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iostream>
 
 #include "tests/renderer/half_pixels.h"
@@ -22,37 +21,22 @@ TEST(ResamplingTest, AConstantImageSurvivesBitForBitOnEveryInstructionSet) {
   for (const Isa isa : test::offered_isas()) {
     for (const glm::dvec3& gaze : {gaze_deg(0, 0), gaze_deg(45, 45), gaze_deg(80, 0), gaze_deg(180, 0)}) {
       PolarPicture picture(viewport_deg(Eye::left, 333, 217, -45, 45, -30, 30), gaze, 97, 64);
-      for (int row = 0; row <= 64; ++row) {
-        for (int column = -1; column <= 97; ++column) std::copy_n(kTexel, 4, picture.texel(column, row));
+      for (int row = -kBorderAbove; row < 64 + kBorderBelow; ++row) {
+        for (int column = -kBorderLeft; column < 97 + kBorderRight; ++column)
+          std::copy_n(kTexel, 4, picture.texel(column, row));
       }
-      picture.composite(isa);
-      for (int y = 0; y < 217; ++y) {
-        for (int x = 0; x < 333; ++x) {
-          const std::uint16_t* p = picture.image.row(y) + 4 * x;
-          ASSERT_TRUE(std::equal(p, p + 3, kTexel)) << name_of(isa) << " at " << x << ", " << y;
-          ASSERT_EQ(p[3], 0x3a00) << "coverage is 1 - r = 3/4";
+      for (const ResampleFilter filter :
+           {ResampleFilter::nearest, ResampleFilter::bilinear, ResampleFilter::bicubic}) {
+        picture.job.filter = filter;
+        picture.composite(isa);
+        for (int y = 0; y < 217; ++y) {
+          for (int x = 0; x < 333; ++x) {
+            const std::uint16_t* p = picture.image.row(y) + 4 * x;
+            ASSERT_TRUE(std::equal(p, p + 3, kTexel)) << name_of(isa) << " at " << x << ", " << y;
+            ASSERT_EQ(p[3], 0x3a00) << "coverage is 1 - r = 3/4";
+          }
         }
       }
-    }
-  }
-}
-
-// Fills the buffer with f(direction) as the tracer would, padding included.
-void fill(PolarPicture& picture, const std::function<double(const glm::dvec3&)>& f) {
-  const int width = picture.job.polar_width, height = picture.job.polar_height;
-  const auto value = [&](int column, int row) {
-    const double theta = picture.map.theta_from_u((column + 0.5) / width) / kDegreesPerRadian;
-    const double phi = phi_from_v((row + 0.5) / height);
-    return f(std::cos(theta) * picture.frame.gaze +
-             std::sin(theta) * (std::cos(phi) * picture.frame.right + std::sin(phi) * picture.frame.up));
-  };
-  for (int row = 0; row <= height; ++row) {
-    const int wrapped = row % height;
-    for (int column = -1; column <= width; ++column) {
-      const double v = column < 0 ? value(0, (wrapped + height / 2) % height)
-                                  : value(std::min(column, width - 1), wrapped);
-      std::fill_n(picture.texel(column, row), 3, test::to_half(v));
-      picture.texel(column, row)[3] = 0;
     }
   }
 }
@@ -86,7 +70,7 @@ void expect_linear_function_survives(const Viewport& viewport, const glm::dvec3&
   for (const glm::dvec3& along :
        {picture.frame.right, picture.frame.up, glm::normalize(glm::dvec3{0.3, -0.5, 0.8})}) {
     const auto f = [&](const glm::dvec3& d) { return 1.5 + kSlope * glm::dot(along, d); };
-    fill(picture, f);
+    picture.fill(f);
     picture.composite(isa);
     int wrong = 0;
     test::for_each_pixel(picture.image, [&](int x, int y, const test::Pixel& pixel) {
@@ -127,7 +111,7 @@ TEST(ResamplingTest, ALinearFunctionSurvivesCoarseBuffersOnEveryInstructionSet) 
 TEST(ResamplingTest, ASamplesOwnDirectionShowsItsTexel) {
   // One texel stands out; the pixels that show it most lie around its direction.
   PolarPicture picture(viewport_deg(Eye::left, 901, 901, -45, 45, -45, 45), gaze_deg(0, 0), 64, 64);
-  fill(picture, [](const glm::dvec3&) { return 0.0; });
+  picture.fill([](const glm::dvec3&) { return 0.0; });
   constexpr int kColumn = 40, kRow = 13;
   picture.texel(kColumn, kRow)[0] = 0x3c00;
   picture.composite(resolve_isa(Isa::best));

@@ -2,13 +2,16 @@
 // Before: a test fills the buffer. After: the test reads the composited picture.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/viewports/viewport_job.h"
+#include "tests/renderer/half_pixels.h"
 
 namespace herr::test {
 
@@ -69,10 +72,29 @@ struct PolarPicture {
   PolarPicture(const PolarPicture&) = delete;
   PolarPicture& operator=(const PolarPicture&) = delete;
 
-  // Texel of sample (column, row); -1 and `width`, and row `height`, are the padding.
+  // Texel of sample (column, row), or of the border.
   std::uint16_t* texel(int column, int row) {
-    return buffer.texels() +
-           4 * (static_cast<std::size_t>(row) * buffer.row_stride() + static_cast<std::size_t>(column + 1));
+    return buffer.texels() + 4 * texel_index(buffer.row_stride(), column, row);
+  }
+
+  // f(direction) as colour of the samples, border included; the feed is not kept.
+  void fill(const std::function<double(const glm::dvec3&)>& f) {
+    const int width = job.polar_width, height = job.polar_height;
+    const auto value = [&](int column, int row) {
+      const double theta = map.theta_from_u((column + 0.5) / width) / kDegreesPerRadian;
+      const double phi = phi_from_v((row + 0.5) / height);
+      return f(std::cos(theta) * frame.gaze +
+               std::sin(theta) * (std::cos(phi) * frame.right + std::sin(phi) * frame.up));
+    };
+    for (int row = -kBorderAbove; row < height + kBorderBelow; ++row) {
+      const int wrapped = (row + height) % height;
+      for (int column = -kBorderLeft; column < width + kBorderRight; ++column) {
+        const double v = column < 0 ? value(-1 - column, (wrapped + height / 2) % height)
+                                    : value(std::min(column, width - 1), wrapped);
+        std::fill_n(texel(column, row), 3, to_half(v));
+        texel(column, row)[3] = 0;
+      }
+    }
   }
 
   void composite(Isa isa) {
