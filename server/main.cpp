@@ -10,6 +10,7 @@
 #include "server/process/terminal.h"
 #include "server/replay/replay_command.h"
 #include "server/serve/serve_command.h"
+#include "server/study/study_command.h"
 #include "server/synth/synth_command.h"
 
 namespace {
@@ -24,6 +25,7 @@ struct RunCommand {
   int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
   int operator()(const herr::CheckOptions& options) const { return herr::run_check(options); }
   int operator()(const herr::InspectOptions& options) const { return herr::run_inspect(options); }
+  int operator()(const herr::StudyOptions& options) const { return herr::run_study(options); }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
   int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }
 };

@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "renderer/settings_list.h"
 #include "server/cli/check_flags.h"
 #include "server/cli/flags.h"
 #include "server/cli/setting_flags.h"
+#include "server/cli/study_flags.h"
 #include "server/cli/synth_flags.h"
 #include "server/process/version.h"
 #include "server/settings/flag_values.h"
@@ -192,6 +194,7 @@ struct Parser {
   BenchOptions bench;
   CheckOptions check;
   InspectOptions inspect;
+  StudyOptions study;
   SynthOptions synth;
   ConvertOptions convert;
   bool show_version = false;
@@ -200,6 +203,7 @@ struct Parser {
   CLI::App* bench_command = nullptr;
   CLI::App* check_command = nullptr;
   CLI::App* inspect_command = nullptr;
+  CLI::App* study_command = nullptr;
   CLI::App* synth_command = nullptr;
   CLI::App* convert_command = nullptr;
 
@@ -209,6 +213,7 @@ struct Parser {
     serve_command = app.add_subcommand("serve", "replay sessions in a loop behind HTTP");
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
     check_command = app.add_subcommand("check", "did frames become slower? a gate for CI");
+    study_command = app.add_subcommand("study", "error against run time, for every setting that trades them");
     inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
     convert_command = app.add_subcommand("convert", "make a session of a recording in another format");
@@ -216,6 +221,7 @@ struct Parser {
     add_serve_flags(*serve_command, serve);
     add_bench(*bench_command, bench);
     add_check_flags(*check_command, check);
+    add_study_flags(*study_command, study);
     add_inspect(*inspect_command, inspect);
     add_synth_flags(*synth_command, synth);
     add_convert(*convert_command, convert);
@@ -224,11 +230,14 @@ struct Parser {
   }
 
   const CLI::App* chosen() const {
-    for (const CLI::App* command : {replay_command, serve_command, bench_command, check_command,
-                                    inspect_command, synth_command, convert_command}) {
+    for (const CLI::App* command : commands()) {
       if (command->parsed()) return command;
     }
     return nullptr;
+  }
+  std::array<const CLI::App*, 8> commands() const {
+    return {replay_command, serve_command,   bench_command, check_command,
+            study_command,  inspect_command, synth_command, convert_command};
   }
 };
 
@@ -238,9 +247,7 @@ bool has(const std::vector<std::string>& arguments, std::string_view flag) {
 }
 
 std::string help_text(const Parser& parser, const std::vector<std::string>& arguments) {
-  for (const CLI::App* command :
-       {parser.replay_command, parser.serve_command, parser.bench_command, parser.check_command,
-        parser.inspect_command, parser.synth_command, parser.convert_command}) {
+  for (const CLI::App* command : parser.commands()) {
     if (!arguments.empty() && arguments.front() == command->get_name()) return command->help("herr");
   }
   return parser.app.help();
@@ -306,6 +313,10 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     parser->check.run_arguments = measured_run_arguments(*parser->check_command);
     check_check_options(parser->check);
     return parser->check;
+  }
+  if (parser->study_command->parsed()) {
+    check_study_options(parser->study);
+    return parser->study;
   }
   if (parser->inspect_command->parsed()) {
     check_required(parser->inspect);

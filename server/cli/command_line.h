@@ -12,6 +12,7 @@
 #include "server/inspect/inspect_options.h"
 #include "server/serve/serve_options.h"
 #include "server/settings/replay_options.h"
+#include "server/study/study_options.h"
 #include "server/synth/synth_options.h"
 
 namespace herr {
@@ -22,7 +23,7 @@ struct ShowText {
 };
 
 using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, CheckOptions,
-                             InspectOptions, SynthOptions, ConvertOptions>;
+                             InspectOptions, StudyOptions, SynthOptions, ConvertOptions>;
 
 // Arguments without the program's name. --help and --version win over every mistake in the rest.
 Command parse_command_line(const std::vector<std::string>& arguments);

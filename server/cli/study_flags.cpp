@@ -1,0 +1,65 @@
+#include "server/cli/study_flags.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "server/cli/flags.h"
+#include "server/cli/setting_flags.h"
+#include "server/process/exit_code.h"
+#include "server/settings/flag_values.h"
+
+namespace herr {
+
+void add_study_flags(CLI::App& app, StudyOptions& options) {
+  app.add_option("SESSION", options.session, "session folder")->type_name("");
+  file_flag(app, "--scene", "scene file (default: the one that the session names)",
+            [&](const std::string& text) { options.scene = text; });
+  value_flag(app, "--profile", "NAME|FILE", "display profile: xr1, xr1-half or a file (default xr1-half)",
+             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  file_flag(app, "--out", "folder of study.csv, study.json and study.html (default study)",
+            [&](const std::string& text) { options.out = text; });
+  value_flag(app, "--frames", "N", "frames of the session, spread over head speed and gaze (default 3)",
+             [&](const std::string& text) {
+               options.frames = static_cast<int>(parse_whole_number("--frames", text, 1, 90));
+             });
+  value_flag(
+      app, "--minutes", "M",
+      "time for all of it, half of it at most for references; what it is not enough for is listed "
+      "(default 20)",
+      [&](const std::string& text) { options.minutes = parse_real_number("--minutes", text, 0.1, 10000); });
+  file_flag(app, "--references", "folder of references that several studies share (default OUT/references)",
+            [&](const std::string& text) { options.references = text; });
+  file_flag(app, "--export", "new folder for picture sequences of a clip, for video metrics elsewhere",
+            [&](const std::string& text) { options.export_to = text; });
+  file_flag(app, "--report", "print the report of this study.json again instead; nothing is measured",
+            [&](const std::string& text) { options.report = text; });
+  file_flag(app, "--page", "with --report: where to write its page",
+            [&](const std::string& text) { options.page = text; });
+  app.add_flag_callback(
+      "--resume", [&] { options.resume = true; }, "go on with the study in that folder");
+  app.add_flag_callback(
+      "--overwrite", [&] { options.overwrite = true; }, "replace the study in that folder");
+  app.add_flag_callback(
+      "--strict", [&] { options.reading.strict = true; }, "a stream that was cut off is an error");
+  app.add_flag_callback(
+      "--json", [&] { options.json = true; }, "the report on stdout as JSON");
+  add_render_flags(app, options.render);
+}
+
+void check_study_options(const StudyOptions& options) {
+  if (!options.report.empty()) {
+    if (!options.session.empty())
+      throw UsageError("--report: prints a study that is done; leave SESSION out");
+    return;
+  }
+  if (!options.page.empty()) throw UsageError("--page: is of --report only; a study writes OUT/study.html");
+  if (options.session.empty()) throw UsageError("SESSION: missing; give a session folder");
+  if (options.resume && options.overwrite) {
+    throw UsageError("--resume: conflicts with --overwrite; give one of them");
+  }
+  if (options.render.foveation == Foveation::off) {
+    throw UsageError("--foveation: a study compares with rays per pixel by itself; leave it out");
+  }
+}
+
+}  // namespace herr
