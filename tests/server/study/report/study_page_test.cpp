@@ -89,11 +89,11 @@ TEST(StudyPage, ShowsNamesAsTextAndNotAsMarkup) {
 
 TEST(StudyPage, LoadsNothingAndRunsNothing) {
   const std::string page = study_page(test::rich_record());
-  for (const char* part :
-       {"http:", "https:", "<script", "<link", "<iframe", "@import", "url(", " on", "src=\"/"}) {
-    const std::size_t allowed =
-        part == std::string(" on") ? count_of(page, " on ") + count_of(page, " one") : 0;
-    EXPECT_EQ(count_of(page, part), allowed) << part;
+  for (const char* part : {"http:", "https:", "<script", "<link", "<iframe", "@import", "url("}) {
+    EXPECT_EQ(count_of(page, part), 0u) << part;
+  }
+  for (std::size_t at = page.find(" on"); at != std::string::npos; at = page.find(" on", at + 1)) {
+    EXPECT_NE(page[page.find_first_not_of("abcdefghijklmnopqrstuvwxyz", at + 3)], '=') << page.substr(at, 30);
   }
   EXPECT_EQ(count_of(page, "src="), count_of(page, "src=\"data:image/png;base64,"));
 }
