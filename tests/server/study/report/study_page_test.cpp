@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "server/study/report/html_text.h"
+#include "server/study/diagrams/html_text.h"
 #include "server/text/base64.h"
 #include "tests/server/study/report/study_records.h"
 
@@ -150,18 +150,6 @@ TEST(StudyPage, ARecordOfNextToNothingHasNoEmptyParts) {
   EXPECT_EQ(count_of(page, "<ul"), 0u);
   EXPECT_EQ(count_of(page, "<dd></dd>"), 0u);
   EXPECT_EQ(count_of(page, "id=\"aims\""), 0u);
-}
-
-TEST(CleanText, KeepsTextAndShowsBrokenBytes) {
-  EXPECT_EQ(clean_text("a\u00e9\u2013\U0001F600"), "a\u00e9\u2013\U0001F600");
-  EXPECT_EQ(clean_text("\x1b[0m\n"), "\\x1b[0m\\x0a");
-  EXPECT_EQ(clean_text("\xc3"), "\\xc3");                             // cut off
-  EXPECT_EQ(clean_text("\xc0\xaf"), "\\xc0\\xaf");                    // '/' in two bytes
-  EXPECT_EQ(clean_text("\xed\xa0\x80"), "\\xed\\xa0\\x80");           // a surrogate
-  EXPECT_EQ(clean_text("\xf5\x80\x80\x80"), "\\xf5\\x80\\x80\\x80");  // past U+10FFFF
-  EXPECT_EQ(clean_text("\xc2\x9b"), "\\xc2\\x9b");                    // CSI of terminals
-  EXPECT_EQ(clean_text(std::string("\0", 1)), "\\x00");
-  EXPECT_EQ(clean_text(clean_text("\xff")), "\\xff");
 }
 
 }  // namespace
