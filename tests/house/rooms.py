@@ -9,8 +9,8 @@ ROOMS = {
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
     "server": ("text", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
-               "inspect/probes", "inspect", "synth", "convert", "study/error", "study/statistics", "study/report",
-               "study/plan", "study/reference", "study", "cli"),
+               "inspect/probes", "inspect", "synth", "convert", "study/error", "study/statistics",
+               "study/diagrams", "study/report", "study/plan", "study/reference", "study", "cli"),
 }
 
 # Modules whose root holds public headers, which every room may include, and what those headers alone need.

@@ -39,7 +39,7 @@ std::string fixed_figure(double value, int decimals) {
 }
 
 std::string percent_figure(double share) {
-  return std::isfinite(share) ? fixed_figure(100 * share, 0) + " %" : kNoFigure;
+  return std::isfinite(100 * share) ? fixed_figure(100 * share, 0) + " %" : kNoFigure;
 }
 
 }  // namespace herr

@@ -56,14 +56,20 @@ code span { display: inline-block; max-width: 100% }
   a { color: #000; text-decoration: none }
   h2, h3, caption { break-after: avoid; page-break-after: avoid }
   .wide { overflow: visible }
-  table { font-size: 7pt; width: 100% }
-  th, td { white-space: normal; padding-right: .4rem; overflow-wrap: anywhere }
+  table { font-size: 6.5pt; width: 100% }
+  caption { font-size: 9pt }
+  th, td { padding-right: .35rem }
+  th { white-space: normal }
+  td.prose { white-space: normal; overflow-wrap: anywhere }
+  thead { break-after: avoid; page-break-after: avoid }
   td.prose { min-width: 0; max-width: none }
   tr, li, dd { break-inside: avoid; page-break-inside: avoid }
-  .grid { grid-template-columns: 1fr 1fr }
+  figure.main { max-width: 125mm }
+  .grid { display: block }
+  .grid figure { display: inline-block; width: 32%; vertical-align: top; margin: 0 .5% 4mm 0 }
   ul.aims li { background: #fff }
   code { background: #fff; padding: 0 }
-  figcaption, .note { color: #000 }
+  figcaption, .note, .legend { color: #000; font-size: 7.5pt }
 }
 )";
 

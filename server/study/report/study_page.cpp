@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "server/study/diagrams/html_text.h"
 #include "server/study/report/figure_text.h"
-#include "server/study/report/html_text.h"
 #include "server/study/report/page_style.h"
 #include "server/study/report/report_table.h"
 #include "server/study/report/study_plots.h"

@@ -50,9 +50,17 @@ PlotCurve front_curve(const std::vector<const StudyPoint*>& front) {
   return curve;
 }
 
-// Marks that stand for one thing are drawn above the many.
-bool drawn_later(const StudyPoint& point) {
-  return point.knob == "default" || point.knob == "uniform" || point.knob == "paper" || point.on_front;
+// Drawn over the many: what they are held against, and the front. The default over all.
+int layer_of(const StudyPoint& point) {
+  if (point.knob == "default") return 2;
+  return point.knob == "uniform" || point.knob == "paper" || point.on_front ? 1 : 0;
+}
+
+// How full a mark is: the more, the surer its place on the front.
+double opacity_of(const StudyPoint& point, Metric metric) {
+  if (metric != Metric::acuity_rmse || layer_of(point) > 0) return 1;
+  return point.front_confidence >= 0 && point.front_confidence <= 1 ? 0.25 + 0.75 * point.front_confidence
+                                                                    : 0.25;
 }
 
 PlotMark time_mark(const StudyPoint& point, Metric metric, const std::vector<std::string>& knobs,
@@ -64,11 +72,7 @@ PlotMark time_mark(const StudyPoint& point, Metric metric, const std::vector<std
   mark.x_high = point.time_ratio.upper;
   add_error_bar(mark, reference_error);
   mark.style = style_of(point.knob, knobs);
-  mark.opacity =
-      metric == Metric::acuity_rmse && !point.on_front
-          ? 0.25 + 0.75 * (point.front_confidence >= 0 && point.front_confidence <= 1 ? point.front_confidence
-                                                                                      : 0.0)
-          : 1;
+  mark.opacity = opacity_of(point, metric);
   if (point.knob == "default") mark.radius = 6;
   mark.title = point_tip(point, metric_label(metric) + " " + figure(mark.y));
   return mark;
@@ -122,9 +126,9 @@ StudyPlot work_precision_plot(const StudyRecord& record, Metric metric, const st
   const double own = reference == nullptr ? kNoBar : reference->error.at(metric);
   const std::vector<std::string> knobs = knobs_of(record);
   const std::vector<const StudyPoint*> front = front_of(record);
-  for (const bool later : {false, true}) {
+  for (const int layer : {0, 1, 2}) {
     for (const StudyPoint& point : record.points) {
-      if (drawn_later(point) != later) continue;
+      if (layer_of(point) != layer) continue;
       out.plot.marks.push_back(time_mark(point, metric, knobs, own));
       const auto place = std::find(front.begin(), front.end(), &point);
       if (metric != Metric::acuity_rmse || place == front.end()) continue;

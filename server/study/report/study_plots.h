@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/study/diagrams/svg_plot.h"
 #include "server/study/report/study_record.h"
-#include "server/study/report/svg_plot.h"
 
 namespace herr {
 

@@ -1,11 +1,11 @@
-#include "server/study/report/svg_plot.h"
+#include "server/study/diagrams/svg_plot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "server/study/report/html_text.h"
-#include "server/study/report/plot_axis.h"
+#include "server/study/diagrams/html_text.h"
+#include "server/study/diagrams/plot_axis.h"
 #include "server/text/number_text.h"
 
 namespace herr {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "server/study/report/plot_mark.h"
+#include "server/study/diagrams/plot_mark.h"
 
 namespace herr {
 
