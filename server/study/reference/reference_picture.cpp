@@ -15,7 +15,7 @@ namespace herr {
 namespace {
 
 constexpr double kShareOfSmallest = 1.0 / 5;
-constexpr int kMostPassesPerHalf = 512;
+constexpr int kFewestPasses = 2, kMostPassesPerHalf = 512;  // of each half
 
 // One half: a renderer with probes of its own seed, and the sum of its passes.
 struct HalfSum {
@@ -205,7 +205,10 @@ ReferenceHalves render_halves(const ReferenceSpec& spec, const FrameInstant& ins
                               const std::function<bool()>& out_of_time) {
   const TimeNs start_ns = steady_now_ns();
   Halves halves(spec, instant);
-  halves.add_passes(spec.passes, {});
+  for (int pass = 0; pass < spec.passes; ++pass) {
+    if (pass >= kFewestPasses && out_of_time()) break;
+    halves.add_passes(1, {});
+  }
   bool met = !spec.by_pixels;
   if (spec.by_pixels) {
     double own = halves.acuity_error();

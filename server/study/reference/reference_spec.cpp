@@ -46,8 +46,8 @@ ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChange
   spec.name = "endless effort" + model_name(named);
   spec.passes = kPasses;
   spec.finest = lit;
-  spec.finest.polar_width *= 2, spec.finest.polar_height *= 2;
-  spec.finest.light_samples = 256;
+  spec.finest.polar_width = spec.finest.polar_width * 3 / 2, spec.finest.polar_height = spec.finest.polar_height * 3 / 4 * 2;
+  spec.finest.light_samples = kSoftSamples;
   return spec;
 }
 
