@@ -22,6 +22,7 @@ namespace {
 constexpr std::int64_t kLongestCsv = std::int64_t{1} << 30;
 constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
 constexpr int kClipPasses = 4;
+constexpr double kMostShareOfClip = 0.15;
 const char* const kHardBase = "default, N = 1";
 const char* const kSoftBase = "default, N = 64";
 
@@ -126,9 +127,9 @@ bool StudyRun::measure() {
     make_references();
     share_time();
     progress_.expect(state_.settings->size() * state_.frames);
-    measure_settings(wanted_settings(), state_.frames, limit_s() - clip_seconds() - kReportSeconds);
+    measure_settings(wanted_settings(), state_.frames, until_clip_s());
     choose_combinations();
-    measure_settings(*state_.combinations, state_.frames, limit_s() - clip_seconds() - kReportSeconds);
+    measure_settings(*state_.combinations, state_.frames, until_clip_s());
     measure_flicker();
   } catch (const Stopped&) {
     return false;
@@ -246,8 +247,13 @@ double StudyRun::clip_seconds() const {
     of_pass =
         std::max(of_pass, reference.seconds / (2.0 * std::max(reference.passes, reference.most_passes)));
   }
-  return std::min(static_cast<double>(subject_.frames().clip.size()) * (2 * kClipPasses * of_pass + 2),
-                  0.15 * limit_s());
+  return static_cast<double>(subject_.frames().clip.size()) * (2 * kClipPasses * of_pass + 2);
+}
+
+// Kept free for the clip, unless it would take too much of the time.
+double StudyRun::until_clip_s() const {
+  const double clip_s = clip_seconds() <= kMostShareOfClip * limit_s() ? clip_seconds() : 0;
+  return limit_s() - clip_s - kReportSeconds;
 }
 
 // From the two bases at the first frame: errors cost what they cost there, frames in proportion.
@@ -284,7 +290,7 @@ void StudyRun::share_time() {
   measure_frame(bases, first, HUGE_VAL);
   std::vector<double> costs;
   for (const StudySetting& setting : sweeps_.settings) costs.push_back(estimated_seconds(setting));
-  const double left = std::max(1.0, limit_s() - seconds() - clip_seconds() - kReportSeconds);
+  const double left = std::max(1.0, until_clip_s() - seconds());
   const StudyBudget budget = fit_to_time(sweeps_.settings, costs, subject_.frames().frames.size(), left);
   state_.settings.emplace();
   for (const StudySetting& setting : budget.settings) state_.settings->push_back(setting.name);
@@ -338,7 +344,7 @@ void StudyRun::measure_flicker() {
     if (wanted && setting.changes.size() < 8 && !has_flicker(setting)) shown.push_back(setting);
   }
   if (shown.empty() || subject_.frames().clip.size() < 2) return;
-  if (seconds() > limit_s() - kReportSeconds) {
+  if (seconds() + clip_seconds() > limit_s() - kReportSeconds) {
     out_of_time_.emplace_back("flicker over the clip");
     return;
   }

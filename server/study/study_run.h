@@ -54,6 +54,7 @@ class StudyRun {
   double estimated_seconds(const StudySetting& setting) const;
   double limit_s() const { return 60 * options_.minutes; }
   double clip_seconds() const;
+  double until_clip_s() const;
 
   const StudyOptions& options_;
   StudySubject& subject_;

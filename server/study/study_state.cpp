@@ -54,6 +54,7 @@ void write_state(const std::filesystem::path& file, const StudyState& state) {
     for (const StudySetting& setting : *state.combinations) {
       json["combinations"].push_back({{"name", setting.name},
                                       {"changes", changes_json(setting.changes)},
+                                      {"own", setting.own == OwnReference::pixels ? "pixels" : "none"},
                                       {"model", changes_json(setting.model)}});
     }
   }
@@ -87,6 +88,7 @@ StudyState read_state(const std::filesystem::path& file) {
       setting.knob = "combination";
       setting.changes = changes_of(object, "changes");
       setting.model = changes_of(object, "model");
+      if (object.text("own") == "pixels") setting.own = OwnReference::pixels;
       state.combinations->push_back(std::move(setting));
     }
   }

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "server/study/plan/knobs.h"
+
 namespace herr {
 namespace {
 
@@ -60,6 +62,9 @@ std::vector<Foretold> all_pairs(const RenderSettings& defaults,
       pair.setting.model = a.setting.model;
       pair.setting.changes =
           changes_between(defaults, with_changes(defaults, merged(a.setting.changes, b.setting.changes)));
+      // Hard light has a reference of its own, as in the sweeps.
+      const bool hard = with_changes(defaults, pair.setting.changes).light_samples == kHardSamples;
+      pair.setting.own = hard ? OwnReference::pixels : OwnReference::none;
       pair.setting.value = flags_text(pair.setting.changes);
       pair.setting.name = pair.setting.value;
       pairs.push_back(std::move(pair));
