@@ -122,14 +122,18 @@ TEST(EveryPixelHasDataTest, InNarrowLopsidedAndSeparateViewports) {
 
 TEST(EveryPixelHasDataTest, ThePaddingRepeatsTheSamplesAcrossThePoleTheSeamAndTheEdge) {
   Scene scene = lit_sphere();
-  // Neighbours differ everywhere, the pole included: a wall of small glowing squares, a corner of
-  // which lies straight ahead.
-  for (int i = 0; i < 400; ++i) {
-    const glm::vec3 corner{0.07f * static_cast<float>(i % 20) - 0.7f,
-                           0.07f * static_cast<float>(i / 20) - 0.7f, -1};
-    test::add(scene, test::quad(corner, {0.07f, 0, 0}, {0, 0.07f, 0}),
-              test::glowing(glm::vec3{0.01f * static_cast<float>(i * 37 % 101)}));
-  }
+  // Neighbours differ everywhere: a wall of small glowing squares, and in front of it one of smaller ones, of
+  // 0.095 degrees, for the innermost samples at 0.05 and 0.16 degrees. Corners of both lie straight ahead.
+  const auto add_wall = [&](float side, float z) {
+    for (int i = 0; i < 400; ++i) {
+      const glm::vec3 corner{side * static_cast<float>(i % 20 - 10), side * static_cast<float>(i / 20 - 10),
+                             z};
+      test::add(scene, test::quad(corner, {side, 0, 0}, {0, side, 0}),
+                test::glowing(glm::vec3{0.01f * static_cast<float>(i * 37 % 101)}));
+    }
+  };
+  add_wall(0.07f, -1);
+  add_wall(0.0015f, -0.9f);
   RenderSettings settings = test::small_settings();
   settings.polar_width = 37;
   constexpr int kHeight = 48;
