@@ -15,6 +15,7 @@ constexpr double kDegrees = 57.29577951308232;
 
 struct Moment {
   StudyFrame frame;
+  double contrast = 0;
   double unrest_deg = std::numeric_limits<double>::infinity();  // of the gaze over the clip that begins here
 };
 
@@ -52,7 +53,8 @@ double unrest_deg(FrameStep& step, std::int64_t first, std::int64_t count) {
   return most;
 }
 
-std::vector<Moment> look_at(FrameStep& step, const FrameRange& range, std::int64_t clip) {
+std::vector<Moment> look_at(FrameStep& step, const FrameRange& range, std::int64_t clip,
+                            const SeenContrast& contrast) {
   const std::int64_t room = range.count - clip + 1;  // first frames of a clip
   const std::int64_t moments = std::min(kMostMoments, std::max<std::int64_t>(1, room / clip));
   std::vector<Moment> all;
@@ -61,18 +63,27 @@ std::vector<Moment> look_at(FrameStep& step, const FrameRange& range, std::int64
     step.prepare(number);
     Moment moment;
     moment.frame = describe(step, range, number);
+    if (contrast) moment.contrast = contrast(step);
     moment.unrest_deg = unrest_deg(step, number, clip);
     all.push_back(moment);
   }
   return all;
 }
 
+// At least as many as frames are wanted.
+void keep_what_shows_more(std::vector<Moment>& moments, std::size_t count) {
+  std::stable_sort(moments.begin(), moments.end(),
+                   [](const Moment& a, const Moment& b) { return a.contrast > b.contrast; });
+  moments.resize(std::max(std::min(count, moments.size()), (moments.size() + 1) / 2));
+}
+
 }  // namespace
 
-StudyFrames choose_frames(FrameStep& step, const FrameRange& range, int count) {
+StudyFrames choose_frames(FrameStep& step, const FrameRange& range, int count, const SeenContrast& contrast) {
   const std::int64_t clip = std::min<std::int64_t>(kClipFrames, range.count);
   step.rewind();
-  std::vector<Moment> moments = look_at(step, range, clip);
+  std::vector<Moment> moments = look_at(step, range, clip, contrast);
+  if (contrast) keep_what_shows_more(moments, static_cast<std::size_t>(count));
   StudyFrames chosen;
   const auto by_unrest = [](const Moment& a, const Moment& b) { return a.unrest_deg < b.unrest_deg; };
   const std::int64_t clip_first = std::min_element(moments.begin(), moments.end(), by_unrest)->frame.number;
