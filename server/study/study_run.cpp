@@ -265,16 +265,24 @@ double StudyRun::estimated_seconds(const StudySetting& setting) const {
   const double per_sample_s =
       1e-3 * std::max(0.0, soft->frame_ms - hard->frame_ms) / (kSoftSamples - kHardSamples);
   const double unit_s = 1e-3 * hard->frame_ms;
-  double size = static_cast<double>(settings.polar_width) * settings.polar_height /
-                (static_cast<double>(usual.polar_width) * usual.polar_height);
-  if (settings.foveation == Foveation::off) size = 4 * settings.scale * settings.scale;
-  const double frame_s = size * (unit_s + per_sample_s * (settings.light_samples - kHardSamples));
+  const auto seconds_of_frame = [&](const RenderSettings& of) {
+    double size = static_cast<double>(of.polar_width) * of.polar_height /
+                  (static_cast<double>(usual.polar_width) * usual.polar_height);
+    if (of.foveation == Foveation::off) size = 4 * of.scale * of.scale;
+    return size * (unit_s + per_sample_s * (of.light_samples - kHardSamples));
+  };
+  const double frame_s = seconds_of_frame(settings);
   const MeasuringRules rules;
   const double pairs_s = 2.0 * (unit_s + frame_s);
   const double timing_s = std::min(rules.blocks * pairs_s, rules.seconds + pairs_s);
   const double fixed_s = std::max(0.3, soft->seconds - 1e-3 * soft->frame_ms * 8);
   double seconds = fixed_s + unit_s + 2 * frame_s + timing_s;
-  if (setting.own == OwnReference::seeds) seconds += (rules.bias_seeds + 4) * frame_s;
+  if (setting.own == OwnReference::seeds) {
+    // About so many settings share a reference of 16 frames.
+    constexpr double kShare = 16.0 / 5;
+    seconds +=
+        rules.bias_seeds * frame_s + kShare * seconds_of_frame(with_changes(settings, setting.own_limit));
+  }
   if (settings.probes.on) seconds += 3;
   return seconds;
 }
