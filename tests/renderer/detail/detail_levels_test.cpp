@@ -113,10 +113,10 @@ TEST(DetailLevels, AScaledAndTurnedInstanceIsMeasuredInTheWorld) {
   const auto world_from = [&](std::size_t i) -> const glm::dmat4x3& {
     return scene.instances[i].world_from_object;
   };
-  levels.choose(std::span(&eye, 1), world_from, [&](std::size_t, std::uint32_t) { ++shown; });
+  levels.choose(std::span(&eye, 1), 0.5, world_from, [&](std::size_t, std::uint32_t) { ++shown; });
   const int beside = static_cast<int>(levels.save().at(0));
   eye.position = {-20, 0, 2};  // within it
-  levels.choose(std::span(&eye, 1), world_from, [&](std::size_t, std::uint32_t) { ++shown; });
+  levels.choose(std::span(&eye, 1), 0.5, world_from, [&](std::size_t, std::uint32_t) { ++shown; });
   EXPECT_EQ(static_cast<int>(levels.save().at(0)), 0);
   EXPECT_GT(beside, 0);
   EXPECT_EQ(shown, 2);
