@@ -38,6 +38,7 @@ double samples_per_metre(const DetailEye& eye, const DetailBall& ball) {
 
 int detail_level(std::span<const float> errors_m, std::span<const DetailEye> eyes, const DetailBall& ball,
                  int former, double most_samples) {
+  if (!(most_samples > 0)) return 0;  // even a form that lies nowhere off has other normals
   double finest = 0;
   for (const DetailEye& eye : eyes) finest = std::max(finest, samples_per_metre(eye, ball));
   const double samples_per_object_metre = finest * ball.scale;

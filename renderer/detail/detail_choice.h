@@ -37,7 +37,7 @@ inline constexpr double kCoarserShare = 0.7;
 double samples_per_metre(const DetailEye& eye, const DetailBall& ball);
 
 // The level for this frame: 0 is the full mesh, i the i-th of `errors_m` (ascending, object space). `former`:
-// of the last frame, -1 for none. `most_samples`: that it may lie off.
+// of the last frame, -1 for none. `most_samples`: that it may lie off; 0: the full mesh.
 int detail_level(std::span<const float> errors_m, std::span<const DetailEye> eyes, const DetailBall& ball,
                  int former, double most_samples);
 

@@ -115,6 +115,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
     out.counters.plan_changes = 1;
   }
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
+  if (impl.plan.probes && use.pass) impl.view_probes();
   if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
   timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
   if (!impl.trace_tiles(out.times, use)) return false;

@@ -103,6 +103,7 @@ struct Renderer::Impl {
   void publish_probes();
   void restore_probes(std::span<const std::byte> bytes);
   void aim_probes(const FrameSample& sample, const SceneState& state, int most);
+  void view_probes();
   std::int64_t probe_bytes() const;
   int most_probes() const { return probes ? probes->most_updated() : 0; }
   int probe_job_count() const { return probes->job_count() * static_cast<int>(probes->sets.size()); }

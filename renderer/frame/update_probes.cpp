@@ -54,13 +54,20 @@ void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& sta
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns, kProbeKey, settings.seed), probes->node_directions);
   light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), beyond_scene_m, probe_lights);
+  view_probes();
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
-    probe_views[set] = probes->view(static_cast<int>(set), geometry->anchor());
     ShadingInputs& by_probes = probe_shading[set] = shading;
     by_probes.plan = &probe_plan;
     by_probes.lights = probe_lights;
     by_probes.probes = &probe_views[set];
     by_probes.catcher_probes = nullptr;
+  }
+}
+
+// As they are, from where the anchor is now.
+void Renderer::Impl::view_probes() {
+  for (std::size_t set = 0; set < probes->sets.size(); ++set) {
+    probe_views[set] = probes->view(static_cast<int>(set), geometry->anchor());
   }
   shading.probes = &probe_views[0];
   shading.catcher_probes = plan.catcher_probes ? &probe_views[1] : nullptr;

@@ -91,6 +91,19 @@ TEST(DetailChoice, ATremblingHeadNeverChangesAForm) {
   }
 }
 
+TEST(DetailChoice, NothingAllowedIsTheFullMeshEvenForAFormThatLiesNowhereOff) {
+  const std::vector<DetailEye> eyes(1);
+  const std::vector<float> flat{0.0f, 0.0f, 0.01f};  // forms of a flat grid of triangles
+  EXPECT_EQ(detail_level(flat, eyes, ball_at(0, 2), -1, 0.5), 2);
+  for (const int former : {-1, 0, 2, 3}) {
+    EXPECT_EQ(detail_level(flat, eyes, ball_at(0, 2), former, 0), 0);
+    EXPECT_EQ(detail_level(kErrors, eyes, ball_at(170, 1e6), former, 0), 0);
+    DetailBall point = ball_at(0, 2);
+    point.scale = 0;
+    EXPECT_EQ(detail_level(kErrors, eyes, point, former, 0), 0);
+  }
+}
+
 TEST(DetailChoice, ABallOfNoReachOrNaNGetsSomeForm) {
   const std::vector<DetailEye> eyes(1);
   DetailBall ball = ball_at(0, std::numeric_limits<double>::quiet_NaN());

@@ -81,6 +81,24 @@ TEST(DetailLevels, APictureOfCoarserFormsIsNearlyThatOfTheFullMesh) {
   EXPECT_GT(level_of(renderer), 0);
 }
 
+TEST(DetailLevels, WithoutAllowedErrorEveryFrameShowsTheFullMesh) {
+  const Scene full = ball_scene(false), scene = ball_scene(true);
+  RenderSettings settings = test::small_settings();
+  RenderedFrame frame;
+  for (const double z : {0.0, 20.0, 200.0}) {
+    settings.detail_error = 0.5;
+    Renderer renderer(scene, test::small_profile(), settings, false);
+    renderer.render_frame(looking({0, 0, z}, {0, 0, -1}), state_of(scene), frame);
+    if (z > 0) EXPECT_GT(level_of(renderer), 0) << z;
+    settings.detail_error = 0;
+    Renderer exact(scene, test::small_profile(), settings, false);
+    exact.render_frame(looking({0, 0, z}, {0, 0, -1}), state_of(scene), frame);
+    EXPECT_EQ(level_of(exact), 0) << z;
+    test::expect_same_bits(
+        frame, test::render(full, test::small_profile(), settings, looking({0, 0, z}, {0, 0, -1})));
+  }
+}
+
 TEST(DetailLevels, ARendererGoesOnWithTheFormsOfAnother) {
   // Between its two bounds a form depends on the one before: so it is part of the renderer's state.
   const Scene scene = ball_scene(true);
@@ -113,10 +131,10 @@ TEST(DetailLevels, AScaledAndTurnedInstanceIsMeasuredInTheWorld) {
   const auto world_from = [&](std::size_t i) -> const glm::dmat4x3& {
     return scene.instances[i].world_from_object;
   };
-  levels.choose(std::span(&eye, 1), world_from, [&](std::size_t, std::uint32_t) { ++shown; });
+  levels.choose(std::span(&eye, 1), 0.5, world_from, [&](std::size_t, std::uint32_t) { ++shown; });
   const int beside = static_cast<int>(levels.save().at(0));
   eye.position = {-20, 0, 2};  // within it
-  levels.choose(std::span(&eye, 1), world_from, [&](std::size_t, std::uint32_t) { ++shown; });
+  levels.choose(std::span(&eye, 1), 0.5, world_from, [&](std::size_t, std::uint32_t) { ++shown; });
   EXPECT_EQ(static_cast<int>(levels.save().at(0)), 0);
   EXPECT_GT(beside, 0);
   EXPECT_EQ(shown, 2);

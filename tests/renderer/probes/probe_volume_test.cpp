@@ -193,6 +193,32 @@ TEST(ProbeVolumeTest, AnAnchorThatMovesLeavesTheProbesAlone) {
   EXPECT_LT(worst, 0.01 * brightest);
 }
 
+// A frame in which no time passes gathers nothing: a pass of its seed is the same picture, whether probes
+// come from the frame before, from a saved state, or the head has gone so far that the anchor moved.
+TEST(ProbeVolumeTest, PassesSeeTheProbesAsTheLastFrameLeftThem) {
+  Scene scene = room();
+  scene.meshes[0] = test::box({-2, -1.25f, -25}, {2, 1.25f, 2.5f});
+  const DisplayProfile view = test::single_view(24, 24, 40, 40);
+  test::ProbeRun run(scene, view, test::probe_settings(), test::sample_from({0, 0, 1}));
+  run.run(6);
+  run.sample.t_ns = static_cast<TimeNs>(1e9) + 5 * static_cast<TimeNs>(std::llround(1e9 / 90));
+  const RendererState state = run.renderer.state();
+  RenderedFrame pass;
+  for (const double z : {1.0, -20.0}) {
+    run.sample.head.world_from_head.position = {0, 0, z};
+    run.renderer.render_pass(run.sample, run.state, {}, pass);
+    EXPECT_EQ(pass.counters.rays[RayKind::probe], 0);
+    test::ProbeRun restored(scene, view, test::probe_settings(), run.sample);
+    restored.renderer.restore(state);
+    restored.renderer.render_pass(run.sample, run.state, {}, restored.frame);
+    test::expect_same_bits(restored.frame, pass);
+    run.renderer.render_frame(run.sample, run.state, run.frame);
+    EXPECT_EQ(run.frame.counters.rays[RayKind::probe], 0);
+    test::expect_same_bits(run.frame, pass);
+    EXPECT_EQ(run.renderer.state().probes, state.probes);
+  }
+}
+
 TEST(ProbeVolumeTest, WithoutProbesThereIsNoProbeMemoryAndNoRow) {
   test::ProbeRun run(room(), test::single_view(8, 8, 40, 40), test::planar_settings(),
                      test::sample_from({0, 0, 1}));
