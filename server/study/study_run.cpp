@@ -21,13 +21,16 @@ namespace {
 
 constexpr std::int64_t kLongestCsv = std::int64_t{1} << 30;
 constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
+constexpr double kShareOfReferences = 0.5;
 constexpr int kClipPasses = 4;
 constexpr double kMostShareOfClip = 0.15;
-const char* const kHardBase = "default, N = 1";
-const char* const kSoftBase = "default, N = 64";
 
 // Thrown through the loops when a signal asks for the end.
 struct Stopped {};
+
+std::string default_name(int samples) {
+  return "default, " + base_name(samples);
+}
 
 void stop_if_asked() {
   if (stop_signal() != 0) throw Stopped{};
@@ -52,7 +55,8 @@ StudyRun::StudyRun(const StudyOptions& options, StudySubject& subject, const Stu
       cache_(options.references.empty() ? folder.references() : options.references),
       progress_(60 * options.minutes),
       start_ns_(steady_now_ns()),
-      last_row_ns_(start_ns_) {
+      last_row_ns_(start_ns_),
+      reference_start_ns_(start_ns_) {
   state_.subject = subject_of(subject, options);
   if (options.resume && path_exists(folder.state())) {
     StudyState earlier = read_state(folder.state());
@@ -86,9 +90,7 @@ void StudyRun::read_rows() {
     }
     kept = static_cast<std::int64_t>(at);
   }
-  for (const auto& [frame, reference] : state_.references) {
-    if (reference.settings == "pixels") earlier_s_ += reference.seconds;
-  }
+  earlier_s_ += pixel_references_s();
   csv_.emplace(folder_.csv(), kept);
   if (kept == 0) csv_->append(study_csv_header());
   csv_->sync();
@@ -102,9 +104,23 @@ References::Context StudyRun::reference_context() {
   References::Context context;
   context.subject = subject_.inputs();
   context.cache = &cache_;
-  context.out_of_time = [this] { return stop_signal() != 0 || seconds() > references_until_s_; };
-  context.tell = [this](const std::string& what) { progress_.tell(what, seconds()); };
+  context.out_of_time = [this] {
+    return stop_signal() != 0 || pixel_references_s() + seconds_since(reference_start_ns_) > references_s_;
+  };
+  context.tell = [this](const std::string& what) {
+    reference_start_ns_ = steady_now_ns();
+    progress_.tell(what, seconds());
+  };
   return context;
+}
+
+// That references over pixels took, those of families of light beside the two that come first included.
+double StudyRun::pixel_references_s() const {
+  double sum = 0;
+  for (const auto& [frame, reference] : state_.references) {
+    if (reference.settings == "pixels") sum += reference.seconds;
+  }
+  return sum;
 }
 
 void StudyRun::note(const References& references, std::int64_t frame) {
@@ -164,14 +180,14 @@ void StudyRun::make_references() {
     References references(instant, context);
     for (const ReferenceSpec& spec : specs) {
       stop_if_asked();
-      references_until_s_ = 0.5 * limit_s() * ++done / all;
+      references_s_ = kShareOfReferences * limit_s() * ++done / all;
       references.get(spec);
       if (!cache_.remark().empty()) warnings_.push_back(cache_.remark());
       stop_if_asked();  // one that was cut short is not noted
       note(references, frame.number);
     }
   }
-  references_until_s_ = 0.5 * limit_s();
+  references_s_ = kShareOfReferences * limit_s();
   last_row_ns_ = steady_now_ns();
 }
 
@@ -259,7 +275,8 @@ double StudyRun::until_clip_s() const {
 // From the two bases at the first frame: errors cost what they cost there, frames in proportion.
 double StudyRun::estimated_seconds(const StudySetting& setting) const {
   const std::int64_t frame = subject_.frames().frames.front().number;
-  const StudyRow *hard = row_of(kHardBase, frame), *soft = row_of(kSoftBase, frame);
+  const StudyRow *hard = row_of(default_name(kHardSamples), frame),
+                 *soft = row_of(default_name(kSoftSamples), frame);
   const RenderSettings settings = with_changes(subject_.defaults(), setting.changes);
   const RenderSettings& usual = subject_.defaults();
   const double per_sample_s =
@@ -275,7 +292,7 @@ double StudyRun::estimated_seconds(const StudySetting& setting) const {
   const MeasuringRules rules;
   const double pairs_s = 2.0 * (unit_s + frame_s);
   const double timing_s = std::min(rules.blocks * pairs_s, rules.seconds + pairs_s);
-  const double fixed_s = std::max(0.3, soft->seconds - 1e-3 * soft->frame_ms * 8);
+  const double fixed_s = std::max(0.05, soft->seconds - 1e-3 * soft->frame_ms * 8);
   double seconds = fixed_s + unit_s + 2 * frame_s + timing_s;
   if (setting.own == OwnReference::seeds) {
     // About so many settings share a reference of 16 frames.
@@ -330,7 +347,8 @@ void StudyRun::choose_combinations() {
   for (const StudySetting& setting : wanted_settings()) {
     const Mean own = mean_of(setting.name);
     // Sweeps of the number of light samples are swept around hard light.
-    const Mean base = mean_of(setting.base == "N = 64" ? kSoftBase : kHardBase);
+    const Mean base =
+        mean_of(default_name(setting.base == base_name(kSoftSamples) ? kSoftSamples : kHardSamples));
     if (own.frames == 0 || base.frames == 0 || !setting.model.empty()) continue;
     measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames),
                         base.log_time / base.frames, std::sqrt(base.squared / base.frames)});

@@ -54,6 +54,7 @@ class StudyRun {
   double estimated_seconds(const StudySetting& setting) const;
   double limit_s() const { return 60 * options_.minutes; }
   double clip_seconds() const;
+  double pixel_references_s() const;
   double until_clip_s() const;
 
   const StudyOptions& options_;
@@ -67,8 +68,8 @@ class StudyRun {
   ReferenceCache cache_;
   StudyProgress progress_;
   double earlier_s_ = 0;
-  TimeNs start_ns_, last_row_ns_;
-  double references_until_s_ = 0;
+  TimeNs start_ns_, last_row_ns_, reference_start_ns_;
+  double references_s_ = 0;  // that those over pixels may take, so far
 };
 
 }  // namespace herr

@@ -66,14 +66,16 @@ std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep
          shortest_text(std::round(last * 1e6) * 1e-6) + ", against expectation";
 }
 
-StudyFit fit_of(const Knob& knob, const std::string& base, const std::vector<const StudyPoint*>& sweep) {
+// What cannot be told from the reference tells nothing of the power law.
+StudyFit fit_of(const Knob& knob, const std::string& base, const std::vector<const StudyPoint*>& sweep,
+                double reference_floor) {
   StudyFit fit;
   fit.knob = knob.name, fit.base = base, fit.effort = knob.effort, fit.theory = knob.theory;
   fit.against = sweep.front()->own_error ? "own reference" : "endless effort";
   std::vector<double> n, error;
   for (const StudyPoint* point : sweep) {
     const double value = isolated_error(*point);
-    if (point->n < knob.fit_from || !(point->n > 0) || !(value > 0)) continue;
+    if (point->n < knob.fit_from || !(point->n > 0) || !(value > reference_floor)) continue;
     n.push_back(point->n);
     error.push_back(value);
   }
@@ -100,7 +102,7 @@ StudyFits fit_knobs(std::span<const Knob> knobs, std::span<const StudyPoint> poi
       const std::string odd = oddity(knob, sweep, references);
       if (!odd.empty()) out.remarks.push_back({knob.name, (base.empty() ? "" : base + ": ") + odd});
       if (knob.effort.empty()) continue;
-      out.fits.push_back(fit_of(knob, base, sweep));
+      out.fits.push_back(fit_of(knob, base, sweep, own_floor(*sweep.front(), references)));
       if (out.fits.back().remark.empty()) out.fits.back().remark = odd;
     }
   }

@@ -80,10 +80,9 @@ StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& benc
   const std::unique_ptr<Renderer> renderer =
       renderer_at(instant, with_changes(bench.defaults, setting.changes));
   RenderedFrame frame;
-  renderer->render_frame(*instant.sample, *instant.state, frame);
+  const PairedTimes times = time_pairs(*renderer, bench.unit, instant, bench.calibration, bench.rules.blocks,
+                                       bench.rules.seconds, frame);
   row.counters = frame.counters;
-  const PairedTimes times =
-      time_pairs(*renderer, bench.unit, instant, bench.calibration, bench.rules.blocks, bench.rules.seconds);
   row.log_ratios = times.log_ratios, row.work_log_ratios = times.work_log_ratios;
   row.frame_ms = times.frame_ms, row.pixels_ms = times.pixels_ms, row.calibration_ms = times.calibration_ms;
 
@@ -98,7 +97,8 @@ StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& benc
     const ReferencePicture& own = bench.references.get(own_reference(bench.defaults, setting));
     row.own_reference = own.spec.name;
     row.own_error = picture_errors(instant.maps, test, own.picture, threads);
-    if (setting.own == OwnReference::seeds && bench.rules.bias_seeds > 1 && !renderer->plan().probes) {
+    const bool quick = row.frame_ms < bench.rules.bias_frame_ms;
+    if (setting.own == OwnReference::seeds && quick && !renderer->plan().probes) {
       row.bias = bias_of(*renderer, bench, own);
     }
   }

@@ -17,9 +17,10 @@ struct PairedTimes {
   double calibration_ms = 0;            // median
 };
 
-// Two pairs a block; `blocks` of them, fewer (but one) when they take longer than `seconds`. The tested
-// renderer has rendered this instant before.
+// `frame` is the first one of the tested renderer. Two pairs a block; `blocks` of them, fewer (but one) when
+// they take longer than `seconds`. What is rendered first warms up, unless it takes so long that this makes
+// no difference: then it counts.
 PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant,
-                       Calibration& calibration, int blocks, double seconds);
+                       Calibration& calibration, int blocks, double seconds, RenderedFrame& frame);
 
 }  // namespace herr

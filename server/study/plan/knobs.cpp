@@ -14,11 +14,12 @@ namespace {
 
 // How one setting is swept.
 struct KnobRow {
-  const char* setting;
-  std::vector<std::string> values;  // empty: from its range
+  const char* setting = "";
+  std::vector<std::string> values = {};  // around hard light; empty: from its range
+  std::vector<std::string> soft = {};    // of these, around soft light, whose frames take long; empty: all
   OwnReference own = OwnReference::pixels;
-  SettingChanges limit{};       // for OwnReference::seeds
-  SettingChanges needs{};       // without these it does nothing
+  SettingChanges limit = {};    // for OwnReference::seeds
+  SettingChanges needs = {};    // without these it does nothing
   const char* plan_entry = "";  // that runs where the scene has something for it
   const char* effort = "";
   const char* theory = "";
@@ -29,74 +30,77 @@ struct KnobRow {
 
 // Most wanted first: what the time is too short for is dropped from the end.
 const std::vector<KnobRow>& knob_rows() {
+  constexpr auto seeds = OwnReference::seeds;
   static const std::vector<KnobRow> rows{
-      {"first_light_samples",
-       {"4", "8", "16", "32"},
-       OwnReference::seeds,
-       {{"first_light_samples", "0"}},
-       {{"first_light_samples", "8"}},
-       "adaptive light samples",
-       "first samples",
-       "",
-       1,
-       0,
-       true},
-      {"filter", {"nearest", "bilinear", "bicubic"}},
-      {"reflections", {"off", "on"}, OwnReference::seeds, {{"reflections", "on"}}, {}, "mirror rays"},
-      {"refraction", {"off", "on"}, OwnReference::seeds, {{"refraction", "on"}}, {}, "refraction"},
-      {"occlusion_rays",
-       {"0", "1", "2", "4", "8", "16"},
-       OwnReference::seeds,
-       {{"occlusion_rays", "64"}},
-       {{"occlusion_rays", "16"}},
-       "ambient occlusion",
-       "rays per hit",
-       "-0.5 for independent rays, less where they are spread",
-       1,
-       1},
-      {"probe_rays",
-       {"16", "32", "64", "128", "256"},
-       OwnReference::seeds,
-       {{"probe_rays", "512"}},
-       {{"probes", "on"}},
-       "probes",
-       "rays per probe and update",
-       "-0.5: independent rays",
-       1,
-       0},
-      {"probe_density",
-       {"0.5", "0.71", "1", "1.41"},
-       OwnReference::seeds,
-       {{"probe_density", "2"}},
-       {{"probes", "on"}},
-       "probes",
-       "probes per axis",
-       "",
-       1,
-       0},
-      {"probe_budget",
-       {"128", "512", "0"},
-       OwnReference::seeds,
-       {{"probe_budget", "0"}},
-       {{"probes", "on"}},
-       "probes"},
-      {"ray_width",
-       {"0", "0.25", "0.5", "1", "2", "4"},
-       OwnReference::pixels,
-       {},
-       {},
-       "textures",
-       "width of rays in samples"},
-      {"detail_error",
-       {"0", "0.25", "0.5", "1", "2", "4"},
-       OwnReference::pixels,
-       {},
-       {},
-       "detail levels",
-       "samples that a mesh may lie off",
-       "",
-       -1,
-       0.01},
+      {.setting = "first_light_samples",
+       .values = {"4", "8", "16", "32"},
+       .own = seeds,
+       .limit = {{"first_light_samples", "0"}},
+       .needs = {{"first_light_samples", "8"}},
+       .plan_entry = "adaptive light samples",
+       .effort = "first samples",
+       .expected = 1,
+       .soft_only = true},
+      {.setting = "filter", .values = {"nearest", "bilinear", "bicubic"}},
+      {.setting = "reflections",
+       .values = {"off", "on"},
+       .own = seeds,
+       .limit = {{"reflections", "on"}},
+       .plan_entry = "mirror rays"},
+      {.setting = "refraction",
+       .values = {"off", "on"},
+       .own = seeds,
+       .limit = {{"refraction", "on"}},
+       .plan_entry = "refraction"},
+      {.setting = "occlusion_rays",
+       .values = {"0", "1", "2", "4", "8", "16"},
+       .soft = {"0", "4", "16"},
+       .own = seeds,
+       .limit = {{"occlusion_rays", "64"}},
+       .needs = {{"occlusion_rays", "16"}},
+       .plan_entry = "ambient occlusion",
+       .effort = "rays per hit",
+       .theory = "-0.5 for independent rays, less where they are spread",
+       .expected = 1,
+       .fit_from = 1},
+      {.setting = "ray_width",
+       .values = {"0", "0.5", "1", "2", "4"},
+       .soft = {"0", "1", "4"},
+       .plan_entry = "textures",
+       .effort = "width of rays in samples"},
+      {.setting = "detail_error",
+       .values = {"0", "0.25", "0.5", "1", "2", "4"},
+       .soft = {"0", "0.5", "4"},
+       .plan_entry = "detail levels",
+       .effort = "samples that a mesh may lie off",
+       .expected = -1,
+       .fit_from = 0.01},
+      {.setting = "probe_rays",
+       .values = {"16", "32", "64", "128", "256"},
+       .soft = {"16", "64", "256"},
+       .own = seeds,
+       .limit = {{"probe_rays", "512"}},
+       .needs = {{"probes", "on"}},
+       .plan_entry = "probes",
+       .effort = "rays per probe and update",
+       .theory = "-0.5: independent rays",
+       .expected = 1},
+      {.setting = "probe_density",
+       .values = {"0.5", "0.71", "1", "1.41"},
+       .soft = {"0.5", "1"},
+       .own = seeds,
+       .limit = {{"probe_density", "2"}},
+       .needs = {{"probes", "on"}},
+       .plan_entry = "probes",
+       .effort = "probes per axis",
+       .expected = 1},
+      {.setting = "probe_budget",
+       .values = {"128", "512", "0"},
+       .soft = {"128", "0"},
+       .own = seeds,
+       .limit = {{"probe_budget", "0"}},
+       .needs = {{"probes", "on"}},
+       .plan_entry = "probes"},
   };
   return rows;
 }
@@ -128,10 +132,6 @@ std::vector<std::string> values_around(const Setting& setting) {
 double number_in(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
   return digits ? std::stod(text) : 0.0;
-}
-
-std::string base_name(int samples) {
-  return "N = " + std::to_string(samples);
 }
 
 class Sweeps {
@@ -203,7 +203,7 @@ void Sweeps::add_light_samples() {
     setting.name = "light samples " + std::to_string(samples);
     setting.base = "";
     setting.own = OwnReference::seeds;
-    setting.own_limit = light(256);
+    setting.own_limit = light(kSoftSamples);
   }
 }
 
@@ -213,21 +213,23 @@ void Sweeps::add_polar() {
   const Knob width{"polar_width", "polar width", "radial samples", "", 1, 0};
   const Knob height{"polar_height", "polar height", "angular samples", "", 1, 0};
   out_.knobs.insert(out_.knobs.end(), {both, width, height});
-  const auto sweep = [&](const Knob& knob, std::initializer_list<double> factors) {
+  const auto sweep = [&](const Knob& knob, int samples, std::initializer_list<double> factors) {
     for (const double factor : factors) {
-      for (const int samples : {kHardSamples, kSoftSamples}) {
-        const std::string text =
-            polar_text(knob.name == "polar_height" ? 1 : factor, knob.name == "polar_width" ? 1 : factor);
-        StudySetting& setting = add(knob, text, samples, {{"polar", text}});
-        const RenderSettings sized = with_changes(defaults_, setting.changes);
-        const double w = sized.polar_width, h = sized.polar_height;
-        setting.n = knob.name == "polar" ? std::sqrt(w * h) : knob.name == "polar_width" ? w : h;
-      }
+      const std::string text =
+          polar_text(knob.name == "polar_height" ? 1 : factor, knob.name == "polar_width" ? 1 : factor);
+      StudySetting& setting = add(knob, text, samples, {{"polar", text}});
+      const RenderSettings sized = with_changes(defaults_, setting.changes);
+      const double w = sized.polar_width, h = sized.polar_height;
+      setting.n = knob.name == "polar" ? std::sqrt(w * h) : knob.name == "polar_width" ? w : h;
     }
   };
-  sweep(both, {0.25, 0.354, 0.5, 0.707, 1, 1.414, 2});
-  sweep(width, {0.25, 0.5, 1, 2});
-  sweep(height, {0.25, 0.5, 1, 2});
+  // Frames with soft light take long: fewer of them.
+  sweep(both, kHardSamples, {0.25, 0.354, 0.5, 0.707, 1, 1.414, 2});
+  sweep(both, kSoftSamples, {0.25, 0.5, 0.707, 1, 1.414});
+  sweep(width, kHardSamples, {0.25, 0.5, 1, 2});
+  sweep(height, kHardSamples, {0.25, 0.5, 1, 2});
+  sweep(width, kSoftSamples, {0.25, 0.5, 1});
+  sweep(height, kSoftSamples, {0.25, 0.5, 1});
 }
 
 void Sweeps::add_uniform() {
@@ -270,7 +272,7 @@ void Sweeps::add_adaptive() {
     setting.name = "adaptive light samples " + std::to_string(samples);
     setting.base = "";
     setting.own = OwnReference::seeds;
-    setting.own_limit = {{"light_samples", "256"}, {"first_light_samples", "0"}};
+    setting.own_limit = merged(light(kSoftSamples), {{"first_light_samples", "0"}});
   }
 }
 
@@ -295,6 +297,10 @@ void Sweeps::add_row(const KnobRow& row) {
   for (const std::string& value : values) {
     for (const int samples : {kHardSamples, kSoftSamples}) {
       if (row.soft_only && samples == kHardSamples) continue;
+      if (samples == kSoftSamples && !row.soft.empty() &&
+          std::find(row.soft.begin(), row.soft.end(), value) == row.soft.end()) {
+        continue;
+      }
       StudySetting& added = add(knob, value, samples, merged(row.needs, {{row.setting, value}}));
       added.model = row.needs;
       if (row.own == OwnReference::pixels) continue;
@@ -309,11 +315,15 @@ void Sweeps::add_unknown() {
   for (const Setting& setting : settings_of(current)) {
     if (setting.effect != SettingEffect::error_for_time || has_row(setting.name)) continue;
     const bool number = std::holds_alternative<NumberSetting>(setting.value);
-    add_row({setting.name.c_str(), {}, OwnReference::pixels, {}, {}, "", number ? "its value" : ""});
+    add_row({.setting = setting.name.c_str(), .effort = number ? "its value" : ""});
   }
 }
 
 }  // namespace
+
+std::string base_name(int samples) {
+  return "N = " + std::to_string(samples);
+}
 
 StudySweeps sweeps_of(const RenderSettings& defaults,
                       const std::function<FramePlan(const RenderSettings&)>& plan_of) {

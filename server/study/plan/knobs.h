@@ -15,6 +15,9 @@ namespace herr {
 // Sweeps are made around these, named "N = 1" and "N = 64".
 inline constexpr int kHardSamples = 1, kSoftSamples = 64;
 
+// "N = 64": StudySetting::base.
+std::string base_name(int samples);
+
 // A sweep, in words.
 struct Knob {
   std::string name;    // of its settings: StudySetting::knob

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "server/study/plan/knobs.h"
+
 namespace herr {
 namespace {
 
@@ -32,18 +34,26 @@ StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::ve
   const auto needed = [&] { return sum_of(costs) * static_cast<double>(budget.frames); };
   if (needed() > seconds * (kShareOfKnobs - kLeastShareOfCombinations))
     budget.dropped.emplace_back("combinations");
-  while (needed() > seconds * kShareOfKnobs && !is_kept(budget.settings.back().knob)) {
-    const auto last = std::find_if(budget.settings.rbegin(), budget.settings.rend(),
-                                   [](const StudySetting& setting) { return !is_kept(setting.knob); });
-    const std::string knob = last->knob;
-    std::size_t count = 0;
-    for (std::size_t i = budget.settings.size(); i-- > 0;) {
-      if (budget.settings[i].knob != knob) continue;
-      budget.settings.erase(budget.settings.begin() + static_cast<std::ptrdiff_t>(i));
-      costs.erase(costs.begin() + static_cast<std::ptrdiff_t>(i));
-      ++count;
+  // Around soft light first: its frames take long.
+  for (const bool soft : {true, false}) {
+    const auto may_go = [&](const StudySetting& setting) {
+      const bool swept = setting.knob != "uniform" && setting.knob != "paper";
+      return !is_kept(setting.knob) && (!soft || (swept && setting.base == base_name(kSoftSamples)));
+    };
+    while (needed() > seconds * kShareOfKnobs) {
+      const auto last = std::find_if(budget.settings.rbegin(), budget.settings.rend(), may_go);
+      if (last == budget.settings.rend()) break;
+      const std::string knob = last->knob;
+      std::size_t count = 0;
+      for (std::size_t i = budget.settings.size(); i-- > 0;) {
+        if (budget.settings[i].knob != knob || !may_go(budget.settings[i])) continue;
+        budget.settings.erase(budget.settings.begin() + static_cast<std::ptrdiff_t>(i));
+        costs.erase(costs.begin() + static_cast<std::ptrdiff_t>(i));
+        ++count;
+      }
+      budget.dropped.push_back(knob + (soft ? ", " + base_name(kSoftSamples) : std::string()) + ": " +
+                               std::to_string(count) + " settings");
     }
-    budget.dropped.push_back(knob + ": all " + std::to_string(count) + " settings");
   }
   while (needed() > seconds * kShareOfKnobs && budget.frames > 1) --budget.frames;
   if (budget.frames < frames) {

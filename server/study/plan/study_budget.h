@@ -1,6 +1,6 @@
-// What the time of a study is enough for. Combinations go first, then whole sweeps from the end of the list,
-// then frames. Before: how long a setting takes. After: study_run measures what is left and lists what is
-// not.
+// What the time of a study is enough for. Combinations go first, then sweeps around soft light from the end
+// of the list, then whole sweeps, then frames. Before: how long a setting takes. After: study_run measures
+// what is left and lists what is not.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct StudyBudget {
   std::size_t frames = 1;  // of those chosen, from the first
   std::vector<StudySetting> settings;
   std::size_t combinations = 0;      // that the rest of the time is enough for
-  std::vector<std::string> dropped;  // "combinations", "detail error: all 12 settings", "frames 2 ... 3"
+  std::vector<std::string> dropped;  // "combinations", "detail_error, N = 64: 3 settings", "1 of 3 frames"
 };
 
 // `seconds_of`: of one frame, for each of `settings`. Default, light samples and polar size are

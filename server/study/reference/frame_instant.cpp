@@ -1,5 +1,6 @@
 #include "server/study/reference/frame_instant.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
@@ -7,20 +8,25 @@
 namespace herr {
 namespace {
 
-// Of what probes knew before, e^-8 = 0.03 % is left.
-constexpr double kTimeConstantsToRest = 8;
+// First in long steps, to gather light of many bounces, then at the display's rate, for the noise that its
+// frames have: of the long steps e^-4 = 2 % is left.
+constexpr int kLongSteps = 24;
+constexpr double kLongStep_s = 0.1, kTimeConstantsAtRate = 4;
+constexpr TimeNs kFewestAtRate = 8;
 
 void let_probes_rest(Renderer& renderer, const FrameInstant& instant) {
-  const ProbeSettings& probes = renderer.settings().probes;
+  const double tau_s = renderer.settings().probes.hysteresis_tau_s;
   const double period_s = 1.0 / instant.profile->display_hz;
-  const auto frames = static_cast<TimeNs>(
-      std::ceil(std::max(kTimeConstantsToRest * probes.hysteresis_tau_s / period_s, 8.0)));
+  const auto at_rate =
+      std::max(kFewestAtRate, static_cast<TimeNs>(std::ceil(kTimeConstantsAtRate * tau_s / period_s)));
+  const double rate_s = static_cast<double>(at_rate) * period_s;
   FrameSample sample = *instant.sample;
-  for (TimeNs k = frames; k > 0; --k) {
-    sample.t_ns =
-        instant.sample->t_ns - static_cast<TimeNs>(std::llround(static_cast<double>(k) * period_s * 1e9));
+  const auto gather_at = [&](double before_s) {
+    sample.t_ns = instant.sample->t_ns - static_cast<TimeNs>(std::llround(before_s * 1e9));
     renderer.skip_frame(sample, *instant.state);
-  }
+  };
+  for (int k = kLongSteps; k > 0; --k) gather_at(rate_s + k * kLongStep_s);
+  for (TimeNs k = at_rate; k > 0; --k) gather_at(static_cast<double>(k) * period_s);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 constexpr int kPassSamples = 16;        // light samples and short rays of one pass
 constexpr double kPassRayWidth = 0.25;  // of a pixel that 16 rays or more share
 constexpr int kProbeRays = 256;
-constexpr int kPasses = 8;
+constexpr int kPasses = 8, kSoftPasses = 3;
 
 // Rays through every seen pixel, and nothing saved.
 RenderSettings through_pixels(RenderSettings settings) {
@@ -46,7 +46,8 @@ ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChange
   spec.name = "endless effort" + model_name(named);
   spec.passes = kPasses;
   spec.finest = lit;
-  spec.finest.polar_width = spec.finest.polar_width * 3 / 2, spec.finest.polar_height = spec.finest.polar_height * 3 / 4 * 2;
+  spec.finest.polar_width = spec.finest.polar_width * 3 / 2,
+  spec.finest.polar_height = spec.finest.polar_height * 3 / 4 * 2;
   spec.finest.light_samples = kSoftSamples;
   return spec;
 }
@@ -69,6 +70,10 @@ ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& 
     return spec;
   }
   spec.by_pixels = false;
+  // A sweep of the samples themselves is measured against their noise; others against what soft light leaves.
+  const bool of_samples = setting.knob == "light_samples" || setting.knob == "adaptive_samples" ||
+                          setting.knob == "first_light_samples";
+  if (!of_samples && settings.light_samples > kHardSamples) spec.passes = kSoftPasses;
   spec.settings = with_changes(settings, setting.own_limit);
   spec.name = flags_text(changes_between(defaults, spec.settings));
   if (spec.name.empty()) spec.name = "the default";
