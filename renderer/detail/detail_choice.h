@@ -1,6 +1,6 @@
 // Which form of a mesh a frame shows: the coarsest whose error stays below a share of a sample (the setting
-// detail_error) where the eye looks at it. A pure function of view and former choice. Before: this frame's eyes and gaze. After: embree_scene
-// places the chosen mesh.
+// detail_error) where the eye looks at it. A pure function of view and former choice. Before: this frame's
+// eyes and gaze. After: embree_scene places the chosen mesh.
 #pragma once
 
 #include <array>
