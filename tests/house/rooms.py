@@ -10,7 +10,8 @@ ROOMS = {
     "server": ("text", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/probes", "inspect", "synth", "convert", "study/error", "study/statistics",
-               "study/diagrams", "study/report", "study/plan", "study/reference", "study", "cli"),
+               "study/diagrams", "study/report", "study/plan", "study/reference", "study/measure",
+               "study/findings", "study", "cli"),
 }
 
 # Modules whose root holds public headers, which every room may include, and what those headers alone need.

@@ -1,10 +1,12 @@
 #include "server/study/measure/study_row.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 #include "server/text/number_text.h"
 
@@ -29,6 +31,13 @@ double number_of(const std::string& cell) {
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size()) throw std::invalid_argument("no number");
+  return value;
+}
+
+std::int64_t count_of(const std::string& cell) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size()) throw std::invalid_argument("no count");
   return value;
 }
 
@@ -107,7 +116,7 @@ std::vector<Column> make_columns() {
                               number_column("n", &StudyRow::n),
                               text_column("flags", &StudyRow::flags),
                               {"frame", [](const StudyRow& row) { return std::to_string(row.frame); },
-                               [](StudyRow& row, const std::string& cell) { row.frame = std::stoll(cell); }},
+                               [](StudyRow& row, const std::string& cell) { row.frame = count_of(cell); }},
                               number_column("frame_ms", &StudyRow::frame_ms),
                               number_column("pixels_ms", &StudyRow::pixels_ms),
                               number_column("calibration_ms", &StudyRow::calibration_ms),
@@ -134,7 +143,7 @@ std::vector<Column> make_columns() {
                        },
                        [=](StudyRow& row, const std::string& cell) {
                          for_each_counter(row.counters, [&](const std::string& other, std::int64_t& count) {
-                           if (other == name) count = std::stoll(cell);
+                           if (other == name) count = count_of(cell);
                          });
                        }});
   });
@@ -202,7 +211,7 @@ std::optional<StudyRow> study_row_of(std::string_view line) {
   StudyRow row;
   try {
     for (std::size_t i = 0; i < cells.size(); ++i) columns[i].read(row, cells[i]);
-  } catch (const std::logic_error&) {  // std::invalid_argument, std::out_of_range
+  } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
   return row;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -130,8 +131,9 @@ std::vector<std::string> values_around(const Setting& setting) {
 }
 
 double number_in(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789.") == std::string::npos;
-  return digits ? std::stod(text) : 0.0;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? value : 0.0;
 }
 
 class Sweeps {

@@ -20,11 +20,10 @@ std::string flags_text(const SettingChanges& changes) {
   for (const auto& [name, value] : changes) {
     const Setting& row = setting_named(rows, name);
     std::string word;
-    if (row.flag.empty()) {
+    // The flag of a switch changes its default; none brings it back.
+    if (row.flag.empty() || (is_switch(row) && value == text_of(row))) {
       word = name + "=" + value;
     } else if (is_switch(row)) {
-      // The flag of a switch changes its default.
-      if (value == text_of(row)) continue;
       word = row.flag;
     } else {
       word = row.flag + " " + value;

@@ -35,7 +35,7 @@ struct StudySetting {
 // Throws std::invalid_argument for a name or value that is none.
 RenderSettings with_changes(const RenderSettings& settings, const SettingChanges& changes);
 
-// "--polar 788x384 --light-samples 64"; of settings without a flag "name=value".
+// "--polar 788x384 --light-samples 64"; of values that no flag gives "name=value".
 std::string flags_text(const SettingChanges& changes);
 
 // `changes` and then `more`: of a setting in both the later value counts, in its first place.
