@@ -9,6 +9,26 @@ namespace {
 
 constexpr int kFilterReach = 2;  // rays: bicubic
 
+// Whether one focus viewport covers a tile and as many rays around it as a filter may read. What it covers is
+// a rectangle: the four corners tell. Several together need not cover what lies between corners.
+bool covered_by_one(const DisplayProfile& profile, const PixelTile& tile, double scale) {
+  const Viewport& own = profile.viewports[static_cast<std::size_t>(tile.viewport)];
+  const double per_x = (own.tan_right - own.tan_left) / rays_along(own.width_px, scale),
+               per_y = (own.tan_up - own.tan_down) / rays_along(own.height_px, scale);
+  DisplayProfile pair;
+  for (const Viewport& focus : profile.viewports) {
+    pair.viewports = {own, focus};
+    bool covered = focus.focus;
+    for (const int x : {tile.x0 - kFilterReach, tile.x1 + kFilterReach}) {
+      for (const int y : {tile.y0 - kFilterReach, tile.y1 + kFilterReach}) {
+        covered = covered && covered_by_focus(pair, 0, own.tan_left + x * per_x, own.tan_up - y * per_y);
+      }
+    }
+    if (covered) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<PixelTile> Renderer::Impl::pixel_tiles() const {
@@ -27,23 +47,11 @@ std::vector<PixelTile> Renderer::Impl::pixel_tiles() const {
   return tiles;
 }
 
-// A tile is covered when its four corners are, and as many rays around it as a filter may read: what covers
-// it is a rectangle.
 void Renderer::Impl::find_covered_tiles() {
   covered_tiles.clear();
   if (plan.polar || settings.covered_pixels) return;
   for (const PixelTile& tile : pixel_tiles()) {
-    const auto index = static_cast<std::size_t>(tile.viewport);
-    const Viewport& v = profile.viewports[index];
-    const double per_x = (v.tan_right - v.tan_left) / rays_along(v.width_px, settings.scale),
-                 per_y = (v.tan_up - v.tan_down) / rays_along(v.height_px, settings.scale);
-    bool covered = true;
-    for (const int x : {tile.x0 - kFilterReach, tile.x1 + kFilterReach}) {
-      for (const int y : {tile.y0 - kFilterReach, tile.y1 + kFilterReach}) {
-        covered = covered && covered_by_focus(profile, index, v.tan_left + x * per_x, v.tan_up - y * per_y);
-      }
-    }
-    covered_tiles.push_back(covered ? 1 : 0);
+    covered_tiles.push_back(covered_by_one(profile, tile, settings.scale) ? 1 : 0);
   }
 }
 

@@ -9,84 +9,33 @@
 #include <vector>
 
 #include "renderer/lighting/light_records.h"
+#include "tests/renderer/penumbra_scene.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace herr {
 namespace {
 
-constexpr double kLightHeight_m = 2.0, kEdgeHeight_m = 1.0, kEyeHeight_m = 0.9;
-
-// The floor y = 0 under a screen at y = 1 that covers x < 0, and a light at y = 2; the
-// eye lies below the screen.
-Scene edge_scene(const glm::vec3& light_size) {
-  Scene scene;
-  Material dull = test::matte(glm::vec3{0.8f});
-  test::add(scene, test::floor_quad(50), dull);
-  test::add(scene, test::quad({-50, kEdgeHeight_m, 50}, {50, 0, 0}, {0, 0, -100}), dull);
-  scene.lights = {test::light_at({0, kLightHeight_m, 0}, glm::vec3{10.0f}, light_size)};
-  return scene;
-}
-
-// Irradiance at (x, 0, z) by the midpoint rule over the light, of what the edge lets through or of all. Along
-// x the rule's cells are cut where the edge cuts them, so that visibility is exact.
-double irradiance(const AreaLight& light, double x, double z, bool behind_edge) {
-  constexpr int kCells = 48;
-  const glm::dvec3 size(light.size), lower = light.centre - 0.5 * size;
-  const int cells_y = size.y > 0 ? kCells : 1, cells_z = size.z > 0 ? kCells : 1;
-  double sum = 0;
-  for (int j = 0; j < cells_y; ++j) {
-    const double y = lower.y + size.y * (j + 0.5) / cells_y;
-    // A point of the light at height y is seen where x + (lx - x) edge / y > 0.
-    const double first_seen = behind_edge ? x * (1 - y / kEdgeHeight_m) : -1e9;
-    for (int k = 0; k < cells_z; ++k) {
-      const double lz = lower.z + size.z * (k + 0.5) / cells_z;
-      for (int i = 0; i < kCells; ++i) {
-        const double from = std::max(lower.x + size.x * i / kCells, first_seen);
-        const double to = lower.x + size.x * (i + 1) / kCells;
-        if (to <= from) continue;
-        const glm::dvec3 way = glm::dvec3{0.5 * (from + to), y, lz} - glm::dvec3{x, 0, z};
-        const double d2 = glm::dot(way, way);
-        sum += (to - from) / size.x * way.y / (d2 * std::sqrt(d2));
-      }
-    }
-  }
-  return sum / (cells_y * cells_z);
-}
+using test::edge_scene;
 
 // Mean absolute error of the visible share over the penumbra, for N samples.
 double penumbra_error(const glm::vec3& light_size, int samples, int first_samples = 0,
                       FrameCounters* counters = nullptr) {
   const Scene scene = edge_scene(light_size);
-  // 0.6 m to both sides of the edge's projection: the penumbra of a light of 1 m reaches 0.5 m.
-  const DisplayProfile profile = [] {
-    DisplayProfile p;
-    p.name = "penumbra";
-    const double half_deg = std::atan2(0.6, kEyeHeight_m) * kDegreesPerRadian;
-    p.viewports = {test::viewport_deg(Eye::left, 96, 24, -half_deg, half_deg, -5, 5)};
-    return p;
-  }();
+  const DisplayProfile profile = test::penumbra_view(96, 24);
   RenderSettings settings = test::planar_settings();
   settings.light_samples = samples;
   settings.adaptive_min_samples = first_samples;
-  const RenderedFrame frame =
-      test::render(scene, profile, settings, test::looking_down({0, kEyeHeight_m, 0}));
+  const RenderedFrame frame = test::render(scene, profile, settings, test::penumbra_sample());
   Scene open = scene;
   open.instances.pop_back();
-  const RenderedFrame unshadowed =
-      test::render(open, profile, settings, test::looking_down({0, kEyeHeight_m, 0}));
+  const RenderedFrame unshadowed = test::render(open, profile, settings, test::penumbra_sample());
   if (counters) *counters = frame.counters;
+  const std::vector<double> seen = test::shares_of(frame.viewports[0], unshadowed.viewports[0]),
+                            exact = test::exact_shares(scene.lights[0], profile.viewports[0]);
   double sum = 0;
-  int count = 0;
-  test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
-    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
-    const double floor_x = kEyeHeight_m * d.x / -d.z, floor_z = -kEyeHeight_m * d.y / -d.z;
-    const double exact = irradiance(scene.lights[0], floor_x, floor_z, true) /
-                         irradiance(scene.lights[0], floor_x, floor_z, false);
-    sum += std::abs(pixel[0] / test::pixel_at(unshadowed.viewports[0], x, y)[0] - exact);
-    ++count;
-  });
-  return sum / count;
+  for (std::size_t i = 0; i < seen.size(); ++i) sum += std::abs(seen[i] - exact[i]);
+  return sum / static_cast<double>(seen.size());
 }
 
 // Slope of a straight line through (log n, log error) by least squares.
