@@ -15,10 +15,12 @@ HWY_INLINE VF lane_x(int x, int lane) {
 
 // Columns and rows of the sample to the upper left -> texel offsets.
 HWY_INLINE void store_offsets(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
-  const VI stride = hn::Set(kI, static_cast<std::int32_t>(job.radiance->row_stride()));
-  const VI columns = hn::Add(hn::ConvertTo(kI, column), hn::Set(kI, kBorderLeft)),
-           rows = hn::Add(hn::ConvertTo(kI, row), hn::Set(kI, kBorderAbove));
-  hn::Store(hn::BitCast(kU, hn::Add(hn::Mul(rows, stride), columns)), kU, &out.offset[lane]);
+  const std::size_t stride = job.radiance->row_stride();
+  const VI per_row = hn::Set(kI, static_cast<std::int32_t>(stride)),
+           first = hn::Set(kI, static_cast<std::int32_t>(texel_index(stride, 0, 0)));
+  const VI offset =
+      hn::Add(hn::Mul(hn::ConvertTo(kI, row), per_row), hn::Add(hn::ConvertTo(kI, column), first));
+  hn::Store(hn::BitCast(kU, offset), kU, &out.offset[lane]);
 }
 
 // Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap;
