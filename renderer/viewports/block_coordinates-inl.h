@@ -80,7 +80,8 @@ HWY_INLINE void place_planar(const ViewportJob& job, int x, int y, BlockCoordina
 }
 
 // Without foveation, fewer texels than pixels: centres of pixels among centres of texels, clamped to these.
-HWY_INLINE void place_scaled(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
+// Out of line: it takes registers from the loops around it.
+HWY_NOINLINE inline void place_scaled(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
   const auto texels_at = [](VF pixel, int pixels, int texels) HWY_ATTR {
     const VF per_pixel = set(static_cast<float>(texels) / static_cast<float>(pixels)), half = set(0.5f);
     const VF at = hn::MulSub(hn::Add(pixel, half), per_pixel, half);
