@@ -15,10 +15,12 @@ HWY_INLINE VF lane_x(int x, int lane) {
 
 // Columns and rows of the sample to the upper left -> texel offsets.
 HWY_INLINE void store_offsets(const ViewportJob& job, VF column, VF row, int lane, BlockCoordinates& out) {
-  const VI stride = hn::Set(kI, static_cast<std::int32_t>(job.radiance->row_stride()));
-  const VI columns = hn::Add(hn::ConvertTo(kI, column), hn::Set(kI, kBorderLeft)),
-           rows = hn::Add(hn::ConvertTo(kI, row), hn::Set(kI, kBorderAbove));
-  hn::Store(hn::BitCast(kU, hn::Add(hn::Mul(rows, stride), columns)), kU, &out.offset[lane]);
+  const std::size_t stride = job.radiance->row_stride();
+  const VI per_row = hn::Set(kI, static_cast<std::int32_t>(stride)),
+           first = hn::Set(kI, static_cast<std::int32_t>(texel_index(stride, 0, 0)));
+  const VI offset =
+      hn::Add(hn::Mul(hn::ConvertTo(kI, row), per_row), hn::Add(hn::ConvertTo(kI, column), first));
+  hn::Store(hn::BitCast(kU, offset), kU, &out.offset[lane]);
 }
 
 // Polar coordinates (columns and rows of samples) -> texel offset and weights. Rows wrap;
@@ -78,7 +80,8 @@ HWY_INLINE void place_planar(const ViewportJob& job, int x, int y, BlockCoordina
 }
 
 // Without foveation, fewer texels than pixels: centres of pixels among centres of texels, clamped to these.
-HWY_INLINE void place_scaled(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
+// Out of line: it takes registers from the loops around it.
+HWY_NOINLINE inline void place_scaled(const ViewportJob& job, int x, int y, BlockCoordinates& out) {
   const auto texels_at = [](VF pixel, int pixels, int texels) HWY_ATTR {
     const VF per_pixel = set(static_cast<float>(texels) / static_cast<float>(pixels)), half = set(0.5f);
     const VF at = hn::MulSub(hn::Add(pixel, half), per_pixel, half);
