@@ -300,7 +300,10 @@ double StudyRun::estimated_seconds(const StudySetting& setting) const {
     seconds +=
         rules.bias_seeds * frame_s + kShare * seconds_of_frame(with_changes(settings, setting.own_limit));
   }
-  if (settings.probes.on) seconds += 3;
+  if (settings.probes.on) {
+    constexpr double kRest_s = 0.4;  // of the default's probes
+    seconds += kRest_s * settings.probes.rays / usual.probes.rays * std::pow(settings.probes.density, 3);
+  }
   return seconds;
 }
 

@@ -9,9 +9,9 @@ namespace herr {
 namespace {
 
 // First in long steps, to gather light of many bounces, then at the display's rate, for the noise that its
-// frames have: of the long steps e^-4 = 2 % is left.
-constexpr int kLongSteps = 24;
-constexpr double kLongStep_s = 0.1, kTimeConstantsAtRate = 4;
+// frames have. Of the long steps' noise, whose variance is six times that, e^-4 = 2 % is left.
+constexpr int kLongSteps = 16;
+constexpr double kLongStep_s = 0.15, kTimeConstantsAtRate = 2;
 constexpr TimeNs kFewestAtRate = 8;
 
 void let_probes_rest(Renderer& renderer, const FrameInstant& instant) {

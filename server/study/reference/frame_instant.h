@@ -28,7 +28,7 @@ struct FrameInstant {
 std::vector<ViewportMap> viewport_maps(const FrameSample& sample, const DisplayProfile& profile);
 
 // A renderer that is ready for the instant: its probes have gathered light until they rest, as if the scene
-// had stood still before (2.4 s in long steps, then 4 time constants at the display's rate).
+// had stood still before (2.4 s in long steps, then 2 time constants at the display's rate).
 std::unique_ptr<Renderer> renderer_at(const FrameInstant& instant, const RenderSettings& settings);
 
 // The viewports of a frame as pictures, black where no eye sees them. `out` keeps its storage.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kPassSamples = 16;        // light samples and short rays of one pass
 constexpr double kPassRayWidth = 0.25;  // of a pixel that 16 rays or more share
-constexpr int kProbeRays = 256;
+constexpr int kProbeRays = 128;
 constexpr int kPasses = 8, kSoftPasses = 3;
 
 // Rays through every seen pixel, and nothing saved.
