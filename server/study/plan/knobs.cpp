@@ -169,14 +169,17 @@ class Sweeps {
     out_.settings.push_back(std::move(setting));
     return out_.settings.back();
   }
+  // Within the range of the setting.
   std::string polar_text(double width_factor, double height_factor) const {
-    const auto even = [](double value) { return 2 * std::max(1, static_cast<int>(std::lround(value / 2))); };
-    const int width = std::max(1, static_cast<int>(std::lround(defaults_.polar_width * width_factor)));
-    return std::to_string(2 * width) + "x" + std::to_string(even(defaults_.polar_height * height_factor));
-  }
-  std::string label(const std::string& setting) {
     RenderSettings any = defaults_;
-    return label_of(setting_named(settings_of(any), setting));
+    const std::vector<Setting> rows = settings_of(any);
+    const auto& size = std::get<SizeSetting>(setting_named(rows, "polar").value);
+    const auto scaled = [](int value, double factor, int most) {
+      return std::clamp(static_cast<int>(std::lround(value * factor)), 1, most);
+    };
+    const int width = scaled(defaults_.polar_width, width_factor, size.widest_per_eye);
+    const int pairs_of_rows = scaled(defaults_.polar_height / 2, height_factor, size.highest / 2);
+    return std::to_string(2 * width) + "x" + std::to_string(2 * pairs_of_rows);
   }
 
   const RenderSettings& defaults_;
@@ -216,9 +219,12 @@ void Sweeps::add_polar() {
   const Knob height{"polar_height", "polar height", "angular samples", "", 1, 0};
   out_.knobs.insert(out_.knobs.end(), {both, width, height});
   const auto sweep = [&](const Knob& knob, int samples, std::initializer_list<double> factors) {
+    std::string last;
     for (const double factor : factors) {
       const std::string text =
           polar_text(knob.name == "polar_height" ? 1 : factor, knob.name == "polar_width" ? 1 : factor);
+      if (text == last) continue;  // at an end of the range
+      last = text;
       StudySetting& setting = add(knob, text, samples, {{"polar", text}});
       const RenderSettings sized = with_changes(defaults_, setting.changes);
       const double w = sized.polar_width, h = sized.polar_height;
