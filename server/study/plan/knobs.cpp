@@ -291,11 +291,11 @@ void Sweeps::add_row(const KnobRow& row) {
   const Knob knob{row.setting, label_of(setting), row.effort, row.theory, row.expected, row.fit_from};
   if (*row.plan_entry != '\0') {
     const FramePlan plan = plan_of_(with_changes(defaults_, merged(light(kSoftSamples), row.needs)));
-    const auto entry = std::find_if(plan.entries.begin(), plan.entries.end(), [&](const PlanEntry& e) {
-      return e.name == row.plan_entry ||
-             (e.name == "voxels" && std::string("textures") == row.plan_entry && e.runs);
-    });
-    if (entry != plan.entries.end() && !entry->runs) {
+    const auto entry = std::find_if(plan.entries.begin(), plan.entries.end(),
+                                    [&](const PlanEntry& e) { return e.name == row.plan_entry; });
+    // Voxels have levels as textures have.
+    const bool levels = std::string("textures") == row.plan_entry && plan.voxels;
+    if (entry != plan.entries.end() && !entry->runs && !levels) {
       out_.left_out.push_back(knob.label + ": " + entry->reason);
       return;
     }
