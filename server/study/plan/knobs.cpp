@@ -169,6 +169,15 @@ class Sweeps {
     out_.settings.push_back(std::move(setting));
     return out_.settings.back();
   }
+  // What of `needs` the picture of endless effort shows: that there is such light where the default has none.
+  // How many samples and rays it is made of is no part of the picture.
+  SettingChanges model_of(SettingChanges needs) const {
+    std::erase_if(needs, [&](const auto& change) {
+      return !((change.first == "probes" && !defaults_.probes.on) ||
+               (change.first == "occlusion_rays" && defaults_.occlusion_rays == 0));
+    });
+    return needs;
+  }
   // Within the range of the setting.
   std::string polar_text(double width_factor, double height_factor) const {
     RenderSettings any = defaults_;
@@ -310,7 +319,7 @@ void Sweeps::add_row(const KnobRow& row) {
         continue;
       }
       StudySetting& added = add(knob, value, samples, merged(row.needs, {{row.setting, value}}));
-      added.model = row.needs;
+      added.model = model_of(row.needs);
       if (row.own == OwnReference::pixels) continue;
       added.own = row.own;
       added.own_limit = row.limit;

@@ -41,9 +41,7 @@ ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChange
     spec.settings.probes.rays = std::max(lit.probes.rays, kProbeRays);
     spec.settings.probes.budget = 0;
   }
-  SettingChanges named = model;
-  std::erase_if(named, [](const auto& change) { return change.first == "first_light_samples"; });
-  spec.name = "endless effort" + model_name(named);
+  spec.name = "endless effort" + model_name(model);
   spec.passes = kPasses;
   spec.finest = lit;
   spec.finest.polar_width = spec.finest.polar_width * 3 / 2,
