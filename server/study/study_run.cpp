@@ -346,12 +346,8 @@ void StudyRun::choose_combinations() {
   std::vector<MeasuredSetting> measured;
   for (const StudySetting& setting : wanted_settings()) {
     const Mean own = mean_of(setting.name);
-    // Sweeps of the number of light samples are swept around hard light.
-    const Mean base =
-        mean_of(default_name(setting.base == base_name(kSoftSamples) ? kSoftSamples : kHardSamples));
-    if (own.frames == 0 || base.frames == 0 || !setting.model.empty()) continue;
-    measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames),
-                        base.log_time / base.frames, std::sqrt(base.squared / base.frames)});
+    if (own.frames == 0 || !setting.model.empty()) continue;
+    measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames)});
   }
   state_.combinations = combinations(subject_.defaults(), measured, state_.most_combinations);
   write_state(folder_.state(), state_);
