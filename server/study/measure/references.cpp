@@ -18,7 +18,8 @@ constexpr std::ptrdiff_t kMostOfSeeds = 2;
 std::string key_of(const ReferenceSpec& spec, const FrameInstant& instant, const std::string& subject) {
   const SettingChanges all = changes_between(RenderSettings{}, spec.settings);
   std::string text = std::string(program_with_version()) + "; " + subject + "; frame " +
-                     std::to_string(instant.number) + "; " + std::to_string(spec.passes) + " passes";
+                     std::to_string(instant.number) + "; " + std::to_string(spec.passes) + " passes" +
+                     (spec.refined ? "" : ", no more");
   for (const auto& [name, value] : all) {
     if (name != "threads") text += "; " + name + " " + value;
   }
