@@ -181,7 +181,7 @@ void StudyRun::make_references() {
     for (const ReferenceSpec& spec : specs) {
       stop_if_asked();
       references_s_ = kShareOfReferences * limit_s() * ++done / all;
-      references.get(spec);
+      references.get(spec, !is_known(spec));
       if (!cache_.remark().empty()) warnings_.push_back(cache_.remark());
       stop_if_asked();  // one that was cut short is not noted
       note(references, frame.number);
