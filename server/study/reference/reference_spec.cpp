@@ -75,7 +75,7 @@ ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& 
   spec.settings = with_changes(settings, setting.own_limit);
   spec.name = flags_text(changes_between(defaults, spec.settings));
   if (spec.name.empty()) spec.name = "the default";
-  spec.name += ", many seeds";
+  spec.name += ", " + std::to_string(2 * spec.passes) + " seeds";
   spec.finest = spec.settings;
   return spec;
 }
