@@ -37,6 +37,7 @@ std::vector<StudyRow> measure_clip(StudySubject& subject, const std::vector<Stud
     References references(instant, context);
     ReferenceSpec spec = endless_effort(subject.defaults(), {});
     spec.passes = passes;
+    spec.refined = false;
     const ReferencePicture& reference = references.get(spec);
     std::vector<std::vector<LinearPicture>> pictures(settings.size());
     for (std::size_t s = 0; s < settings.size(); ++s) {

@@ -37,11 +37,26 @@ int print_again(const StudyOptions& options) {
   return kExitDone;
 }
 
+// Before minutes are spent.
+void prepare_folders(const StudyOptions& options) {
+  std::error_code none_there;
+  if (!options.export_to.empty() && !list_folder(options.export_to, none_there).empty()) {
+    throw UsageError("--export: " + printable(options.export_to.string()) +
+                     " is not empty; choose another folder");
+  }
+  if (options.references.empty()) return;
+  if (const std::error_code failed = make_folders(options.references)) {
+    throw UsageError("--references: " + printable(options.references.string()) +
+                     " cannot be made: " + failed.message());
+  }
+}
+
 }  // namespace
 
 int run_study(const StudyOptions& options) {
   if (!options.report.empty()) return print_again(options);
   check_isa(options.render);
+  prepare_folders(options);
   StudySubject subject(options);
   const StudyFolder folder(options.out);
   const FolderLock lock = folder.prepare(options.overwrite, options.resume);

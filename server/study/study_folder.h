@@ -13,8 +13,8 @@ class StudyFolder {
   explicit StudyFolder(std::filesystem::path path) : path_(std::move(path)) {}
 
   // Makes it and keeps other processes out. What an earlier study left is refused, removed (`overwrite`) or
-  // kept
-  // (`resume`); anything else in it is refused. Throws UsageError, WriteError, TemporaryError.
+  // kept (`resume`); references stay. Other files stay as they are; where there are only others the folder is
+  // refused. Throws UsageError, WriteError, TemporaryError.
   FolderLock prepare(bool overwrite, bool resume) const;
 
   std::filesystem::path csv() const { return path_ / "study.csv"; }

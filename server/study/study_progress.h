@@ -8,7 +8,7 @@
 
 namespace herr {
 
-// Pure: "study [#####-----]  35/210  polar 788x768, N = 1, frame 2 of 3  8:12 of 20:00".
+// Pure: "study [#####-----]  35/210  polar 788x768, N = 1, frame 2 of 3  8:12 of at most 20:00".
 std::string study_progress_text(std::size_t done, std::size_t total, const std::string& what, double seconds,
                                 double limit_s);
 

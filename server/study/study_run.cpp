@@ -181,7 +181,7 @@ void StudyRun::make_references() {
     for (const ReferenceSpec& spec : specs) {
       stop_if_asked();
       references_s_ = kShareOfReferences * limit_s() * ++done / all;
-      references.get(spec);
+      references.get(spec, !is_known(spec));
       if (!cache_.remark().empty()) warnings_.push_back(cache_.remark());
       stop_if_asked();  // one that was cut short is not noted
       note(references, frame.number);
@@ -349,12 +349,8 @@ void StudyRun::choose_combinations() {
   std::vector<MeasuredSetting> measured;
   for (const StudySetting& setting : wanted_settings()) {
     const Mean own = mean_of(setting.name);
-    // Sweeps of the number of light samples are swept around hard light.
-    const Mean base =
-        mean_of(default_name(setting.base == base_name(kSoftSamples) ? kSoftSamples : kHardSamples));
-    if (own.frames == 0 || base.frames == 0 || !setting.model.empty()) continue;
-    measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames),
-                        base.log_time / base.frames, std::sqrt(base.squared / base.frames)});
+    if (own.frames == 0 || !setting.model.empty()) continue;
+    measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames)});
   }
   state_.combinations = combinations(subject_.defaults(), measured, state_.most_combinations);
   write_state(folder_.state(), state_);
@@ -378,7 +374,6 @@ void StudyRun::measure_flicker() {
     return;
   }
   References::Context context = reference_context();
-  context.out_of_time = [] { return true; };
   context.parallel_for = [](int count, const std::function<void(int)>& work) {
     for (int i = 0; i < count; ++i) work(i);
   };

@@ -30,7 +30,7 @@ double squared_error(const std::vector<ViewportMap>& maps, const std::vector<Lin
 
 // The picture's mean over seeds lies off by the bias and a share of the noise: with MSE_1 = bias^2 + noise
 // and MSE_K = bias^2 + noise / K, bias^2 = (K MSE_K - MSE_1) / (K - 1). Of what the reference itself is off,
-// half the squared difference of its halves is taken out.
+// a quarter of the squared difference of its halves is taken out.
 double bias_of(Renderer& renderer, const MeasuringBench& bench, const ReferencePicture& reference) {
   const int seeds = bench.rules.bias_seeds;
   const FrameInstant& instant = bench.instant;

@@ -18,7 +18,8 @@ constexpr std::ptrdiff_t kMostOfSeeds = 2;
 std::string key_of(const ReferenceSpec& spec, const FrameInstant& instant, const std::string& subject) {
   const SettingChanges all = changes_between(RenderSettings{}, spec.settings);
   std::string text = std::string(program_with_version()) + "; " + subject + "; frame " +
-                     std::to_string(instant.number) + "; " + std::to_string(spec.passes) + " passes";
+                     std::to_string(instant.number) + "; " + std::to_string(spec.passes) + " passes" +
+                     (spec.refined ? "" : ", no more");
   for (const auto& [name, value] : all) {
     if (name != "threads") text += "; " + name + " " + value;
   }
@@ -27,11 +28,11 @@ std::string key_of(const ReferenceSpec& spec, const FrameInstant& instant, const
 
 }  // namespace
 
-const ReferencePicture& References::get(const ReferenceSpec& spec) {
+const ReferencePicture& References::get(const ReferenceSpec& spec, bool improve) {
   const auto found = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const ReferencePicture& kept) { return kept.spec == spec; });
   if (found != kept_.end()) return *found;
-  kept_.push_back(make(spec));
+  kept_.push_back(make(spec, improve));
   const auto of_seeds = [](const ReferencePicture& kept) { return !kept.spec.by_pixels; };
   if (std::count_if(kept_.begin(), kept_.end(), of_seeds) > kMostOfSeeds) {
     kept_.erase(std::find_if(kept_.begin(), kept_.end(), of_seeds));
@@ -39,15 +40,18 @@ const ReferencePicture& References::get(const ReferenceSpec& spec) {
   return kept_.back();
 }
 
-ReferencePicture References::make(const ReferenceSpec& spec) {
+ReferencePicture References::make(const ReferenceSpec& spec, bool improve) {
   if (context_.tell) context_.tell("reference: " + spec.name);
   const std::string key = key_of(spec, instant_, context_.subject);
   std::optional<ReferenceHalves> halves;
   const bool cached = spec.by_pixels && context_.cache != nullptr;
   if (cached) halves = context_.cache->load(key, *instant_.profile);
-  if (!halves) {
-    halves = render_halves(spec, instant_, context_.out_of_time);
-    if (cached) context_.cache->store(key, *halves);
+  if (!halves || (improve && !halves->goal_met)) {
+    ReferenceHalves fresh = render_halves(spec, instant_, context_.out_of_time);
+    const bool better = !halves || fresh.goal_met || fresh.passes > halves->passes ||
+                        (fresh.passes == halves->passes && fresh.most_passes > halves->most_passes);
+    if (better) halves = std::move(fresh);
+    if (better && cached) context_.cache->store(key, *halves);
   }
   ReferencePicture reference = mean_of_halves(spec, instant_, std::move(*halves), context_.parallel_for);
   seconds_ += reference.seconds;

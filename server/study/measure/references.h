@@ -26,15 +26,16 @@ class References {
       : instant_(instant), context_(std::move(context)) {}
 
   // Valid until the next call. Those over pixels are kept in memory and on disk, those of many seeds the last
-  // two in memory.
-  const ReferencePicture& get(const ReferenceSpec& spec);
+  // two in memory. `improve`: one on disk that was left with too large an error is made again, unless there is
+  // no time for more passes than it has.
+  const ReferencePicture& get(const ReferenceSpec& spec, bool improve = false);
 
   // What was made or found, without pictures, in order.
   const std::vector<ReferencePicture>& made() const { return made_; }
   double seconds() const { return seconds_; }  // that making them took, earlier runs included
 
  private:
-  ReferencePicture make(const ReferenceSpec& spec);
+  ReferencePicture make(const ReferenceSpec& spec, bool improve);
 
   const FrameInstant& instant_;
   Context context_;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "server/study/plan/knobs.h"
@@ -14,18 +15,27 @@ namespace {
 struct Foretold {
   StudySetting setting;
   double log_time = 0, error = 0;
+  std::size_t shared = 0;  // changes that both have: the more, the nearer is what it is foretold from
 };
 
-bool disjoint(const SettingChanges& a, const SettingChanges& b) {
-  return std::none_of(a.begin(), a.end(), [&](const auto& change) {
-    return std::any_of(b.begin(), b.end(), [&](const auto& other) { return other.first == change.first; });
-  });
+using ByChanges = std::map<SettingChanges, const MeasuredSetting*>;
+
+SettingChanges sorted(SettingChanges changes) {
+  std::sort(changes.begin(), changes.end());
+  return changes;
 }
 
-bool same_changes(SettingChanges a, SettingChanges b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  return a == b;
+// What both change alike, sorted; none where they want one setting at two values.
+std::optional<SettingChanges> shared_changes(const SettingChanges& a, const SettingChanges& b) {
+  SettingChanges shared;
+  for (const auto& change : a) {
+    for (const auto& other : b) {
+      if (other.first != change.first) continue;
+      if (other.second != change.second) return std::nullopt;
+      shared.push_back(change);
+    }
+  }
+  return sorted(std::move(shared));
 }
 
 // Without foveation there is no polar buffer to combine with.
@@ -44,33 +54,50 @@ double gain(const Foretold& pair, const std::vector<std::pair<double, double>>& 
   return std::log(best / std::max(pair.error, 1e-12));
 }
 
+StudySetting combined(const RenderSettings& defaults, const StudySetting& a, const StudySetting& b) {
+  StudySetting setting;
+  setting.knob = "combination";
+  setting.model = a.model;
+  const RenderSettings both = with_changes(defaults, merged(a.changes, b.changes));
+  setting.changes = changes_between(defaults, both);
+  // Hard light has a reference of its own, as in the sweeps.
+  setting.own = both.light_samples == kHardSamples ? OwnReference::pixels : OwnReference::none;
+  setting.value = flags_text(setting.changes);
+  setting.name = setting.value;
+  return setting;
+}
+
+// What was not measured, each once.
 std::vector<Foretold> all_pairs(const RenderSettings& defaults,
                                 const std::vector<MeasuredSetting>& measured) {
-  std::vector<Foretold> pairs;
+  ByChanges known;
+  for (const MeasuredSetting& point : measured) known.emplace(sorted(point.setting.changes), &point);
+  std::map<SettingChanges, Foretold> pairs;
   for (std::size_t i = 0; i < measured.size(); ++i) {
     for (std::size_t k = i + 1; k < measured.size(); ++k) {
       const MeasuredSetting &a = measured[i], &b = measured[k];
-      if (!is_combinable(a.setting) || !is_combinable(b.setting) || a.setting.model != b.setting.model ||
-          !disjoint(a.setting.changes, b.setting.changes)) {
+      if (!is_combinable(a.setting) || !is_combinable(b.setting) || a.setting.model != b.setting.model) {
         continue;
       }
-      Foretold pair;
-      pair.log_time = a.log_time + b.log_time - b.base_log_time;
-      const double squared = a.error * a.error + b.error * b.error - b.base_error * b.base_error;
-      pair.error = std::sqrt(std::max(squared, 0.25 * a.error * a.error));
-      pair.setting.knob = "combination";
-      pair.setting.model = a.setting.model;
-      pair.setting.changes =
-          changes_between(defaults, with_changes(defaults, merged(a.setting.changes, b.setting.changes)));
-      // Hard light has a reference of its own, as in the sweeps.
-      const bool hard = with_changes(defaults, pair.setting.changes).light_samples == kHardSamples;
-      pair.setting.own = hard ? OwnReference::pixels : OwnReference::none;
-      pair.setting.value = flags_text(pair.setting.changes);
-      pair.setting.name = pair.setting.value;
-      pairs.push_back(std::move(pair));
+      const auto shared = shared_changes(a.setting.changes, b.setting.changes);
+      if (!shared) continue;
+      const auto base = known.find(*shared);
+      const SettingChanges changes = sorted(merged(a.setting.changes, b.setting.changes));
+      if (base == known.end() || known.count(changes) != 0) continue;
+      const auto [place, is_new] = pairs.try_emplace(changes);
+      Foretold& pair = place->second;
+      if (!is_new && pair.shared >= shared->size()) continue;
+      const double from = base->second->error;
+      const double squared = a.error * a.error + b.error * b.error - from * from;
+      pair.setting = combined(defaults, a.setting, b.setting);
+      pair.log_time = a.log_time + b.log_time - base->second->log_time;
+      pair.error = std::sqrt(std::max(squared, 0.25 * std::max(a.error * a.error, b.error * b.error)));
+      pair.shared = shared->size();
     }
   }
-  return pairs;
+  std::vector<Foretold> all;
+  for (auto& [changes, pair] : pairs) all.push_back(std::move(pair));
+  return all;
 }
 
 }  // namespace
@@ -79,24 +106,17 @@ std::vector<StudySetting> combinations(const RenderSettings& defaults,
                                        const std::vector<MeasuredSetting>& measured, std::size_t most) {
   std::vector<Foretold> pairs = all_pairs(defaults, measured);
   std::vector<std::pair<double, double>> points;
-  std::set<std::string> taken;
   for (const MeasuredSetting& point : measured) points.emplace_back(point.log_time, point.error);
   std::vector<StudySetting> chosen;
   while (chosen.size() < most) {
-    const Foretold* best = nullptr;
-    double most_gain = 0;
-    for (const Foretold& pair : pairs) {
-      if (taken.count(pair.setting.name) != 0) continue;
-      const bool known = std::any_of(measured.begin(), measured.end(), [&](const MeasuredSetting& m) {
-        return same_changes(m.setting.changes, pair.setting.changes);
-      });
-      const double gained = known ? 0 : gain(pair, points);
-      if (gained > most_gain) most_gain = gained, best = &pair;
-    }
-    if (best == nullptr) break;
-    taken.insert(best->setting.name);
+    const auto by_gain = [&](const Foretold& a, const Foretold& b) {
+      return gain(a, points) < gain(b, points);
+    };
+    const auto best = std::max_element(pairs.begin(), pairs.end(), by_gain);
+    if (best == pairs.end() || !(gain(*best, points) > 0)) break;
     points.emplace_back(best->log_time, best->error);
-    chosen.push_back(best->setting);
+    chosen.push_back(std::move(best->setting));
+    pairs.erase(best);
   }
   return chosen;
 }

@@ -10,17 +10,16 @@
 
 namespace herr {
 
-// A setting that was measured, with what it was swept around (its base row).
 struct MeasuredSetting {
   StudySetting setting;
-  double log_time = 0, error = 0;            // ln of the time ratio to the default; acuity-weighted
-  double base_log_time = 0, base_error = 0;  // of the setting without the knob's change
+  double log_time = 0, error = 0;  // ln of the time ratio to the default; acuity-weighted
 };
 
-// Foretold of two changes together: times multiply, squared errors add, against what each was swept around.
-// Pairs of changes to different settings on one model (StudySetting::model); at most `most` of them, those
-// first that would gain most against the front of what was measured and of the pairs before them. A pair
-// gains the larger, the farther (in logarithms) it lies below every point that is as fast.
+// Pairs on one model (StudySetting::model) that want no setting at two values; at most `most` of them, those
+// first that would gain most against the front of what was measured and of the pairs before them. Foretold
+// against the setting of what both change alike, which must be among `measured` (light samples, or nothing:
+// the default): times multiply, squared errors add. A pair gains the larger, the farther (in logarithms) it
+// lies below every point that is as fast.
 std::vector<StudySetting> combinations(const RenderSettings& defaults,
                                        const std::vector<MeasuredSetting>& measured, std::size_t most);
 

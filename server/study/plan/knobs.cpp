@@ -169,14 +169,26 @@ class Sweeps {
     out_.settings.push_back(std::move(setting));
     return out_.settings.back();
   }
-  std::string polar_text(double width_factor, double height_factor) const {
-    const auto even = [](double value) { return 2 * std::max(1, static_cast<int>(std::lround(value / 2))); };
-    const int width = std::max(1, static_cast<int>(std::lround(defaults_.polar_width * width_factor)));
-    return std::to_string(2 * width) + "x" + std::to_string(even(defaults_.polar_height * height_factor));
+  // What of `needs` the picture of endless effort shows: that there is such light where the default has none.
+  // How many samples and rays it is made of is no part of the picture.
+  SettingChanges model_of(SettingChanges needs) const {
+    std::erase_if(needs, [&](const auto& change) {
+      return !((change.first == "probes" && !defaults_.probes.on) ||
+               (change.first == "occlusion_rays" && defaults_.occlusion_rays == 0));
+    });
+    return needs;
   }
-  std::string label(const std::string& setting) {
+  // Within the range of the setting.
+  std::string polar_text(double width_factor, double height_factor) const {
     RenderSettings any = defaults_;
-    return label_of(setting_named(settings_of(any), setting));
+    const std::vector<Setting> rows = settings_of(any);
+    const auto& size = std::get<SizeSetting>(setting_named(rows, "polar").value);
+    const auto scaled = [](int value, double factor, int most) {
+      return std::clamp(static_cast<int>(std::lround(value * factor)), 1, most);
+    };
+    const int width = scaled(defaults_.polar_width, width_factor, size.widest_per_eye);
+    const int pairs_of_rows = scaled(defaults_.polar_height / 2, height_factor, size.highest / 2);
+    return std::to_string(2 * width) + "x" + std::to_string(2 * pairs_of_rows);
   }
 
   const RenderSettings& defaults_;
@@ -216,9 +228,12 @@ void Sweeps::add_polar() {
   const Knob height{"polar_height", "polar height", "angular samples", "", 1, 0};
   out_.knobs.insert(out_.knobs.end(), {both, width, height});
   const auto sweep = [&](const Knob& knob, int samples, std::initializer_list<double> factors) {
+    std::string last;
     for (const double factor : factors) {
       const std::string text =
           polar_text(knob.name == "polar_height" ? 1 : factor, knob.name == "polar_width" ? 1 : factor);
+      if (text == last) continue;  // at an end of the range
+      last = text;
       StudySetting& setting = add(knob, text, samples, {{"polar", text}});
       const RenderSettings sized = with_changes(defaults_, setting.changes);
       const double w = sized.polar_width, h = sized.polar_height;
@@ -285,11 +300,11 @@ void Sweeps::add_row(const KnobRow& row) {
   const Knob knob{row.setting, label_of(setting), row.effort, row.theory, row.expected, row.fit_from};
   if (*row.plan_entry != '\0') {
     const FramePlan plan = plan_of_(with_changes(defaults_, merged(light(kSoftSamples), row.needs)));
-    const auto entry = std::find_if(plan.entries.begin(), plan.entries.end(), [&](const PlanEntry& e) {
-      return e.name == row.plan_entry ||
-             (e.name == "voxels" && std::string("textures") == row.plan_entry && e.runs);
-    });
-    if (entry != plan.entries.end() && !entry->runs) {
+    const auto entry = std::find_if(plan.entries.begin(), plan.entries.end(),
+                                    [&](const PlanEntry& e) { return e.name == row.plan_entry; });
+    // Voxels have levels as textures have.
+    const bool levels = std::string("textures") == row.plan_entry && plan.voxels;
+    if (entry != plan.entries.end() && !entry->runs && !levels) {
       out_.left_out.push_back(knob.label + ": " + entry->reason);
       return;
     }
@@ -304,7 +319,7 @@ void Sweeps::add_row(const KnobRow& row) {
         continue;
       }
       StudySetting& added = add(knob, value, samples, merged(row.needs, {{row.setting, value}}));
-      added.model = row.needs;
+      added.model = model_of(row.needs);
       if (row.own == OwnReference::pixels) continue;
       added.own = row.own;
       added.own_limit = row.limit;

@@ -15,7 +15,7 @@ namespace herr {
 namespace {
 
 constexpr double kShareOfSmallest = 1.0 / 5;
-constexpr int kFewestPasses = 2, kMostPassesPerHalf = 512;  // of each half
+constexpr int kFewestPasses = 2, kMostPasses = 512;  // of each half
 
 // One half: a renderer with probes of its own seed, and the sum of its passes.
 struct HalfSum {
@@ -206,21 +206,22 @@ ReferenceHalves render_halves(const ReferenceSpec& spec, const FrameInstant& ins
   const TimeNs start_ns = steady_now_ns();
   Halves halves(spec, instant);
   for (int pass = 0; pass < spec.passes; ++pass) {
-    if (spec.by_pixels && pass >= kFewestPasses && out_of_time()) break;
+    if (spec.by_pixels && spec.refined && pass >= kFewestPasses && out_of_time()) break;
     halves.add_passes(1, {});
   }
   bool met = !spec.by_pixels;
-  if (spec.by_pixels) {
+  if (spec.by_pixels && spec.refined) {
     double own = halves.acuity_error();
     const double finest = halves.error_of(spec.finest);
     // What the noise of the reference adds to it is no error of the setting.
     const double goal =
         kShareOfSmallest * std::sqrt(std::max(finest * finest - own * own, 0.25 * finest * finest));
-    while (!(met = own <= goal) && halves.most_passes() < kMostPassesPerHalf && !out_of_time()) {
+    while (!(met = own <= goal) && halves.most_passes() < kMostPasses && !out_of_time()) {
       // A tile may keep what it has when it is no worse than the goal asks of the mean tile.
       const std::vector<std::uint8_t> tiles = halves.tiles_above(own > 0 ? goal / own : 0);
       if (std::find(tiles.begin(), tiles.end(), 1) == tiles.end()) break;
-      halves.add_passes(halves.most_passes() / 2, tiles);
+      const int half_as_many = std::max(1, halves.most_passes() / 2);
+      halves.add_passes(std::min(half_as_many, kMostPasses - halves.most_passes()), tiles);
       own = halves.acuity_error();
     }
   }

@@ -30,9 +30,9 @@ struct ReferencePicture {
   double seconds = 0;
 };
 
-// Renders passes until the acuity-weighted error of the mean is 1/5 of that of spec.finest (less its own
-// share) or `out_of_time` says so, after the first spec.passes. Passes over pixels go on only in tiles where
-// the halves differ; passes of seeds are spec.passes in all.
+// Passes over pixels go on until the acuity-weighted error of the mean is 1/5 of that of spec.finest (less
+// its own share), there are 512, or `out_of_time` says so, from the third pass on; after spec.passes only in
+// tiles where the halves differ. Without spec.refined, and of seeds, they are spec.passes.
 ReferenceHalves render_halves(const ReferenceSpec& spec, const FrameInstant& instant,
                               const std::function<bool()>& out_of_time);
 

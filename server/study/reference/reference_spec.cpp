@@ -41,9 +41,7 @@ ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChange
     spec.settings.probes.rays = std::max(lit.probes.rays, kProbeRays);
     spec.settings.probes.budget = 0;
   }
-  SettingChanges named = model;
-  std::erase_if(named, [](const auto& change) { return change.first == "first_light_samples"; });
-  spec.name = "endless effort" + model_name(named);
+  spec.name = "endless effort" + model_name(model);
   spec.passes = kPasses;
   spec.finest = lit;
   spec.finest.polar_width = spec.finest.polar_width * 3 / 2,
@@ -77,7 +75,7 @@ ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& 
   spec.settings = with_changes(settings, setting.own_limit);
   spec.name = flags_text(changes_between(defaults, spec.settings));
   if (spec.name.empty()) spec.name = "the default";
-  spec.name += ", many seeds";
+  spec.name += ", " + std::to_string(2 * spec.passes) + " seeds";
   spec.finest = spec.settings;
   return spec;
 }

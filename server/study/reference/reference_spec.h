@@ -14,6 +14,7 @@ struct ReferenceSpec {
   RenderSettings settings;  // of each pass
   bool by_pixels = true;    // passes through many places of each pixel; else frames of many seeds
   int passes = 8;           // of each half, to begin with
+  bool refined = true;      // by_pixels: goes on until it is good enough, while there is time
   RenderSettings finest;    // a setting whose error is about the smallest that is judged by it
 
   bool operator==(const ReferenceSpec& other) const { return name == other.name; }
