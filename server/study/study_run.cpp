@@ -24,6 +24,7 @@ constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
 constexpr double kShareOfReferences = 0.5;
 constexpr int kClipPasses = 4;
 constexpr double kMostShareOfClip = 0.15;
+constexpr double kLongestClipFrame_ms = 1500;
 
 // Thrown through the loops when a signal asks for the end.
 struct Stopped {};
@@ -263,7 +264,7 @@ double StudyRun::clip_seconds() const {
     of_pass =
         std::max(of_pass, reference.seconds / (2.0 * std::max(reference.passes, reference.most_passes)));
   }
-  return static_cast<double>(subject_.frames().clip.size()) * (2 * kClipPasses * of_pass + 2);
+  return static_cast<double>(subject_.frames().clip.size()) * (2 * kClipPasses * of_pass + 4);
 }
 
 // Kept free for the clip, unless it would take too much of the time.
@@ -362,14 +363,19 @@ void StudyRun::measure_flicker() {
     return std::any_of(rows_.begin(), rows_.end(),
                        [&](const StudyRow& row) { return row.name == setting.name && row.flicker; });
   };
+  double frames_s = 0;
+  const std::int64_t frame = subject_.frames().frames.front().number;
   for (const StudySetting& setting : wanted_settings()) {
     const bool wanted = setting.knob == "default" || setting.knob == "paper" || setting.knob == "filter" ||
                         setting.name == "adaptive light samples 64" || setting.name == "light samples 4" ||
                         (setting.knob == "uniform" && setting.value == "0.5");
-    if (wanted && setting.changes.size() < 8 && !has_flicker(setting)) shown.push_back(setting);
+    const StudyRow* row = row_of(setting.name, frame);
+    if (!wanted || row == nullptr || row->frame_ms > kLongestClipFrame_ms || has_flicker(setting)) continue;
+    shown.push_back(setting);
+    frames_s += 1e-3 * row->frame_ms * static_cast<double>(subject_.frames().clip.size());
   }
   if (shown.empty() || subject_.frames().clip.size() < 2) return;
-  if (seconds() + clip_seconds() > limit_s() - kReportSeconds) {
+  if (seconds() + clip_seconds() + frames_s > limit_s() - kReportSeconds) {
     out_of_time_.emplace_back("flicker over the clip");
     return;
   }

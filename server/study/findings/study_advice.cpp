@@ -13,11 +13,6 @@ namespace {
 
 constexpr double kLeastGainAtFullScale = 8, kMostShareOfPaper = 0.7;
 
-// Four digits, as errors are told.
-std::string error_text(double value) {
-  return fixed_text(value, value < 0.01 ? 5 : 4);
-}
-
 std::string ratio_text(const Interval& ratio) {
   std::string text = fixed_text(ratio.estimate, 2);
   if (std::isfinite(ratio.lower) && std::isfinite(ratio.upper)) {

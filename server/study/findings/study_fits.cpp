@@ -50,9 +50,10 @@ std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep
     least = std::min(least, isolated_error(*point));
     most = std::max(most, isolated_error(*point));
   }
+  if (!(most > 0)) return "it changes nothing in these frames";
   if (most <= floor) {
-    return "no value can be told from the reference (" + shortest_text(std::round(floor * 1e6) * 1e-6) +
-           ", 3 times its own error): what it changes is too little to see here";
+    return "no value can be told from the reference, 3 times whose own error is " + error_text(floor) +
+           ": what it changes is too little to see here";
   }
   if (most - least < kLeastChange * most) {
     return "the error changes by less than " + percent(kLeastChange) +
@@ -62,8 +63,7 @@ std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep
   const bool falls = last < first;
   if (falls == (knob.expected > 0)) return "";
   return "the error " + std::string(falls ? "falls" : "rises") + " with " + knob.effort + ", from " +
-         shortest_text(std::round(first * 1e6) * 1e-6) + " to " +
-         shortest_text(std::round(last * 1e6) * 1e-6) + ", against expectation";
+         error_text(first) + " to " + error_text(last) + ", against expectation";
 }
 
 // What cannot be told from the reference tells nothing of the power law.

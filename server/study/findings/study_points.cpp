@@ -9,6 +9,7 @@
 #include "renderer/timing.h"
 #include "server/study/statistics/paired_ratio.h"
 #include "server/study/statistics/pareto_front.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {
@@ -137,6 +138,10 @@ Interval ratio_between(const Interval& first, const Interval& second) {
   const double down = wider(std::log(first.estimate / first.lower), std::log(second.upper / second.estimate));
   const double up = wider(std::log(first.upper / first.estimate), std::log(second.estimate / second.lower));
   return {std::exp(middle), std::exp(middle - down), std::exp(middle + up)};
+}
+
+std::string error_text(double value) {
+  return fixed_text(value, value < 0.01 ? 5 : 4);
 }
 
 double isolated_error(const StudyPoint& point) {

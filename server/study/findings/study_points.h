@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "server/study/measure/study_row.h"
@@ -19,6 +20,9 @@ std::vector<StudyPoint> points_of(std::span<const StudyRow> rows, std::span<cons
 // ln of the time ratios of two points to the default: of the first to the second, with the interval that both
 // give together (half widths added in squares).
 Interval ratio_between(const Interval& first, const Interval& second);
+
+// As errors are told: four decimals, five below 0.01.
+std::string error_text(double value);
 
 // Acuity-weighted, against endless effort of the knob alone where there is one: so hard light's bias does not
 // hide the rest.
