@@ -93,7 +93,7 @@ bool never() {
 // in the mean. The quotient of both sums of squares is about F(K, K), whose logarithm has standard deviation
 // sqrt(4 / K); pixels that the edge only touches count for little, so half of K = 64 (one in each column at
 // least) is taken: 0.35. Five of these: a factor exp(5 * 0.35 / 2) = 2.4 in the root. Half floats round by
-// 0.5 * 2^-12 = 1.2e-4, much less than what 4 to 16 passes leave.
+// 2^-13 = 1.2e-4, much less than what 4 to 16 passes leave.
 TEST_F(ReferencePictureTest, TheMeanOfPassesIsTheCoverageWithinTheStatedError) {
   const std::vector<double> expected = exact();
   double last = 1;
