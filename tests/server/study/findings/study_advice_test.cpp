@@ -1,0 +1,130 @@
+// Advice and aims of points by hand.
+#include "server/study/findings/study_advice.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/server/study/report/study_records.h"
+
+namespace herr {
+namespace {
+
+StudyPoint point(const std::string& name, const std::string& knob, const std::string& base,
+                 const std::string& value, double error, double ratio) {
+  StudyPoint made = test::study_point(knob, base, value, 1, error, ratio);
+  made.name = name;
+  made.flags = name.starts_with("default") ? "" : "--" + name;
+  made.on_same_model = true;
+  made.work_ratio = test::around(ratio / 2, 0.03);
+  return made;
+}
+
+// Errors 0.08 (hard) and 0.02 (soft) of the default.
+std::vector<StudyPoint> some_points() {
+  return {point("default, N = 1", "default", "N = 1", "", 0.08, 1),
+          point("default, N = 64", "default", "N = 64", "", 0.02, 4),
+          point("fast", "polar", "N = 1", "", 0.1, 0.5), point("best", "polar", "N = 64", "", 0.004, 9),
+          point("middle", "polar", "N = 64", "", 0.019, 3)};
+}
+
+const StudyAim& aim_named(const std::vector<StudyAim>& aims, const std::string& name) {
+  for (const StudyAim& aim : aims) {
+    if (aim.name == name) return aim;
+  }
+  throw std::runtime_error("no aim " + name);
+}
+
+TEST(StudyAdvice, IsTheFastestPointThatIsNoWorse) {
+  std::vector<StudyPoint> points = some_points();
+  points.push_back(point("of other light", "probe_rays", "N = 1", "", 0.001, 0.1));
+  points.back().on_same_model = false;
+  points.push_back(point("not measured", "polar", "N = 1", "", 0.001, 0.1));
+  points.back().frames = 0;
+  const std::vector<StudyAdvice> advice = advice_of(points);
+  // 0.16, 0.08, 0.04, 0.02 of hard light, then 0.04, 0.02, 0.01, 0.005 of soft light.
+  const std::vector<std::string> expected{"fast",   "default, N = 1", "middle", "middle",
+                                          "middle", "middle",         "best",   "best"};
+  ASSERT_EQ(advice.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(advice[i].point, expected[i]) << i;
+  EXPECT_EQ(
+      advice[0].sentence,
+      "For an error of at most 0.1600 (twice that of the default with N = 1): take --fast; error 0.1000, "
+      "time of the default times 0.50 [0.48, 0.52].");
+  EXPECT_NE(advice[1].sentence.find(": take the default; error 0.0800"), std::string::npos);
+}
+
+TEST(StudyAdvice, TellsThatNothingIsGoodEnough) {
+  std::vector<StudyPoint> points = some_points();
+  points.resize(2);
+  const std::vector<StudyAdvice> advice = advice_of(points);
+  EXPECT_EQ(advice.back().point, "");
+  EXPECT_EQ(
+      advice.back().sentence,
+      "For an error of at most 0.00500 (a quarter of that of the default with N = 64): nothing that was "
+      "measured reaches it.");
+  EXPECT_TRUE(advice_of({}).empty());
+}
+
+TEST(StudyAims, RaysPerPixelAreHeldAgainstOursWithTheSameLight) {
+  std::vector<StudyPoint> points = some_points();
+  points.push_back(point("scale 1", "uniform", "N = 64", "1", 0.003, 36));
+  points.push_back(point("scale 0.5", "uniform", "N = 64", "0.5", 0.018, 10));
+  points.push_back(point("scale 0.25", "uniform", "N = 64", "0.25", 0.05, 3));
+  points.push_back(point("scale 0.5, hard", "uniform", "N = 1", "0.5", 0.001, 0.1));
+  const std::vector<StudyAim> aims = aims_of(points);
+  ASSERT_EQ(aims.size(), 2u);  // hard light has no full scale here
+  // 36 / 4 = 9, at least 8.
+  const StudyAim& full = aim_named(aims, "rays per pixel at full scale, N = 64: time against ours");
+  EXPECT_NEAR(full.measured.estimate, 9, 1e-12);
+  EXPECT_EQ(full.aim, 8);
+  EXPECT_TRUE(full.met && full.at_least);
+  // At an error of 0.02 scale 0.5 is the fastest: 10 / 4.
+  const StudyAim& same =
+      aim_named(aims, "rays per pixel at the error of foveation, N = 64: time against ours");
+  EXPECT_NEAR(same.measured.estimate, 2.5, 1e-12);
+  EXPECT_TRUE(same.met);
+  EXPECT_NE(same.sentence.find("Scale 0.5 has error 0.0180, default, N = 64 has 0.0200"), std::string::npos);
+  points[points.size() - 4].time_ratio = test::around(28, 0.03);  // 7 times
+  EXPECT_FALSE(aims_of(points)[0].met);
+  // No scale is as good: the best one is named.
+  for (StudyPoint& one : points) {
+    if (one.knob == "uniform") one.error = test::error_table(one.value == "1" ? 0.03 : 0.3);
+  }
+  EXPECT_NE(aims_of(points)[1].sentence.find("the least, at scale 1, is 0.0300"), std::string::npos);
+}
+
+TEST(StudyAims, OtherNumbersOfSamplesAreHeldAgainstTheSweepOfThose) {
+  std::vector<StudyPoint> points = some_points();
+  points.push_back(point("scale 1", "uniform", "N = 16", "1", 0.01, 12));
+  points.push_back(point("light samples 16", "light_samples", "", "16", 0.03, 2));
+  points.back().own_error = test::error_table(0.001);  // the noise of the samples alone
+  const std::vector<StudyAim> aims = aims_of(points);
+  ASSERT_EQ(aims.size(), 2u);
+  EXPECT_NEAR(aims[0].measured.estimate, 6, 1e-12);
+  EXPECT_EQ(aims[0].aim, 1);
+  // 0.01 is no more than the 0.03 of 16 samples against endless effort, though more than their noise.
+  EXPECT_NEAR(aims[1].measured.estimate, 6, 1e-12);
+}
+
+TEST(StudyAims, ThePapersSettingsAreHeldAgainstWhatIsNoWorseInTimeThatIsNotPixels) {
+  std::vector<StudyPoint> points = some_points();
+  points.push_back(point("paper, soft", "paper", "N = 64", "2048x1024", 0.02, 5));
+  points.push_back(point("paper, hard", "paper", "N = 1", "2048x1024", 0.09, 1));
+  points.back().own_error = test::error_table(0.01);
+  points.back().own_reference = "hard light";
+  points.push_back(point("ours, hard", "filter", "N = 1", "bicubic", 0.2, 0.8));
+  points.back().own_error = test::error_table(0.009);
+  points.back().own_reference = "hard light";
+  const std::vector<StudyAim> aims = aims_of(points);
+  ASSERT_EQ(aims.size(), 2u);
+  // Soft: "middle", 3 / 5 = 0.6, at most 0.7. Hard: against hard light alone, 0.8 / 1.
+  EXPECT_NEAR(aims[0].measured.estimate, 0.6, 1e-12);
+  EXPECT_TRUE(aims[0].met && !aims[0].at_least);
+  EXPECT_EQ(aims[0].sentence.rfind("middle (--middle): error 0.0190 against 0.0200; time 0.60", 0), 0u)
+      << aims[0].sentence;
+  EXPECT_NEAR(aims[1].measured.estimate, 0.8, 1e-12);
+  EXPECT_FALSE(aims[1].met);
+  EXPECT_NE(aims[1].sentence.find("both against hard light"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace herr
