@@ -31,7 +31,7 @@ struct ProbeGrid {
 ProbeGrid grid_over(const Bounds& box, const glm::ivec3& counts);
 
 // `counts` times `density` along each axis, rounded, 1 at least; where that makes more than kMostProbes, the
-// largest density below that does not.
+// largest of 0.99, 0.99^2, ... times that density that does not.
 std::array<int, 3> probe_counts_at(const std::array<int, 3>& counts, double density);
 
 // The grid of a scene: what its document states, else 16 x 8 x 16 over the scene's bounds; at `density`.

@@ -28,10 +28,9 @@ inline Scene edge_scene(const glm::vec3& light_size) {
 
 // Irradiance at (x, 0, z) by the midpoint rule over the light, of what the edge lets through or of all. Along
 // x the rule's cells are cut where the edge cuts them, so that visibility is exact.
-inline double irradiance(const AreaLight& light, double x, double z, bool behind_edge) {
-  constexpr int kCells = 48;
+inline double irradiance(const AreaLight& light, double x, double z, bool behind_edge, int cells = 48) {
   const glm::dvec3 size(light.size), lower = light.centre - 0.5 * size;
-  const int cells_y = size.y > 0 ? kCells : 1, cells_z = size.z > 0 ? kCells : 1;
+  const int cells_y = size.y > 0 ? cells : 1, cells_z = size.z > 0 ? cells : 1;
   double sum = 0;
   for (int j = 0; j < cells_y; ++j) {
     const double y = lower.y + size.y * (j + 0.5) / cells_y;
@@ -39,9 +38,9 @@ inline double irradiance(const AreaLight& light, double x, double z, bool behind
     const double first_seen = behind_edge ? x * (1 - y / kEdgeHeight_m) : -1e9;
     for (int k = 0; k < cells_z; ++k) {
       const double lz = lower.z + size.z * (k + 0.5) / cells_z;
-      for (int i = 0; i < kCells; ++i) {
-        const double from = std::max(lower.x + size.x * i / kCells, first_seen);
-        const double to = lower.x + size.x * (i + 1) / kCells;
+      for (int i = 0; i < cells; ++i) {
+        const double from = std::max(lower.x + size.x * i / cells, first_seen);
+        const double to = lower.x + size.x * (i + 1) / cells;
         if (to <= from) continue;
         const glm::dvec3 way = glm::dvec3{0.5 * (from + to), y, lz} - glm::dvec3{x, 0, z};
         const double d2 = glm::dot(way, way);
@@ -66,14 +65,14 @@ inline FrameSample penumbra_sample() {
 }
 
 // The exact visible share of the light at each pixel, row by row.
-inline std::vector<double> exact_shares(const AreaLight& light, const Viewport& viewport) {
+inline std::vector<double> exact_shares(const AreaLight& light, const Viewport& viewport, int cells = 48) {
   std::vector<double> shares;
   for (int y = 0; y < viewport.height_px; ++y) {
     for (int x = 0; x < viewport.width_px; ++x) {
       const glm::dvec3 d = direction_of_pixel(viewport, x, y);
       const double floor_x = kEyeHeight_m * d.x / -d.z, floor_z = -kEyeHeight_m * d.y / -d.z;
-      shares.push_back(irradiance(light, floor_x, floor_z, true) /
-                       irradiance(light, floor_x, floor_z, false));
+      shares.push_back(irradiance(light, floor_x, floor_z, true, cells) /
+                       irradiance(light, floor_x, floor_z, false, cells));
     }
   }
   return shares;

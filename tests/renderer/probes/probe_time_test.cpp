@@ -1,7 +1,10 @@
 // Indirect light over time: its recurrence, the reaction to large change, time that stands, jumps or turns.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <iostream>
+#include <vector>
 
 #include "tests/renderer/probes/probe_scenes.h"
 
@@ -65,6 +68,66 @@ TEST(ProbeTimeTest, WithoutReactionLightFadesByItsRecurrence) {
     ASSERT_NEAR(level_in_the_dark(run), expected, 0.02 * expected) << frame;
     ASSERT_EQ(run.frame.probes.reacting, 0);
   }
+}
+
+// Slope of a straight line through (n, ln e), n = 1, 2, ..., and half the width of its 95 % interval.
+std::array<double, 2> logarithmic_slope(const std::vector<double>& e) {
+  constexpr double kT28 = 2.048;  // Student's, 97.5 % at 28 degrees of freedom: 30 points
+  const auto count = static_cast<double>(e.size());
+  double mean = 0, sxx = 0, sxy = 0, rest = 0;
+  for (const double value : e) mean += std::log(value) / count;
+  const auto from_middle = [&](std::size_t i) { return static_cast<double>(i) - 0.5 * (count - 1); };
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    sxx += from_middle(i) * from_middle(i), sxy += from_middle(i) * (std::log(e[i]) - mean);
+  }
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    const double off = std::log(e[i]) - mean - sxy / sxx * from_middle(i);
+    rest += off * off;
+  }
+  return {sxy / sxx, kT28 * std::sqrt(rest / (count - 2) / sxx)};
+}
+
+// Walls that send back a thousandth and shine with nothing: what probes see of a light that goes on is the
+// same from the first frame, so the fifth root x of what they have gathered nears its end by
+// x <- h x + (1 - h) y: its error is h^n.
+TEST(ProbeTimeTest, FromDarkTheErrorFallsByItsRecurrence) {
+  constexpr std::size_t kFrames = 30;
+  Scene scene;
+  Material wall = test::matte(glm::vec3{0.001f});
+  wall.specular = 0;
+  test::add(scene, test::sphere({0, 0, 0}, 1, 48, 96), wall);
+  scene.lights = {test::light_at({0, 0, 0}, glm::vec3{1000.0f})};
+  scene.probes.counts = {4, 4, 4};
+  RenderSettings settings = test::probe_settings(0.1);
+  settings.probes.react = false;
+  test::ProbeRun run(scene, test::single_view(4, 4, 40, 40), settings, test::sample_from({0, 0, 0}));
+  run.state.lights[0].intensity_w_sr = glm::vec3{0.0f};
+  run.run(1);  // the first frame would take all that it sees
+  run.state.lights[0].intensity_w_sr = glm::vec3{1000.0f};
+  const auto gathered = [&] {  // of the first direction, mean of probes that see light
+    double sum = 0;
+    int probes = 0;
+    const std::vector<float>& all = run.volume().sets[0].gathered;
+    for (std::size_t i = 0; i < all.size(); i += kLightFloats) {
+      if (all[i] > 0) sum += double{all[i]}, ++probes;
+    }
+    EXPECT_GE(probes, 8);
+    return sum / probes;
+  };
+  std::vector<double> error;
+  for (std::size_t frame = 0; frame < kFrames; ++frame) {
+    run.run(1);
+    error.push_back(gathered());
+  }
+  run.run(120);  // e^-17 is left
+  const double end = gathered();
+  for (double& x : error) x = end - x;
+  const auto [slope, interval] = logarithmic_slope(error);
+  const double expected = -1.0 / 90 / 0.1;
+  std::cout << "ln h = " << expected << ", fitted " << slope << " +- " << interval << "\n";
+  // What walls send back slows it by a thousandth; rays that scatter over the walls' facets add noise.
+  EXPECT_NEAR(slope, expected, std::max(interval, 0.002 * std::abs(expected)));
+  EXPECT_LT(interval, 0.02 * std::abs(expected));
 }
 
 TEST(ProbeTimeTest, ALightThatGoesOutIsForgottenInTwoThirdsOfASecond) {
