@@ -39,6 +39,9 @@ class StudyRun {
   References::Context reference_context();
 
  private:
+  static constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
+  static constexpr int kClipPasses = 4;         // of a half of each frame's reference
+
   void read_rows();
   void make_references();
   void share_time();

@@ -200,7 +200,7 @@ void Sweeps::add_bases() {
   const Knob knob{"default", "default", "", "", 0, 0};
   out_.knobs.push_back(knob);
   for (const int samples : {kHardSamples, kSoftSamples}) {
-    add(knob, "", samples, {}).name = "default, " + base_name(samples);
+    add(knob, "", samples, {}).name = default_name(samples);
   }
 }
 
@@ -340,6 +340,10 @@ void Sweeps::add_unknown() {
 
 std::string base_name(int samples) {
   return "N = " + std::to_string(samples);
+}
+
+std::string default_name(int samples) {
+  return "default, " + base_name(samples);
 }
 
 StudySweeps sweeps_of(const RenderSettings& defaults,

@@ -18,6 +18,9 @@ inline constexpr int kHardSamples = 1, kSoftSamples = 64;
 // "N = 64": StudySetting::base.
 std::string base_name(int samples);
 
+// Of the two settings that everything is swept around: "default, N = 64".
+std::string default_name(int samples);
+
 // A sweep, in words.
 struct Knob {
   std::string name;    // of its settings: StudySetting::knob
