@@ -1,7 +1,10 @@
 #include "server/cli/study_flags.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "server/cli/flags.h"
 #include "server/cli/setting_flags.h"
@@ -9,6 +12,19 @@
 #include "server/settings/flag_values.h"
 
 namespace herr {
+namespace {
+
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    names.push_back(non_empty("--only", text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return names;
+}
+
+}  // namespace
 
 void add_study_flags(CLI::App& app, StudyOptions& options) {
   app.add_option("SESSION", options.session, "session folder")->type_name("");
@@ -27,6 +43,9 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
       "time for all of it, half of it at most for references; what it is not enough for is listed "
       "(default 20)",
       [&](const std::string& text) { options.minutes = parse_real_number("--minutes", text, 0.1, 10000); });
+  value_flag(app, "--only", "NAME,...",
+             "sweep these alone, by the name of their setting as in study.csv: polar,light_samples,filter",
+             [&](const std::string& text) { options.only = names_in(text); });
   file_flag(app, "--references", "folder of references that several studies share (default OUT/references)",
             [&](const std::string& text) { options.references = text; });
   file_flag(app, "--export", "new folder for picture sequences of a clip, for video metrics elsewhere",

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "renderer/render_settings.h"
 #include "sessions/streams/session_options.h"
@@ -20,6 +21,7 @@ struct StudyOptions {
   std::filesystem::path export_to;   // new folder of picture sequences; empty: none
   std::filesystem::path page;        // with `report`: where its page is written; empty: nowhere
   std::filesystem::path report;      // a study.json to print again; nothing is measured
+  std::vector<std::string> only;     // sweeps, by the name of their setting; empty: all
   int frames = 3;
   double minutes = 20;
   bool overwrite = false, resume = false;

@@ -35,6 +35,12 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
+std::string only_flag(const StudyOptions& options) {
+  std::string text;
+  for (const std::string& name : options.only) text += (text.empty() ? " --only " : ",") + name;
+  return text;
+}
+
 std::string command_line_of(const StudyOptions& options, const RenderSettings& defaults) {
   std::string text = "herr study " + shell_word(options.session.string());
   if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
@@ -43,7 +49,7 @@ std::string command_line_of(const StudyOptions& options, const RenderSettings& d
   from.isa = RenderSettings{}.isa;
   const std::string flags = flags_text(changes_between(from, defaults));
   return text + (flags.empty() ? "" : " " + flags) + " --frames " + std::to_string(options.frames) +
-         " --minutes " + shortest_text(options.minutes);
+         " --minutes " + shortest_text(options.minutes) + only_flag(options);
 }
 
 // One of each name, over its frames; the first is the picture of endless effort.

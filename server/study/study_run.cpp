@@ -30,9 +30,15 @@ void stop_if_asked() {
   if (stop_signal() != 0) throw Stopped{};
 }
 
+std::string only_text(const StudyOptions& options) {
+  std::string text;
+  for (const std::string& name : options.only) text += (text.empty() ? "; only " : ",") + name;
+  return text;
+}
+
 std::string subject_of(const StudySubject& subject, const StudyOptions& options) {
   return std::string(program_with_version()) + "; " + subject.inputs() + settings_text(subject.defaults()) +
-         "; " + std::to_string(options.frames) + " frames";
+         "; " + std::to_string(options.frames) + " frames" + only_text(options);
 }
 
 double seconds_since(TimeNs start_ns) {
@@ -51,6 +57,7 @@ StudyRun::StudyRun(const StudyOptions& options, StudySubject& subject, const Stu
       start_ns_(steady_now_ns()),
       last_row_ns_(start_ns_),
       reference_start_ns_(start_ns_) {
+  keep_only(options.only, sweeps_);
   state_.subject = subject_of(subject, options);
   if (options.resume && path_exists(folder.state())) {
     StudyState earlier = read_state(folder.state());

@@ -8,7 +8,10 @@
 #include <optional>
 
 #include "renderer/settings_list.h"
+#include "server/process/exit_code.h"
 #include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {
@@ -358,6 +361,25 @@ StudySweeps sweeps_of(const RenderSettings& defaults,
   for (const KnobRow& row : knob_rows()) sweeps.add_row(row);
   sweeps.add_unknown();
   return sweeps.take();
+}
+
+void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps) {
+  if (only.empty()) return;
+  std::vector<std::string> known{"adaptive_samples", "uniform", "paper", "polar_width", "polar_height"};
+  RenderSettings any;
+  for (const Setting& setting : settings_of(any)) {
+    if (setting.effect == SettingEffect::error_for_time) known.push_back(setting.name);
+  }
+  for (const std::string& name : only) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw UsageError("--only: '" + printable(name) + "' is no sweep; did you mean '" +
+                     nearest_name(name, known) + "'?");
+  }
+  const auto is_other = [&](const std::string& name) {
+    return name != "default" && std::find(only.begin(), only.end(), name) == only.end();
+  };
+  std::erase_if(sweeps.settings, [&](const StudySetting& setting) { return is_other(setting.knob); });
+  std::erase_if(sweeps.knobs, [&](const Knob& knob) { return is_other(knob.name); });
 }
 
 }  // namespace herr

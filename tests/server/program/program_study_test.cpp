@@ -1,0 +1,182 @@
+// `herr study` as its users run it: a small one, cut off and gone on with, printed again, and refused.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/server/program/child_program.h"
+#include "tests/server/program/program_runner.h"
+
+namespace herr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSmallProfile = R"({"name": "small", "display_hz": 60, "viewports": [
+  {"name": "left_context", "eye": "left", "kind": "context", "width_px": 64, "height_px": 64,
+   "left_deg": -45, "right_deg": 45, "down_deg": -45, "up_deg": 45},
+  {"name": "left_focus", "eye": "left", "kind": "focus", "width_px": 64, "height_px": 48,
+   "left_deg": -20, "right_deg": 20, "down_deg": -12, "up_deg": 12, "edge_blend_deg": 1}]})";
+
+class StudyProgram : public testing::Test {
+ protected:
+  void SetUp() override { std::ofstream(folder_.path() / "small.json") << kSmallProfile; }
+  fs::path root() const { return folder_.path(); }
+  // Without the name of the folder.
+  static std::string arguments() {
+    const std::string source = test::source_dir().string();
+    return "study '" + source + "/sessions/samples/desk-walk' --scene '" + source +
+           "/scenes/samples/shapes.scene.json' --profile small.json --polar 64x32 --frames 1 --minutes 5"
+           " --only polar,light_samples,adaptive_samples";
+  }
+  Outcome study(const std::string& more) { return run_program(root(), arguments() + " " + more); }
+
+  TemporaryFolder folder_;
+};
+
+std::vector<std::string> rows_of(const fs::path& csv) {
+  std::vector<std::string> rows;
+  std::istringstream text(content_of(csv));
+  for (std::string row; std::getline(text, row);) rows.push_back(row);
+  return rows;
+}
+
+std::vector<std::string> cells_of_row(const std::string& row) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : row) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
+}
+
+// What does not depend on the clock, by setting, frame and kind of row.
+std::map<std::string, std::string> timeless(const fs::path& csv) {
+  const std::vector<std::string> rows = rows_of(csv);
+  const std::vector<std::string> names = cells_of_row(rows.front());
+  std::map<std::string, std::string> found;
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    const std::vector<std::string> cells = cells_of_row(rows[r]);
+    std::string key, rest;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string& name = names[i];
+      if (name == "name" || name == "frame" || name == "reference") key += cells[i] + "|";
+      const bool timed = name.ends_with("_ms") || name.starts_with("ln_") || name == "measuring_s";
+      if (!timed) rest += cells[i] + ",";
+    }
+    EXPECT_TRUE(found.emplace(key, rest).second) << key << " is there twice";
+  }
+  return found;
+}
+
+// The report at any later time and place is the one that the study printed.
+TEST_F(StudyProgram, LeavesItsRowsItsPageAndAReportThatPrintsAgainByteForByte) {
+  const Outcome outcome = study("--out whole");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Pareto front"), std::string::npos) << outcome.out;
+  const std::vector<std::string> rows = rows_of(root() / "whole/study.csv");
+  // Two defaults, seven numbers of samples, twelve sizes, five adaptive numbers; then combinations and the
+  // clip.
+  EXPECT_GE(rows.size(), 1u + 2 + 7 + 12 + 5);
+  const std::string page = content_of(root() / "whole/study.html");
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+  fs::create_directories(root() / "elsewhere");
+  fs::copy(root() / "whole/study.json", root() / "elsewhere/study.json");
+  fs::remove_all(root() / "whole");
+  const Outcome again = run_program(root() / "elsewhere", "study --report study.json --page again.html");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.out, outcome.out);
+  EXPECT_EQ(content_of(root() / "elsewhere/again.html"), page);
+}
+
+TEST_F(StudyProgram, CutOffAtAnyMomentGoesOnToTheSameErrorsAndCounters) {
+  ASSERT_EQ(study("--out whole").exit_code, 0);
+  const std::uint32_t seed = std::random_device{}();
+  std::cout << "seed " << seed << "\n";
+  std::mt19937 random(seed);
+  std::string before;
+  int cuts = 0;
+  for (;; ++cuts) {
+    const std::string line = "exec " + std::string(test::program_path()) + " " + arguments() + " --out cut" +
+                             (fs::exists(root() / "cut") ? " --resume" : "");
+    ChildProgram child(root(), {"/bin/sh", "-c", line + " > report.txt"});
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(200 + random() % 2500);
+    while (child.runs() && (cuts >= 5 || std::chrono::steady_clock::now() < until)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const bool ended = !child.runs();
+    if (!ended) child.send(random() % 2 == 0 ? SIGKILL : SIGTERM);
+    while (child.runs()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::string now = fs::exists(root() / "cut/study.csv") ? content_of(root() / "cut/study.csv") : "";
+    const std::string whole_rows = before.substr(0, before.rfind('\n') + 1);
+    EXPECT_EQ(now.substr(0, whole_rows.size()), whole_rows) << "rows that were finished have changed";
+    before = now;
+    if (ended) break;
+  }
+  std::cout << cuts << " cuts\n";
+  ASSERT_TRUE(fs::exists(root() / "cut/study.json")) << content_of(root() / "stderr.txt");
+  const auto whole = timeless(root() / "whole/study.csv"), cut = timeless(root() / "cut/study.csv");
+  int compared = 0;
+  for (const auto& [key, rest] : whole) {
+    const auto found = cut.find(key);
+    // Which combinations are tried depends on times.
+    if (found == cut.end()) {
+      EXPECT_NE(rest.find("combination"), std::string::npos) << key << " is missing";
+      continue;
+    }
+    EXPECT_EQ(found->second, rest) << key;
+    ++compared;
+  }
+  EXPECT_GE(compared, 2 + 7 + 12 + 5);
+}
+
+TEST_F(StudyProgram, RefusesWhatItCannotDoInOneLine) {
+  const struct {
+    const char* arguments;
+    int exit_code;
+    const char* says;
+  } cases[] = {
+      {"study", 2, "SESSION: missing"},
+      {"study s --only polr", 3, "s"},  // the session comes first
+      {"study s --report r.json", 2, "--report: prints a study that is done"},
+      {"study s --page p.html", 2, "--page: is of --report only"},
+      {"study s --resume --overwrite", 2, "--resume: conflicts with --overwrite"},
+      {"study s --foveation off", 2, "--foveation"},
+      {"study s --minutes 0", 2, "--minutes"},
+      {"study --report missing.json", 3, "missing.json"},
+      {"study --report small.json", 3, "small.json"},
+  };
+  for (const auto& one : cases) {
+    const Outcome outcome = run_program(root(), one.arguments);
+    EXPECT_EQ(outcome.exit_code, one.exit_code) << one.arguments << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find(one.says), std::string::npos) << one.arguments << ": " << outcome.err;
+    EXPECT_EQ(lines_in(outcome.err), 1) << outcome.err;
+  }
+  const Outcome unknown = study("--out out --only polr");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("did you mean 'polar'?"), std::string::npos) << unknown.err;
+  fs::create_directories(root() / "mine");
+  std::ofstream(root() / "mine/letter.txt") << "keep me";
+  const Outcome foreign = study("--out mine --overwrite");
+  EXPECT_EQ(foreign.exit_code, 2);
+  EXPECT_EQ(content_of(root() / "mine/letter.txt"), "keep me");
+}
+
+}  // namespace
+}  // namespace herr
