@@ -1,7 +1,9 @@
 #include "server/study/reference/reference_spec.h"
 
 #include <algorithm>
+#include <variant>
 
+#include "renderer/settings_list.h"
 #include "server/study/plan/knobs.h"
 
 namespace herr {
@@ -24,6 +26,15 @@ RenderSettings through_pixels(RenderSettings settings) {
   return settings;
 }
 
+// As far as the setting's range goes.
+void widen_polar(RenderSettings& settings, double factor) {
+  const std::vector<Setting> rows = settings_of(settings);
+  const auto& size = std::get<SizeSetting>(setting_named(rows, "polar").value);
+  const auto scaled = [&](int value, int most) { return std::min(static_cast<int>(value * factor), most); };
+  *size.width_per_eye = scaled(*size.width_per_eye, size.widest_per_eye);
+  *size.height = 2 * scaled(*size.height / 2, size.highest / 2);
+}
+
 std::string model_name(const SettingChanges& model) {
   return model.empty() ? "" : ", " + flags_text(model);
 }
@@ -44,8 +55,7 @@ ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChange
   spec.name = "endless effort" + model_name(model);
   spec.passes = kPasses;
   spec.finest = lit;
-  spec.finest.polar_width = spec.finest.polar_width * 3 / 2,
-  spec.finest.polar_height = spec.finest.polar_height * 3 / 4 * 2;
+  widen_polar(spec.finest, 1.5);
   spec.finest.light_samples = kSoftSamples;
   return spec;
 }
@@ -64,7 +74,7 @@ ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& 
         model_name(setting.model);
     spec.finest = defaults;
     spec.finest.light_samples = settings.light_samples;
-    spec.finest.polar_width *= 2, spec.finest.polar_height *= 2;
+    widen_polar(spec.finest, 2);
     return spec;
   }
   spec.by_pixels = false;

@@ -135,8 +135,9 @@ TEST(StudyFits, WhatIsOddIsRemarkedUpon) {
   EXPECT_EQ(remark_of(samples(), [](double n) { return n < 2 ? 0.103 : 0.1; }), "");
   EXPECT_EQ(
       remark_of(samples(), falls, 0.07),
-      "N = 1: no value can be told from the reference (0.21, 3 times its own error): what it changes is "
-      "too little to see here");
+      "N = 1: no value can be told from the reference, 3 times whose own error is 0.2100: what it changes "
+      "is too little to see here");
+  EXPECT_EQ(remark_of(samples(), [](double) { return 0.0; }), "N = 1: it changes nothing in these frames");
 }
 
 TEST(StudyFits, TooFewPointsAndWordsHaveNoFit) {
