@@ -26,8 +26,8 @@ class References {
       : instant_(instant), context_(std::move(context)) {}
 
   // Valid until the next call. Those over pixels are kept in memory and on disk, those of many seeds the last
-  // two in memory. `improve`: one on disk that was left with too large an error is made again, unless there is
-  // no time for more passes than it has.
+  // two in memory. `improve`: one on disk that was left with too large an error is made again, unless there
+  // is no time for more passes than it has.
   const ReferencePicture& get(const ReferenceSpec& spec, bool improve = false);
 
   // What was made or found, without pictures, in order.

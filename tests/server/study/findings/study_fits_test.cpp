@@ -123,9 +123,9 @@ TEST(StudyFits, WhatIsOddIsRemarkedUpon) {
   const auto rises = [](double n) { return 0.01 * std::sqrt(n); };
   const auto falls = [](double n) { return 0.2 / std::sqrt(n); };
   EXPECT_EQ(remark_of(samples(), rises),
-            "N = 1: the error rises with samples per light, from 0.01 to 0.16, against expectation");
+            "N = 1: the error rises with samples per light, from 0.0100 to 0.1600, against expectation");
   EXPECT_EQ(remark_of(samples(-1), falls),
-            "N = 1: the error falls with samples per light, from 0.2 to 0.0125, against expectation");
+            "N = 1: the error falls with samples per light, from 0.2000 to 0.0125, against expectation");
   EXPECT_EQ(remark_of(samples(-1), rises), "");
   EXPECT_EQ(remark_of(samples(0), rises), "");
   // 0.1 to 0.1019: 1.9 %.
