@@ -22,6 +22,7 @@ namespace {
 constexpr std::int64_t kLongestCsv = std::int64_t{1} << 30;
 constexpr double kShareOfReferences = 0.5;
 constexpr double kLongestClipFrame_ms = 1500;
+constexpr int kMostCombinations = 40;
 
 // Thrown through the loops when a signal asks for the end.
 struct Stopped {};
@@ -257,6 +258,12 @@ void StudyRun::measure_frame(const std::vector<StudySetting>& settings, std::int
   }
 }
 
+double StudyRun::seconds_of_rows() const {
+  double sum = 0;
+  for (const StudyRow& row : rows_) sum += row.seconds;
+  return sum;
+}
+
 // By the means over frames of what each knob did alone.
 void StudyRun::choose_combinations() {
   if (state_.combinations) return;
@@ -281,7 +288,13 @@ void StudyRun::choose_combinations() {
     if (own.frames == 0 || !setting.model.empty()) continue;
     measured.push_back({setting, own.log_time / own.frames, std::sqrt(own.squared / own.frames)});
   }
-  state_.combinations = combinations(subject_.defaults(), measured, state_.most_combinations);
+  // What was shared out is an estimate; what rows really took tells how many more the time is enough for.
+  const auto rows = static_cast<double>(std::max<std::size_t>(1, measured.size()));
+  const double row_s = seconds_of_rows() / (rows * static_cast<double>(state_.frames));
+  const double affordable = (until_clip_s() - seconds()) / (row_s * static_cast<double>(state_.frames));
+  const auto most = static_cast<std::size_t>(std::clamp(affordable, 0.0, double{kMostCombinations}));
+  state_.combinations = combinations(subject_.defaults(), measured, most);
+  if (most > 0) std::erase(state_.dropped, "combinations");
   write_state(folder_.state(), state_);
 }
 

@@ -57,6 +57,7 @@ class StudyRun {
   double estimated_seconds(const StudySetting& setting) const;
   double limit_s() const { return 60 * options_.minutes; }
   double clip_seconds() const;
+  double seconds_of_rows() const;
   double pixel_references_s() const;
   double until_clip_s() const;
 

@@ -47,7 +47,6 @@ void write_state(const std::filesystem::path& file, const StudyState& state) {
   StateJson json{{"format", "herr study state"}, {"version", kStateVersion}, {"subject", state.subject}};
   if (state.settings) json["settings"] = *state.settings;
   json["frames"] = state.frames;
-  json["most_combinations"] = state.most_combinations;
   json["dropped"] = state.dropped;
   if (state.combinations) {
     json["combinations"] = StateJson::array();
@@ -78,7 +77,6 @@ StudyState read_state(const std::filesystem::path& file) {
   state.subject = root.text("subject");
   if (root.has("settings")) state.settings = texts_of(root, "settings");
   state.frames = static_cast<std::size_t>(root.integer("frames", 0, 1000000));
-  state.most_combinations = static_cast<std::size_t>(root.integer("most_combinations", 0, 1000000));
   state.dropped = texts_of(root, "dropped");
   if (root.has("combinations")) {
     state.combinations.emplace();

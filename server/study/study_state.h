@@ -18,7 +18,7 @@ struct StudyState {
   std::string subject;  // inputs, settings, frames and program: another one is another study
   // Once the time was shared out: names of the settings that are measured, on how many frames, and what else.
   std::optional<std::vector<std::string>> settings;
-  std::size_t frames = 0, most_combinations = 0;
+  std::size_t frames = 0;
   std::vector<std::string> dropped;
   std::optional<std::vector<StudySetting>> combinations;            // once they were chosen
   std::vector<std::pair<std::int64_t, StudyReference>> references;  // made so far, by frame

@@ -45,12 +45,16 @@ double StudyRun::estimated_seconds(const StudySetting& setting) const {
     if (of.foveation == Foveation::off) size = 4 * of.scale * of.scale;
     return size * (unit_s + per_sample_s * (of.light_samples - kHardSamples));
   };
-  const double frame_s = seconds_of_frame(settings);
   const MeasuringRules rules;
-  const double pairs_s = 2.0 * (unit_s + frame_s);
-  const double timing_s = std::min(rules.blocks * pairs_s, rules.seconds + pairs_s);
-  const double fixed_s = std::max(0.05, soft->seconds - 1e-3 * soft->frame_ms * 8);
-  double seconds = fixed_s + unit_s + 2 * frame_s + timing_s;
+  // As time_pairs() goes about it: a long frame is rendered twice, a short one in every pair and once before.
+  const auto seconds_of_timing = [&](double frame_s) {
+    const double pairs_s = 2 * (unit_s + frame_s);
+    const bool is_long = 2 * frame_s > rules.seconds / rules.blocks;
+    return unit_s + (is_long ? pairs_s : frame_s + rules.blocks * pairs_s);
+  };
+  const double frame_s = seconds_of_frame(settings);
+  const double fixed_s = std::max(0.05, soft->seconds - seconds_of_timing(1e-3 * soft->frame_ms));
+  double seconds = fixed_s + seconds_of_timing(frame_s);
   if (setting.own == OwnReference::seeds) {
     // About so many settings share a reference of 16 frames.
     constexpr double kShare = 16.0 / 5;
@@ -81,7 +85,6 @@ void StudyRun::share_time() {
   for (const StudySetting& setting : budget.settings) state_.settings->push_back(setting.name);
   state_.frames = budget.frames;
   state_.dropped = budget.dropped;
-  state_.most_combinations = budget.combinations;
   write_state(folder_.state(), state_);
 }
 
