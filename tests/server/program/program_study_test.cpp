@@ -34,7 +34,7 @@ class StudyProgram : public testing::Test {
   fs::path root() const { return folder_.path(); }
   // Without the name of the folder.
   static std::string arguments() {
-    const std::string source = test::source_dir().string();
+    const std::string source = std::string(test::source_dir());
     return "study '" + source + "/sessions/samples/desk-walk' --scene '" + source +
            "/scenes/samples/shapes.scene.json' --profile small.json --polar 64x32 --frames 1 --minutes 5"
            " --only polar,light_samples,adaptive_samples";
