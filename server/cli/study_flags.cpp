@@ -69,6 +69,12 @@ void check_study_options(const StudyOptions& options) {
   if (!options.report.empty()) {
     if (!options.session.empty())
       throw UsageError("--report: prints a study that is done; leave SESSION out");
+    if (!options.page.empty() && options.page == options.report) {
+      throw UsageError("--page: is the file of --report; give another name");
+    }
+    if (options.resume || options.overwrite || !options.export_to.empty() || !options.only.empty()) {
+      throw UsageError("--report: measures nothing; leave --resume, --overwrite, --export and --only out");
+    }
     return;
   }
   if (!options.page.empty()) throw UsageError("--page: is of --report only; a study writes OUT/study.html");

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
@@ -9,6 +10,7 @@
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
 #include "server/study/export_sequences.h"
+#include "server/study/plan/knobs.h"
 #include "server/study/report/study_json.h"
 #include "server/study/report/study_page.h"
 #include "server/study/report/study_text.h"
@@ -58,9 +60,12 @@ int run_study(const StudyOptions& options) {
   check_isa(options.render);
   prepare_folders(options);
   StudySubject subject(options);
+  StudySweeps sweeps = sweeps_of(subject.defaults(),
+                                 [&](const RenderSettings& settings) { return subject.plan_of(settings); });
+  keep_only(options.only, sweeps);
   const StudyFolder folder(options.out);
   const FolderLock lock = folder.prepare(options.overwrite, options.resume);
-  StudyRun run(options, subject, folder);
+  StudyRun run(options, subject, std::move(sweeps), folder);
   if (!run.measure()) {
     print_message("stopped after " + std::to_string(run.rows().size()) + " rows; go on with --resume");
     return kExitSignalBase + stop_signal();

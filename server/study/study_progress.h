@@ -19,7 +19,7 @@ class StudyProgress {
   StudyProgress(const StudyProgress&) = delete;
   StudyProgress& operator=(const StudyProgress&) = delete;
 
-  void expect(std::size_t total) { total_ = total; }
+  void expect(std::size_t total) { total_ = total, done_ = 0; }
   void count() { ++done_; }
   void tell(const std::string& what, double seconds);
 

@@ -45,11 +45,10 @@ std::string command_line_of(const StudyOptions& options, const RenderSettings& d
   std::string text = "herr study " + shell_word(options.session.string());
   if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
   text += " --profile " + shell_word(options.profile);
-  RenderSettings from;
-  from.isa = RenderSettings{}.isa;
-  const std::string flags = flags_text(changes_between(from, defaults));
+  const std::string flags = flags_text(changes_between(RenderSettings{}, defaults));
   return text + (flags.empty() ? "" : " " + flags) + " --frames " + std::to_string(options.frames) +
-         " --minutes " + shortest_text(options.minutes) + only_flag(options);
+         " --minutes " + shortest_text(options.minutes) + only_flag(options) +
+         (options.reading.strict ? " --strict" : "");
 }
 
 // One of each name, over its frames; the first is the picture of endless effort.
@@ -111,7 +110,7 @@ std::vector<StudyPicture> pictures_of(StudySubject& subject, StudyRun& run) {
     read_viewports(frame, instant, threads_of(*renderer), test);
     for (std::size_t v = 0; v < test.size() && v < instant.profile->viewports.size(); ++v) {
       const Viewport& viewport = instant.profile->viewports[v];
-      if (viewport.eye != Eye::left) continue;
+      if (viewport.eye != instant.profile->viewports.front().eye) continue;
       limit_to_white(test[v]);
       pictures.push_back(difference_picture(setting.name + ", " + viewport.name, test[v], truth.picture[v],
                                             kPictureGain, kPanelPx));
@@ -159,6 +158,10 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   record.aims = aims_of(record.points);
   record.left_out = run.sweeps().left_out;
   record.dropped = run.dropped();
+  if (record.aims.empty()) {
+    record.dropped.emplace_back(
+        "aims: rays per pixel and the paper's settings were not measured on all frames");
+  }
   record.warnings = report.warnings;
   record.warnings.insert(record.warnings.end(), run.warnings().begin(), run.warnings().end());
   add_reference_warnings(record);

@@ -37,6 +37,11 @@ std::string only_text(const StudyOptions& options) {
   return text;
 }
 
+// How a reference came: only rendering it took time of this study.
+const char* kind_of(const ReferencePicture& reference) {
+  return !reference.spec.by_pixels ? "seeds" : reference.found ? "found" : "pixels";
+}
+
 std::string subject_of(const StudySubject& subject, const StudyOptions& options) {
   return std::string(program_with_version()) + "; " + subject.inputs() + settings_text(subject.defaults()) +
          "; " + std::to_string(options.frames) + " frames" + only_text(options);
@@ -48,23 +53,27 @@ double seconds_since(TimeNs start_ns) {
 
 }  // namespace
 
-StudyRun::StudyRun(const StudyOptions& options, StudySubject& subject, const StudyFolder& folder)
+StudyRun::StudyRun(const StudyOptions& options, StudySubject& subject, StudySweeps sweeps,
+                   const StudyFolder& folder)
     : options_(options),
       subject_(subject),
       folder_(folder),
-      sweeps_(sweeps_of(subject.defaults(), [&](const RenderSettings& s) { return subject.plan_of(s); })),
+      sweeps_(std::move(sweeps)),
       cache_(options.references.empty() ? folder.references() : options.references),
       progress_(60 * options.minutes),
       start_ns_(steady_now_ns()),
       last_row_ns_(start_ns_),
       reference_start_ns_(start_ns_) {
-  keep_only(options.only, sweeps_);
   state_.subject = subject_of(subject, options);
   if (options.resume && path_exists(folder.state())) {
     StudyState earlier = read_state(folder.state());
     if (earlier.subject != state_.subject) {
       throw InputError(folder.state(), 0, "is of another session, scene, setting or program",
                        "give the same command, or begin anew with --overwrite");
+    }
+    if (earlier.frames > subject.frames().frames.size()) {
+      throw InputError(folder.state(), 0, "names more frames than the study has",
+                       "begin anew with --overwrite");
     }
     state_ = std::move(earlier);
   }
@@ -102,13 +111,15 @@ double StudyRun::seconds() const {
   return earlier_s_ + seconds_since(start_ns_);
 }
 
-References::Context StudyRun::reference_context() {
+References::Context StudyRun::reference_context(std::optional<std::int64_t> frame) {
   References::Context context;
   context.subject = subject_.inputs();
   context.cache = &cache_;
   context.out_of_time = [this] {
     return stop_signal() != 0 || pixel_references_s() + seconds_since(reference_start_ns_) > references_s_;
   };
+  context.stopped = [] { return stop_signal() != 0; };
+  context.is_known = [this, frame](const std::string& name) { return frame && is_noted(name, *frame); };
   context.tell = [this](const std::string& what) {
     reference_start_ns_ = steady_now_ns();
     progress_.tell(what, seconds());
@@ -125,16 +136,18 @@ double StudyRun::pixel_references_s() const {
   return sum;
 }
 
+bool StudyRun::is_noted(const std::string& name, std::int64_t frame) const {
+  return std::any_of(state_.references.begin(), state_.references.end(),
+                     [&](const auto& one) { return one.first == frame && one.second.name == name; });
+}
+
 void StudyRun::note(const References& references, std::int64_t frame) {
   bool changed = false;
   for (const ReferencePicture& made : references.made()) {
-    const bool known = std::any_of(state_.references.begin(), state_.references.end(), [&](const auto& one) {
-      return one.first == frame && one.second.name == made.spec.name;
-    });
-    if (known) continue;
+    if (is_noted(made.spec.name, frame)) continue;
     state_.references.emplace_back(
-        frame, StudyReference{made.spec.name, made.spec.by_pixels ? "pixels" : "seeds", made.passes,
-                              made.most_passes, made.error, made.goal_met, made.seconds});
+        frame, StudyReference{made.spec.name, kind_of(made), made.passes, made.most_passes, made.error,
+                              made.goal_met, made.seconds});
     changed = true;
   }
   if (changed) write_state(folder_.state(), state_);
@@ -147,6 +160,7 @@ bool StudyRun::measure() {
     progress_.expect(state_.settings->size() * state_.frames);
     measure_settings(wanted_settings(), state_.frames, until_clip_s());
     choose_combinations();
+    progress_.expect(state_.combinations->size() * state_.frames);
     measure_settings(*state_.combinations, state_.frames, until_clip_s());
     measure_flicker();
   } catch (const Stopped&) {
@@ -166,31 +180,35 @@ void StudyRun::make_references() {
   double done = 0;
   subject_.rewind();
   for (const StudyFrame& frame : subject_.frames().frames) {
-    const auto is_known = [&](const ReferenceSpec& spec) {
-      return std::any_of(state_.references.begin(), state_.references.end(), [&](const auto& one) {
-        return one.first == frame.number && one.second.name == spec.name;
-      });
-    };
+    const auto is_known = [&](const ReferenceSpec& spec) { return is_noted(spec.name, frame.number); };
     if (std::all_of(specs.begin(), specs.end(), is_known)) {
       done += static_cast<double>(specs.size());
       continue;
     }
     const FrameInstant instant = subject_.instant(frame.number);
     const std::unique_ptr<Renderer> threads = renderer_at(instant, subject_.defaults());
-    References::Context context = reference_context();
+    References::Context context = reference_context(frame.number);
     context.parallel_for = threads_of(*threads);
     References references(instant, context);
     for (const ReferenceSpec& spec : specs) {
       stop_if_asked();
       references_s_ = kShareOfReferences * limit_s() * ++done / all;
       references.get(spec, !is_known(spec));
-      if (!cache_.remark().empty()) warnings_.push_back(cache_.remark());
       stop_if_asked();  // one that was cut short is not noted
       note(references, frame.number);
     }
   }
   references_s_ = kShareOfReferences * limit_s();
   last_row_ns_ = steady_now_ns();
+}
+
+// Three blocks over all frames: six pairs, the fewest that have an interval.
+MeasuringRules StudyRun::measuring_rules() const {
+  MeasuringRules rules;
+  const auto frames = static_cast<int>(state_.settings ? state_.frames : subject_.frames().frames.size());
+  rules.timing.fewest_blocks = (3 + frames - 1) / std::max(1, frames);
+  rules.timing.blocks = std::max(rules.timing.blocks, rules.timing.fewest_blocks);
+  return rules;
 }
 
 bool StudyRun::is_measured(const std::string& name, std::int64_t frame) const {
@@ -238,10 +256,10 @@ void StudyRun::measure_frame(const std::vector<StudySetting>& settings, std::int
   const FrameInstant instant = subject_.instant(frame);
   const std::unique_ptr<Renderer> unit = renderer_at(instant, subject_.defaults());
   Calibration calibration(*unit);
-  References::Context context = reference_context();
+  References::Context context = reference_context(frame);
   context.parallel_for = threads_of(*unit);
   References references(instant, context);
-  const MeasuringBench bench{subject_.defaults(), instant, *unit, calibration, references, {}};
+  const MeasuringBench bench{subject_.defaults(), instant, *unit, calibration, references, measuring_rules()};
   for (const StudySetting& setting : settings) {
     if (!missing(setting)) continue;
     stop_if_asked();
@@ -294,7 +312,8 @@ void StudyRun::choose_combinations() {
   const double affordable = (until_clip_s() - seconds()) / (row_s * static_cast<double>(state_.frames));
   const auto most = static_cast<std::size_t>(std::clamp(affordable, 0.0, double{kMostCombinations}));
   state_.combinations = combinations(subject_.defaults(), measured, most);
-  if (most > 0) std::erase(state_.dropped, "combinations");
+  std::erase(state_.dropped, "combinations");
+  if (most == 0) state_.dropped.emplace_back("combinations");
   write_state(folder_.state(), state_);
 }
 
@@ -311,7 +330,11 @@ void StudyRun::measure_flicker() {
                         setting.name == "adaptive light samples 64" || setting.name == "light samples 4" ||
                         (setting.knob == "uniform" && setting.value == "0.5");
     const StudyRow* row = row_of(setting.name, frame);
-    if (!wanted || row == nullptr || row->frame_ms > kLongestClipFrame_ms || has_flicker(setting)) continue;
+    if (!wanted || row == nullptr || has_flicker(setting)) continue;
+    if (row->frame_ms > kLongestClipFrame_ms) {
+      out_of_time_.push_back("flicker of " + setting.name + ": its frames take too long");
+      continue;
+    }
     shown.push_back(setting);
     frames_s += 1e-3 * row->frame_ms * static_cast<double>(subject_.frames().clip.size());
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/process/steady_time.h"
+#include "server/study/measure/measure_setting.h"
 #include "server/study/measure/references.h"
 #include "server/study/measure/study_row.h"
 #include "server/study/plan/knobs.h"
@@ -22,9 +23,9 @@ namespace herr {
 
 class StudyRun {
  public:
-  // All must outlive it. Reads what an earlier run left (options.resume). Throws InputError where that is of
-  // another study.
-  StudyRun(const StudyOptions& options, StudySubject& subject, const StudyFolder& folder);
+  // All must outlive it; `sweeps` are those of the subject that are wanted. Reads what an earlier run left
+  // (options.resume). Throws InputError where that is of another study.
+  StudyRun(const StudyOptions& options, StudySubject& subject, StudySweeps sweeps, const StudyFolder& folder);
 
   // False: a signal asked for the end; what was measured stands in the folder. Throws as the renderer and
   // WriteError.
@@ -36,7 +37,8 @@ class StudyRun {
   std::vector<std::string> dropped() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   double seconds() const;  // earlier runs included
-  References::Context reference_context();
+  // `frame`: whose rows are measured against them; none for pictures that no row needs.
+  References::Context reference_context(std::optional<std::int64_t> frame = {});
 
  private:
   static constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
@@ -50,12 +52,14 @@ class StudyRun {
   void choose_combinations();
   void measure_flicker();
   void keep(StudyRow row);
+  bool is_noted(const std::string& name, std::int64_t frame) const;
   void note(const References& references, std::int64_t frame);
   bool is_measured(const std::string& name, std::int64_t frame) const;
   const StudyRow* row_of(const std::string& name, std::int64_t frame) const;
   std::vector<StudySetting> wanted_settings() const;
   double estimated_seconds(const StudySetting& setting) const;
   double limit_s() const { return 60 * options_.minutes; }
+  MeasuringRules measuring_rules() const;
   double clip_seconds() const;
   double seconds_of_rows() const;
   double pixel_references_s() const;

@@ -45,12 +45,13 @@ double StudyRun::estimated_seconds(const StudySetting& setting) const {
     if (of.foveation == Foveation::off) size = 4 * of.scale * of.scale;
     return size * (unit_s + per_sample_s * (of.light_samples - kHardSamples));
   };
-  const MeasuringRules rules;
+  const MeasuringRules rules = measuring_rules();
   // As time_pairs() goes about it: a long frame is rendered twice, a short one in every pair and once before.
   const auto seconds_of_timing = [&](double frame_s) {
     const double pairs_s = 2 * (unit_s + frame_s);
-    const bool is_long = 2 * frame_s > rules.seconds / rules.blocks;
-    return unit_s + (is_long ? pairs_s : frame_s + rules.blocks * pairs_s);
+    const bool is_long = 2 * frame_s > rules.timing.seconds / rules.timing.blocks;
+    return unit_s +
+           (is_long ? rules.timing.fewest_blocks * pairs_s : frame_s + rules.timing.blocks * pairs_s);
   };
   const double frame_s = seconds_of_frame(settings);
   const double fixed_s = std::max(0.05, soft->seconds - seconds_of_timing(1e-3 * soft->frame_ms));

@@ -22,8 +22,11 @@ constexpr std::array<MetricRow, kMetrics> kMetricRows{{
      "All but one value: it is that of a single pixel, and grows with the number of pixels.", 0.5},
     {"psnr_db", "PSNR (dB)", "-20 log10(RMSE): white is the peak.", "The same as the RMSE.", 0},
     {"acuity_rmse", "acuity-weighted RMSE",
-     "The root of the mean of d² over pixels and colour channels, d low-passed at the eye's limit at its "
-     "eccentricity, pixels weighted by the samples that the eye needs there.",
+     "The root of the mean of d² over pixels and colour channels. d is low-passed by a Gaussian that halves "
+     "the "
+     "eye's limit at its eccentricity e in degrees, f = 2.3 ln 64 / (0.106 (e + 2.3)) cycles per degree "
+     "(Geisler & "
+     "Perry 1998); a pixel weighs its solid angle times (2 f)², the samples that the eye needs there.",
      "Contrast and masking: whatever the eye can resolve counts by its light alone.", 0.5},
     // FLIP's colour difference is HyAB to the power 0.7, so half a difference has 0.5^0.7 of it.
     {"flip", "FLIP",

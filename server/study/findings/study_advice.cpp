@@ -27,7 +27,7 @@ double acuity_error(const StudyPoint& point) {
 
 const StudyPoint* point_named(std::span<const StudyPoint> points, const std::string& name) {
   for (const StudyPoint& point : points) {
-    if (point.name == name && point.frames > 0) return &point;
+    if (point.name == name && point.comparable) return &point;
   }
   return nullptr;
 }
@@ -38,7 +38,7 @@ const StudyPoint* fastest(std::span<const StudyPoint> points, double most_error,
                           const Error& error, const Time& time) {
   const StudyPoint* best = nullptr;
   for (const StudyPoint& point : points) {
-    if (point.frames == 0 || !counts(point) || !(error(point) <= most_error)) continue;
+    if (!point.comparable || !counts(point) || !(error(point) <= most_error)) continue;
     if (best == nullptr || time(point) < time(*best)) best = &point;
   }
   return best;
@@ -51,8 +51,7 @@ double frame_time(const StudyPoint& point) {
 StudyAdvice advise(std::span<const StudyPoint> points, double most_error, const std::string& reason) {
   StudyAdvice advice;
   advice.most_error = most_error;
-  // Models of other light have other errors.
-  const auto counts = [](const StudyPoint& point) { return point.on_same_model; };
+  const auto counts = [](const StudyPoint&) { return true; };
   const StudyPoint* best = fastest(points, most_error, counts, acuity_error, frame_time);
   const std::string wish = "For an error of at most " + error_text(most_error) + " (" + reason + "): ";
   if (best == nullptr) {
@@ -61,8 +60,9 @@ StudyAdvice advise(std::span<const StudyPoint> points, double most_error, const 
   }
   advice.point = best->name;
   advice.sentence = wish + "take " + (best->flags.empty() ? "the default" : best->flags) + "; error " +
-                    error_text(acuity_error(*best)) + ", time of the default times " +
-                    ratio_text(best->time_ratio) + ".";
+                    error_text(acuity_error(*best)) +
+                    (best->at_floor ? " (at the floor of the reference)" : "") +
+                    ", time of the default times " + ratio_text(best->time_ratio) + ".";
   return advice;
 }
 
@@ -71,25 +71,29 @@ StudyAim uniform_at_same_error(std::span<const StudyPoint> points, const StudyPo
   aim.name = "rays per pixel at the error of foveation, " + ours.base + ": time against ours";
   aim.aim = 1;
   const double error = isolated_error(ours);
+  // Its light samples are free, but with hard light, whose bias both share, errors are against hard light.
+  const bool hard = ours.own_error.has_value();
   const auto counts = [&](const StudyPoint& point) {
-    return point.knob == "uniform" && point.base == ours.base;
+    return point.knob == "uniform" && (!hard || point.base == ours.base);
   };
-  const StudyPoint* same = fastest(points, error, counts, isolated_error, frame_time);
+  const auto of_uniform = [&](const StudyPoint& point) {
+    return hard ? isolated_error(point) : acuity_error(point);
+  };
+  const StudyPoint* same = fastest(points, error, counts, of_uniform, frame_time);
   if (same != nullptr) {
     aim.measured = ratio_between(same->time_ratio, ours.time_ratio);
     aim.met = aim.measured.estimate >= aim.aim;
-    aim.sentence = "Scale " + same->value + " has error " + error_text(isolated_error(*same)) + ", " +
-                   ours.name + " has " + error_text(error) + "; rays per pixel take " +
-                   ratio_text(aim.measured) + " times the frame time.";
+    aim.sentence = "Scale " + same->value + " with " + same->base + " has error " +
+                   error_text(of_uniform(*same)) + ", " + ours.name + " has " + error_text(error) +
+                   "; rays per pixel take " + ratio_text(aim.measured) + " times the frame time.";
     return aim;
   }
-  const auto best = fastest(points, HUGE_VAL, counts, isolated_error,
-                            [](const StudyPoint& p) { return isolated_error(p); });
+  const StudyPoint* best = fastest(points, HUGE_VAL, counts, of_uniform, of_uniform);
   if (best != nullptr) {
     aim.measured = ratio_between(best->time_ratio, ours.time_ratio);
     aim.met = aim.measured.estimate >= aim.aim;
     aim.sentence = "No scale reaches the error " + error_text(error) + " of " + ours.name +
-                   ": the least, at scale " + best->value + ", is " + error_text(isolated_error(*best)) +
+                   ": the least, at scale " + best->value + ", is " + error_text(of_uniform(*best)) +
                    ", in " + ratio_text(aim.measured) + " times the frame time.";
   }
   return aim;
@@ -115,7 +119,7 @@ StudyAim against_paper(std::span<const StudyPoint> points, const StudyPoint& pap
   // With hard light both have the same bias, which says nothing of either: then of the same light alone.
   const bool hard = paper.own_error.has_value();
   const auto counts = [&](const StudyPoint& point) {
-    return point.on_same_model && point.knob != "uniform" && point.knob != "paper" &&
+    return point.knob != "uniform" && point.knob != "paper" &&
            (!hard || point.own_reference == paper.own_reference);
   };
   const auto error = [&](const StudyPoint& point) {

@@ -26,9 +26,12 @@ double own_floor(const StudyPoint& point, std::span<const StudyReference> refere
 
 std::vector<const StudyPoint*> sweep_of(const Knob& knob, const std::string& base,
                                         std::span<const StudyPoint> points) {
+  // Points on fewer frames than others are of other pictures.
+  int frames = 1;
+  for (const StudyPoint& point : points) frames = std::max(frames, point.frames);
   std::vector<const StudyPoint*> sweep;
   for (const StudyPoint& point : points) {
-    if (point.knob == knob.name && point.base == base && point.frames > 0) sweep.push_back(&point);
+    if (point.knob == knob.name && point.base == base && point.frames == frames) sweep.push_back(&point);
   }
   std::stable_sort(sweep.begin(), sweep.end(),
                    [](const StudyPoint* a, const StudyPoint* b) { return a->n < b->n; });

@@ -64,12 +64,15 @@ const StudyReference* named(std::span<const StudyReference> references, const st
   return nullptr;
 }
 
-void finish(const Gathered& from, std::span<const StudyReference> references, StudyPoint& point) {
+void finish(const Gathered& from, std::span<const StudyReference> references, std::size_t frames,
+            StudyPoint& point) {
   if (from.frames == 0) return;
   point.frames = from.frames;
   point.error = over_frames(from.errors);
   if (!from.own_errors.empty()) point.own_error = over_frames(from.own_errors);
-  point.on_same_model = !references.empty() && from.reference == references.front().name;
+  // Another model of light has other errors; fewer frames are other frames.
+  point.comparable =
+      !references.empty() && from.reference == references.front().name && from.errors.size() == frames;
   point.time_ratio = paired_ratio(from.log_ratios);
   point.work_ratio = paired_ratio(from.work_log_ratios);
   point.frame_ms = median(from.frame_ms);
@@ -85,17 +88,10 @@ void finish(const Gathered& from, std::span<const StudyReference> references, St
   }
 }
 
-void find_front(const std::vector<Gathered>& gathered, std::span<const StudyReference> references,
-                std::vector<StudyPoint>& points) {
+void find_front(const std::vector<Gathered>& gathered, std::vector<StudyPoint>& points) {
   std::vector<FrontCandidate> candidates(points.size());
-  std::size_t most = 0;
-  for (const Gathered& of_point : gathered) most = std::max(most, of_point.errors.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Another model of light has other errors; fewer frames are other frames.
-    if (references.empty() || gathered[i].reference != references.front().name ||
-        gathered[i].errors.size() != most) {
-      continue;
-    }
+    if (!points[i].comparable) continue;
     for (const ErrorTable& error : gathered[i].errors) {
       candidates[i].frame_errors.push_back(std::max(error.at(Metric::acuity_rmse), 1e-12));
     }
@@ -127,12 +123,20 @@ std::vector<StudyPoint> points_of(std::span<const StudyRow> rows,
       add(row, gathered[place->second]);
     }
   }
-  for (std::size_t i = 0; i < points.size(); ++i) finish(gathered[i], references, points[i]);
-  find_front(gathered, references, points);
+  std::size_t frames = 0;
+  for (const Gathered& of_point : gathered) frames = std::max(frames, of_point.errors.size());
+  for (std::size_t i = 0; i < points.size(); ++i) finish(gathered[i], references, frames, points[i]);
+  find_front(gathered, points);
   return points;
 }
 
 Interval ratio_between(const Interval& first, const Interval& second) {
+  for (const Interval* of : {&first, &second}) {
+    if (std::isfinite(of->lower) && std::isfinite(of->upper)) continue;
+    Interval unbounded;
+    unbounded.estimate = first.estimate / second.estimate;
+    return unbounded;
+  }
   const auto wider = [](double a, double b) { return std::sqrt(a * a + b * b); };
   const double middle = std::log(first.estimate / second.estimate);
   const double down = wider(std::log(first.estimate / first.lower), std::log(second.upper / second.estimate));

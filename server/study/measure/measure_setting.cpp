@@ -12,6 +12,8 @@
 namespace herr {
 namespace {
 
+constexpr float kNearWhite = 0.9f;
+
 double squared_error(const std::vector<ViewportMap>& maps, const std::vector<LinearPicture>& a,
                      const std::vector<LinearPicture>& b) {
   double sum = 0, count = 0;
@@ -19,10 +21,12 @@ double squared_error(const std::vector<ViewportMap>& maps, const std::vector<Lin
     for (std::size_t i = 0; i < maps[v].band.size(); ++i) {
       if (maps[v].band[i] == kNotSeen) continue;
       for (std::size_t c = 0; c < 3; ++c) {
+        // Limiting to white before or after the mean is not the same: what is near white tells nothing.
+        if (b[v].plane[c][i] > kNearWhite) continue;
         const double d = double{a[v].plane[c][i]} - double{b[v].plane[c][i]};
         sum += d * d;
+        count += 1;
       }
-      count += 3;
     }
   }
   return count > 0 ? sum / count : 0;
@@ -43,7 +47,6 @@ double bias_of(Renderer& renderer, const MeasuringBench& bench, const ReferenceP
     pass.seed = 1000003u + static_cast<std::uint32_t>(k);  // of no reference
     renderer.render_pass(*instant.sample, *instant.state, pass, frame);
     read_viewports(frame, instant, threads, picture);
-    for (LinearPicture& viewport : picture) limit_to_white(viewport);
     single += squared_error(instant.maps, picture, reference.picture) / seeds;
     if (sum.empty()) {
       sum = picture;
@@ -80,8 +83,8 @@ StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& benc
   const std::unique_ptr<Renderer> renderer =
       renderer_at(instant, with_changes(bench.defaults, setting.changes));
   RenderedFrame frame;
-  const PairedTimes times = time_pairs(*renderer, bench.unit, instant, bench.calibration, bench.rules.blocks,
-                                       bench.rules.seconds, frame);
+  const PairedTimes times =
+      time_pairs(*renderer, bench.unit, instant, bench.calibration, bench.rules.timing, frame);
   row.counters = frame.counters;
   row.log_ratios = times.log_ratios, row.work_log_ratios = times.work_log_ratios;
   row.frame_ms = times.frame_ms, row.pixels_ms = times.pixels_ms, row.calibration_ms = times.calibration_ms;

@@ -12,8 +12,7 @@
 namespace herr {
 
 struct MeasuringRules {
-  int blocks = 2;              // of two pairs
-  double seconds = 2.0;        // of timing: after them no further block begins
+  TimingRules timing;
   int bias_seeds = 4;          // more pictures, of other seeds, of settings with a reference of seeds,
   double bias_frame_ms = 700;  // whose frames are not too long for that
 };

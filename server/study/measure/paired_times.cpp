@@ -27,20 +27,24 @@ FrameTime time_frame(Renderer& renderer, const FrameInstant& instant, RenderedFr
 }  // namespace
 
 PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant,
-                       Calibration& calibration, int blocks, double seconds, RenderedFrame& frame) {
+                       Calibration& calibration, const TimingRules& rules, RenderedFrame& frame) {
   PairedTimes out;
   RenderedFrame unit_frame, again;
   std::vector<double> frame_ms, pixels_ms, calibration_ms;
-  time_frame(unit, instant, unit_frame);
+  const auto calibrate = [&] { calibration_ms.push_back(calibration.time().rays_ms); };
+  calibrate();
   const TimeNs start_ns = steady_now_ns();
+  const FrameTime first_unit = time_frame(unit, instant, unit_frame);
   const FrameTime first = time_frame(tested, instant, frame);
   const bool counts = first.frame_ms > kLongFrame_ms;
-  for (int block = 0; block < blocks; ++block) {
-    if (block > 0 && static_cast<double>(steady_now_ns() - start_ns) * 1e-9 > seconds) break;
-    calibration_ms.push_back(calibration.time().rays_ms);
+  for (int block = 0; block < rules.blocks; ++block) {
+    const double taken_s = static_cast<double>(steady_now_ns() - start_ns) * 1e-9;
+    if (block >= rules.fewest_blocks && taken_s > rules.seconds) break;
+    const bool begun = block == 0 && counts;
+    if (block > 0) calibrate();
     FrameTime of_unit[2], of_tested[2];
-    of_unit[0] = time_frame(unit, instant, unit_frame);
-    of_tested[0] = block == 0 && counts ? first : time_frame(tested, instant, again);
+    of_unit[0] = begun ? first_unit : time_frame(unit, instant, unit_frame);
+    of_tested[0] = begun ? first : time_frame(tested, instant, again);
     of_tested[1] = time_frame(tested, instant, again);
     of_unit[1] = time_frame(unit, instant, unit_frame);
     for (int i = 0; i < 2; ++i) {

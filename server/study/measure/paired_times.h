@@ -17,10 +17,15 @@ struct PairedTimes {
   double calibration_ms = 0;            // median
 };
 
-// `frame` is the first one of the tested renderer. Two pairs a block; `blocks` of them, fewer (but one) when
-// they take longer than `seconds`. What is rendered first warms up, unless it takes so long that this makes
-// no difference: then it counts.
+struct TimingRules {
+  int blocks = 2;         // of two pairs
+  int fewest_blocks = 1;  // however long they take; with those of other frames three make an interval
+  double seconds = 2.0;   // after them no further block begins
+};
+
+// `frame` is the first one of the tested renderer. What is rendered first, of either renderer, warms up,
+// unless it takes so long that this makes no difference: then both count as the first pair.
 PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& instant,
-                       Calibration& calibration, int blocks, double seconds, RenderedFrame& frame);
+                       Calibration& calibration, const TimingRules& rules, RenderedFrame& frame);
 
 }  // namespace herr

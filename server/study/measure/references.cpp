@@ -9,6 +9,7 @@
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/study/plan/study_setting.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {
@@ -46,14 +47,23 @@ ReferencePicture References::make(const ReferenceSpec& spec, bool improve) {
   std::optional<ReferenceHalves> halves;
   const bool cached = spec.by_pixels && context_.cache != nullptr;
   if (cached) halves = context_.cache->load(key, *instant_.profile);
+  if (cached && !halves && context_.is_known && context_.is_known(spec.name)) {
+    throw InputError(context_.cache->folder(), 0,
+                     "has no longer the reference '" + spec.name + "' that rows were measured against" +
+                         (context_.cache->remark().empty() ? "" : " (" + context_.cache->remark() + ")"),
+                     "put it back, or begin anew with --overwrite");
+  }
+  const bool found = halves.has_value();
   if (!halves || (improve && !halves->goal_met)) {
     ReferenceHalves fresh = render_halves(spec, instant_, context_.out_of_time);
     const bool better = !halves || fresh.goal_met || fresh.passes > halves->passes ||
                         (fresh.passes == halves->passes && fresh.most_passes > halves->most_passes);
     if (better) halves = std::move(fresh);
-    if (better && cached) context_.cache->store(key, *halves);
+    const bool stopped = context_.stopped && context_.stopped();
+    if (better && cached && !stopped) context_.cache->store(key, *halves);
   }
   ReferencePicture reference = mean_of_halves(spec, instant_, std::move(*halves), context_.parallel_for);
+  reference.found = found;
   seconds_ += reference.seconds;
   ReferencePicture described = reference;
   described.picture.clear();

@@ -19,7 +19,10 @@ class References {
     std::string subject;  // what the pictures are of, beside frame and settings: inputs, instruction set
     ReferenceCache* cache = nullptr;
     ParallelFor parallel_for;
-    std::function<bool()> out_of_time;             // of passes over pixels, beyond the first
+    std::function<bool()> out_of_time;  // of passes over pixels, beyond the first
+    std::function<bool()> stopped;      // what is cut short by this is not kept on disk
+    // Rows were measured against the one of this name: another one must not take its place.
+    std::function<bool(const std::string& name)> is_known;
     std::function<void(const std::string&)> tell;  // what is being made
   };
   References(const FrameInstant& instant, Context context)
@@ -27,7 +30,8 @@ class References {
 
   // Valid until the next call. Those over pixels are kept in memory and on disk, those of many seeds the last
   // two in memory. `improve`: one on disk that was left with too large an error is made again, unless there
-  // is no time for more passes than it has.
+  // is no time for more passes than it has. Throws InputError where one that is known is not on disk as it
+  // was.
   const ReferencePicture& get(const ReferenceSpec& spec, bool improve = false);
 
   // What was made or found, without pictures, in order.

@@ -368,7 +368,9 @@ void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps) {
   std::vector<std::string> known{"adaptive_samples", "uniform", "paper", "polar_width", "polar_height"};
   RenderSettings any;
   for (const Setting& setting : settings_of(any)) {
-    if (setting.effect == SettingEffect::error_for_time) known.push_back(setting.name);
+    // Rays per pixel are swept as `uniform`.
+    const bool uniform = setting.name == "foveation" || setting.name == "scale";
+    if (setting.effect == SettingEffect::error_for_time && !uniform) known.push_back(setting.name);
   }
   for (const std::string& name : only) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;

@@ -22,6 +22,7 @@ class ReferenceCache {
   // Throws WriteError.
   void store(const std::string& key, const ReferenceHalves& halves) const;
   const std::string& remark() const { return remark_; }
+  const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path file_of(const std::string& key) const;

@@ -160,7 +160,8 @@ double Halves::error_of(const RenderSettings& settings) {
 
 // Mean squared difference of the halves, by the pixels that are seen.
 std::vector<std::uint8_t> Halves::tiles_above(double share) const {
-  const std::vector<LinearPicture> a = mean_of(halves_[0]), b = mean_of(halves_[1]);
+  std::vector<LinearPicture> a = mean_of(halves_[0]), b = mean_of(halves_[1]);
+  for (std::size_t v = 0; v < a.size(); ++v) limit_to_white(a[v]), limit_to_white(b[v]);
   std::vector<double> of_tile(tiles_.size(), 0.0);
   double all = 0, weights = 0;
   for (std::size_t t = 0; t < tiles_.size(); ++t) {

@@ -27,6 +27,7 @@ struct ReferencePicture {
   ErrorTable error;                    // its own
   int passes = 0, most_passes = 0;
   bool goal_met = false;
+  bool found = false;  // on disk, not rendered now
   double seconds = 0;
 };
 

@@ -87,7 +87,7 @@ Json point_json(const StudyPoint& point) {
   put_text(json, "own_reference", point.own_reference);
   json["at_floor"] = point.at_floor;
   if (point.bias) json["bias"] = std::isfinite(*point.bias) ? Json(*point.bias) : Json(nullptr);
-  json["on_same_model"] = point.on_same_model;
+  json["comparable"] = point.comparable;
   json["time_ratio"] = interval_json(point.time_ratio);
   json["work_ratio"] = interval_json(point.work_ratio);
   put_number(json, "frame_ms", point.frame_ms);
@@ -176,22 +176,23 @@ Json definitions_json() {
   for (const Band& band : bands()) {
     all_bands[band.name] = {{"from_deg", band.from_deg}, {"to_deg", band.to_deg}};
   }
-  return {{"metrics", metrics},
-          {"bands", all_bands},
-          {"numbers", "one that is not there is not known, or not finite"},
-          {"estimate, lower, upper", "95 % interval; without a bound where there is too little data"},
-          {"error", "against the picture that endless effort would give"},
-          {"own_error", "against endless effort of this knob alone"},
-          {"at_floor", "acuity_rmse of all pixels below 3 times that of the reference"},
-          {"bias", "RMSE of the mean over many seeds, without the noise left in it"},
-          {"work_ratio", "the same of frame times without the stage from samples to viewport pixels"},
-          {"on_same_model", "lit as the default is: its error compares with that of the others"},
-          {"time_ratio", "frame time over that of the default, of pairs timed side by side"},
-          {"front_confidence", "share of bootstrap draws in which the point is on the Pareto front"},
-          {"flicker", "RMS change from frame to frame; excess: of the difference of both changes"},
-          {"fit", "error = floor + c n^p"},
-          {"passes", "per half of a reference, which is the mean of two halves"},
-          {"png", "base64 (RFC 4648)"}};
+  return {
+      {"metrics", metrics},
+      {"bands", all_bands},
+      {"numbers", "one that is not there is not known, or not finite"},
+      {"estimate, lower, upper", "95 % interval; without a bound where there is too little data"},
+      {"error", "against the picture that endless effort would give"},
+      {"own_error", "against endless effort of this knob alone"},
+      {"at_floor", "acuity_rmse of all pixels below 3 times that of the reference"},
+      {"bias", "RMSE of the mean over many seeds, without the noise left in it"},
+      {"work_ratio", "the same of frame times without the stage from samples to viewport pixels"},
+      {"comparable", "lit as the default is and on all frames: its error compares with that of the others"},
+      {"time_ratio", "frame time over that of the default, of pairs timed side by side"},
+      {"front_confidence", "share of bootstrap draws in which the point is on the Pareto front"},
+      {"flicker", "RMS change from frame to frame; excess: of the difference of both changes"},
+      {"fit", "error = floor + c n^p"},
+      {"passes", "per half of a reference, which is the mean of two halves"},
+      {"png", "base64 (RFC 4648)"}};
 }
 
 }  // namespace

@@ -110,9 +110,6 @@ std::vector<const StudyPoint*> front_of(const StudyRecord& record) {
 }
 
 const StudyReference* floor_reference(const StudyRecord& record) {
-  for (const StudyReference& reference : record.references) {
-    if (reference.name == "soft light") return &reference;
-  }
   return record.references.empty() ? nullptr : &record.references.front();
 }
 
@@ -128,7 +125,8 @@ StudyPlot work_precision_plot(const StudyRecord& record, Metric metric, const st
   const std::vector<const StudyPoint*> front = front_of(record);
   for (const int layer : {0, 1, 2}) {
     for (const StudyPoint& point : record.points) {
-      if (layer_of(point) != layer) continue;
+      // Points of other light are held against other pictures.
+      if (layer_of(point) != layer || !point.comparable) continue;
       out.plot.marks.push_back(time_mark(point, metric, knobs, own));
       const auto place = std::find(front.begin(), front.end(), &point);
       if (metric != Metric::acuity_rmse || place == front.end()) continue;

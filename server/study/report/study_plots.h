@@ -22,7 +22,7 @@ struct StudyPlot {
 std::vector<std::string> knobs_of(const StudyRecord& record);
 // The points that nothing beats, quickest first; those without time or error are left out.
 std::vector<const StudyPoint*> front_of(const StudyRecord& record);
-// What others are held against at endless effort: "soft light", or the first one; null without any.
+// What points are held against at endless effort: the first one; null without any.
 const StudyReference* floor_reference(const StudyRecord& record);
 
 std::string metric_label(Metric metric);

@@ -142,7 +142,7 @@ StudyPoint read_point(const JsonObject& object) {
                      "value",         "n",          "flags",
                      "frames",        "error",      "own_error",
                      "own_reference", "at_floor",   "bias",
-                     "on_same_model", "time_ratio", "work_ratio",
+                     "comparable",    "time_ratio", "work_ratio",
                      "frame_ms",      "pixels_ms",  "calibration_ms",
                      "counters",      "on_front",   "front_confidence",
                      "flicker"});
@@ -160,7 +160,7 @@ StudyPoint read_point(const JsonObject& object) {
   point.at_floor = truth_of(object, "at_floor");
   if (object.has("bias"))
     point.bias = object.value("bias").is_null() ? kNotFinite : number_of(object, "bias");
-  point.on_same_model = object.boolean_or("on_same_model", false);
+  point.comparable = object.boolean_or("comparable", false);
   point.time_ratio = read_interval(object, "time_ratio");
   point.work_ratio = read_interval(object, "work_ratio");
   point.frame_ms = number_of(object, "frame_ms");

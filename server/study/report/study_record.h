@@ -29,7 +29,7 @@ struct StudyFrame {
 
 // A picture that others are held against, and what it says of itself (frames together).
 struct StudyReference {
-  std::string name;       // "soft light", "hard light", "occlusion_rays at 64, N = 64", ...
+  std::string name;       // "endless effort", "hard light", "--light-samples 64, 16 seeds"
   std::string settings;   // one line
   int passes = 0;         // per half at least: one ray through each pixel, or one frame of other seeds
   int most_passes = 0;    // where the halves differed
@@ -54,7 +54,8 @@ struct StudyPoint {
   bool at_floor = false;                // acuity-weighted: below 3 times the error of the reference
   std::optional<double> bias;           // RMSE of the mean over many seeds, noise taken out; own reference
 
-  bool on_same_model = false;  // lit as the default is: its error compares with that of the others
+  bool comparable =
+      false;  // lit as the default is and on all frames: its error compares with that of the others
 
   Interval time_ratio;                                   // to the default, paired
   Interval work_ratio;                                   // the same without the stage from samples to pixels

@@ -13,7 +13,7 @@ StudyPoint point(const std::string& name, const std::string& knob, const std::st
   StudyPoint made = test::study_point(knob, base, value, 1, error, ratio);
   made.name = name;
   made.flags = name.starts_with("default") ? "" : "--" + name;
-  made.on_same_model = true;
+  made.comparable = true;
   made.work_ratio = test::around(ratio / 2, 0.03);
   return made;
 }
@@ -36,7 +36,7 @@ const StudyAim& aim_named(const std::vector<StudyAim>& aims, const std::string& 
 TEST(StudyAdvice, IsTheFastestPointThatIsNoWorse) {
   std::vector<StudyPoint> points = some_points();
   points.push_back(point("of other light", "probe_rays", "N = 1", "", 0.001, 0.1));
-  points.back().on_same_model = false;
+  points.back().comparable = false;
   points.push_back(point("not measured", "polar", "N = 1", "", 0.001, 0.1));
   points.back().frames = 0;
   const std::vector<StudyAdvice> advice = advice_of(points);

@@ -73,8 +73,8 @@ TEST(StudyPoints, AreAtTheFloorBelowThreeTimesTheErrorOfTheirReference) {
   EXPECT_TRUE(points[0].at_floor);
   EXPECT_FALSE(points[1].at_floor);
   EXPECT_TRUE(points[2].at_floor);
-  EXPECT_TRUE(points[0].on_same_model);
-  EXPECT_FALSE(points[2].on_same_model);
+  EXPECT_TRUE(points[0].comparable);
+  EXPECT_FALSE(points[2].comparable);
 }
 
 TEST(StudyPoints, TheFrontIsOfPointsOnOneModelAndAllFrames) {
