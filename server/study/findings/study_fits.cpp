@@ -15,11 +15,14 @@ namespace {
 constexpr std::size_t kPointsForAFloor = 4;
 // A knob that changes the error by less is said to have no effect.
 constexpr double kLeastChange = 0.02;
+// Of one step that goes the other way.
+constexpr double kLeastStep = 0.05;
 
 double own_floor(const StudyPoint& point, std::span<const StudyReference> references) {
   const std::string name = point.own_error ? point.own_reference : std::string();
   for (const StudyReference& reference : references) {
-    if (name.empty() || reference.name == name) return 3 * reference.error.at(Metric::acuity_rmse);
+    if (name.empty() || reference.name == name)
+      return kFloorOfReference * reference.error.at(Metric::acuity_rmse);
   }
   return 0;
 }
@@ -40,6 +43,12 @@ std::vector<const StudyPoint*> sweep_of(const Knob& knob, const std::string& bas
 
 std::string percent(double share) {
   return fixed_text(100 * share, 0) + " %";
+}
+
+std::string direction_text(const Knob& knob, bool falls, const StudyPoint& from, const StudyPoint& to) {
+  return "the error " + std::string(falls ? "falls" : "rises") + " with " + knob.effort + ", from " +
+         error_text(isolated_error(from)) + " at " + shortest_text(from.n) + " to " +
+         error_text(isolated_error(to)) + " at " + shortest_text(to.n) + ", against expectation";
 }
 
 // What is odd about a sweep in the order of n; empty: nothing.
@@ -64,9 +73,16 @@ std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep
   }
   if (knob.expected == 0 || knob.effort.empty()) return "";
   const bool falls = last < first;
-  if (falls == (knob.expected > 0)) return "";
-  return "the error " + std::string(falls ? "falls" : "rises") + " with " + knob.effort + ", from " +
-         error_text(first) + " to " + error_text(last) + ", against expectation";
+  if (falls != (knob.expected > 0)) return direction_text(knob, falls, *sweep.front(), *sweep.back());
+  for (std::size_t i = 1; i < sweep.size(); ++i) {
+    const double before = isolated_error(*sweep[i - 1]), after = isolated_error(*sweep[i]);
+    if (std::max(before, after) <= floor) continue;  // chance may do that
+    const bool step_falls = after < before;
+    if (std::abs(after - before) > kLeastStep * before && step_falls != falls) {
+      return direction_text(knob, step_falls, *sweep[i - 1], *sweep[i]);
+    }
+  }
+  return "";
 }
 
 // What cannot be told from the reference tells nothing of the power law.

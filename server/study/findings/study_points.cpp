@@ -14,9 +14,6 @@
 namespace herr {
 namespace {
 
-// Below this many times the reference's own error, an error is no more than a limit.
-constexpr double kFloorOfReference = 3;
-
 struct Gathered {
   std::vector<ErrorTable> errors, own_errors;
   std::vector<double> log_ratios, work_log_ratios, frame_ms, pixels_ms, calibration_ms, biases;

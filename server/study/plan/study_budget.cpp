@@ -11,7 +11,6 @@ namespace {
 // Of the time; the rest is for the clip and the report.
 constexpr double kShareOfKnobs = 0.95;
 constexpr double kLeastShareOfCombinations = 0.1;
-constexpr std::size_t kMostCombinations = 40;
 
 double sum_of(const std::vector<double>& seconds) {
   double sum = 0;
@@ -59,13 +58,6 @@ StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::ve
   if (budget.frames < frames) {
     budget.dropped.push_back(std::to_string(frames - budget.frames) + " of " + std::to_string(frames) +
                              " frames");
-  }
-  if (budget.dropped.empty()) {
-    const double mean = sum_of(costs) / static_cast<double>(std::max<std::size_t>(1, costs.size()));
-    const double left = seconds * kShareOfKnobs - needed();
-    budget.combinations =
-        std::min(kMostCombinations,
-                 static_cast<std::size_t>(std::max(0.0, left / (mean * static_cast<double>(budget.frames)))));
   }
   return budget;
 }

@@ -14,7 +14,6 @@ namespace herr {
 struct StudyBudget {
   std::size_t frames = 1;  // of those chosen, from the first
   std::vector<StudySetting> settings;
-  std::size_t combinations = 0;      // that the rest of the time is enough for
   std::vector<std::string> dropped;  // "combinations", "detail_error, N = 64: 3 settings", "1 of 3 frames"
 };
 

@@ -8,8 +8,6 @@
 namespace herr {
 namespace {
 
-constexpr double kFloorFactor = 3;  // of the reference's own error; StudyPoint::at_floor
-
 // Knobs that are no sweeps have marks of their own.
 MarkStyle style_of(const std::string& knob, const std::vector<std::string>& knobs) {
   if (knob == "default") return {MarkShape::star, "#000", false};
@@ -138,7 +136,7 @@ StudyPlot work_precision_plot(const StudyRecord& record, Metric metric, const st
       "Each mark is one setting; lower left is better. Horizontal bars: 95 % interval of the time "
       "ratio; vertical bars: plus and minus the reference's own error.";
   if (own > 0) {
-    out.plot.floor = kFloorFactor * own;
+    out.plot.floor = kFloorOfReference * own;
     out.plot.floor_label = "at the floor: below 3 x the reference's own error";
   }
   if (metric == Metric::acuity_rmse) {

@@ -20,6 +20,9 @@ namespace herr {
 // Raised whenever a field changes its meaning.
 inline constexpr int kStudyVersion = 1;
 
+// Below so many times the reference's own error, an error is no more than a limit.
+inline constexpr double kFloorOfReference = 3;
+
 struct StudyFrame {
   std::int64_t number = 0;  // in the session
   double time_s = 0;        // since the session's start

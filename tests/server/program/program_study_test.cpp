@@ -168,9 +168,13 @@ TEST_F(StudyProgram, RefusesWhatItCannotDoInOneLine) {
     EXPECT_NE(outcome.err.find(one.says), std::string::npos) << one.arguments << ": " << outcome.err;
     EXPECT_EQ(lines_in(outcome.err), 1) << outcome.err;
   }
-  const Outcome unknown = study("--out out --only polr");
+  // What is refused leaves an earlier study as it was.
+  fs::create_directories(root() / "out");
+  std::ofstream(root() / "out/study.csv") << "rows";
+  const Outcome unknown = study("--out out --overwrite --only polr");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.err.find("did you mean 'polar'?"), std::string::npos) << unknown.err;
+  EXPECT_EQ(content_of(root() / "out/study.csv"), "rows");
   fs::create_directories(root() / "mine");
   std::ofstream(root() / "mine/letter.txt") << "keep me";
   const Outcome foreign = study("--out mine --overwrite");
