@@ -129,6 +129,20 @@ void add_reference_warnings(StudyRecord& record) {
   }
 }
 
+// Foveation saves where the eye does not look; where the gaze meets nothing it has nothing to lose either.
+void add_gaze_warning(StudyRecord& record) {
+  constexpr double kShareAtGaze = 0.1;
+  for (const StudyPoint& point : record.points) {
+    if (point.name != default_name(kSoftSamples) || !point.comparable) continue;
+    const double at_gaze = point.error.at(Metric::rmse, 0), all = point.error.at(Metric::rmse);
+    if (!(at_gaze < kShareAtGaze * all)) continue;
+    record.warnings.push_back(
+        "the gaze meets nothing with detail in these frames: within 5 degrees of it the error is " +
+        error_text(at_gaze) + ", over all pixels " + error_text(all) +
+        "; what foveation is for does not show here");
+  }
+}
+
 }  // namespace
 
 StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyRun& run) {
@@ -165,6 +179,7 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   record.warnings = report.warnings;
   record.warnings.insert(record.warnings.end(), run.warnings().begin(), run.warnings().end());
   add_reference_warnings(record);
+  add_gaze_warning(record);
   record.pictures = pictures_of(subject, run);
   record.minutes_taken = run.seconds() / 60;
   return record;
