@@ -12,6 +12,7 @@ namespace herr {
 namespace {
 
 constexpr double kLeastGainAtFullScale = 8, kMostShareOfPaper = 0.7;
+constexpr double kSameError = 1.02;  // times an error: the same, for who compares
 
 std::string ratio_text(const Interval& ratio) {
   std::string text = fixed_text(ratio.estimate, 2);
@@ -79,7 +80,7 @@ StudyAim uniform_at_same_error(std::span<const StudyPoint> points, const StudyPo
   const auto of_uniform = [&](const StudyPoint& point) {
     return hard ? isolated_error(point) : acuity_error(point);
   };
-  const StudyPoint* same = fastest(points, error, counts, of_uniform, frame_time);
+  const StudyPoint* same = fastest(points, kSameError * error, counts, of_uniform, frame_time);
   if (same != nullptr) {
     aim.measured = ratio_between(same->time_ratio, ours.time_ratio);
     aim.met = aim.measured.estimate >= aim.aim;
@@ -126,7 +127,7 @@ StudyAim against_paper(std::span<const StudyPoint> points, const StudyPoint& pap
     return hard ? isolated_error(point) : acuity_error(point);
   };
   const auto work = [](const StudyPoint& point) { return point.work_ratio.estimate; };
-  const StudyPoint* best = fastest(points, error(paper), counts, error, work);
+  const StudyPoint* best = fastest(points, kSameError * error(paper), counts, error, work);
   if (best == nullptr) {
     aim.sentence = "Nothing that was measured has so small an error: " + error_text(error(paper)) + ".";
     return aim;

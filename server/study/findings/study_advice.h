@@ -14,8 +14,8 @@ namespace herr {
 std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points);
 
 // Rays per pixel at the default's error, and at full scale, for each number of light samples; and for each of
-// the paper's settings one of ours with no more error, in the time that is not pixels. Errors with hard light
-// are against hard light.
+// the paper's settings one of ours with the same error (to 2 %), in the time that is not pixels. Errors with
+// hard light are against hard light.
 std::vector<StudyAim> aims_of(std::span<const StudyPoint> points);
 
 }  // namespace herr
