@@ -39,7 +39,7 @@ const StudyPoint* fastest(std::span<const StudyPoint> points, double most_error,
                           const Error& error, const Time& time) {
   const StudyPoint* best = nullptr;
   for (const StudyPoint& point : points) {
-    if (!point.comparable || !counts(point) || !(error(point) <= most_error)) continue;
+    if (point.frames == 0 || !point.comparable || !counts(point) || !(error(point) <= most_error)) continue;
     if (best == nullptr || time(point) < time(*best)) best = &point;
   }
   return best;

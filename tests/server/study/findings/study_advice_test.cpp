@@ -64,12 +64,13 @@ TEST(StudyAdvice, TellsThatNothingIsGoodEnough) {
   EXPECT_TRUE(advice_of({}).empty());
 }
 
-TEST(StudyAims, RaysPerPixelAreHeldAgainstOursWithTheSameLight) {
+// With soft light the number of their samples is free: what foveation buys is not to be flattered.
+TEST(StudyAims, RaysPerPixelHaveTheirLightSamplesFree) {
   std::vector<StudyPoint> points = some_points();
   points.push_back(point("scale 1", "uniform", "N = 64", "1", 0.003, 36));
   points.push_back(point("scale 0.5", "uniform", "N = 64", "0.5", 0.018, 10));
   points.push_back(point("scale 0.25", "uniform", "N = 64", "0.25", 0.05, 3));
-  points.push_back(point("scale 0.5, hard", "uniform", "N = 1", "0.5", 0.001, 0.1));
+  points.push_back(point("scale 0.5, fewer", "uniform", "N = 16", "0.5", 0.0185, 6));
   const std::vector<StudyAim> aims = aims_of(points);
   ASSERT_EQ(aims.size(), 2u);  // hard light has no full scale here
   // 36 / 4 = 9, at least 8.
@@ -77,12 +78,13 @@ TEST(StudyAims, RaysPerPixelAreHeldAgainstOursWithTheSameLight) {
   EXPECT_NEAR(full.measured.estimate, 9, 1e-12);
   EXPECT_EQ(full.aim, 8);
   EXPECT_TRUE(full.met && full.at_least);
-  // At an error of 0.02 scale 0.5 is the fastest: 10 / 4.
+  // At an error of 0.02 scale 0.5 with fewer samples is the fastest: 6 / 4.
   const StudyAim& same =
       aim_named(aims, "rays per pixel at the error of foveation, N = 64: time against ours");
-  EXPECT_NEAR(same.measured.estimate, 2.5, 1e-12);
+  EXPECT_NEAR(same.measured.estimate, 1.5, 1e-12);
   EXPECT_TRUE(same.met);
-  EXPECT_NE(same.sentence.find("Scale 0.5 has error 0.0180, default, N = 64 has 0.0200"), std::string::npos);
+  EXPECT_NE(same.sentence.find("Scale 0.5 with N = 16 has error 0.0185, default, N = 64 has 0.0200"),
+            std::string::npos);
   points[points.size() - 4].time_ratio = test::around(28, 0.03);  // 7 times
   EXPECT_FALSE(aims_of(points)[0].met);
   // No scale is as good: the best one is named.

@@ -123,10 +123,16 @@ TEST(StudyFits, WhatIsOddIsRemarkedUpon) {
   const auto rises = [](double n) { return 0.01 * std::sqrt(n); };
   const auto falls = [](double n) { return 0.2 / std::sqrt(n); };
   EXPECT_EQ(remark_of(samples(), rises),
-            "N = 1: the error rises with samples per light, from 0.0100 to 0.1600, against expectation");
+            "N = 1: the error rises with samples per light, from 0.0100 at 1 to 0.1600 at 256, against "
+            "expectation");
   EXPECT_EQ(remark_of(samples(-1), falls),
-            "N = 1: the error falls with samples per light, from 0.2000 to 0.0125, against expectation");
+            "N = 1: the error falls with samples per light, from 0.2000 at 1 to 0.0125 at 256, against "
+            "expectation");
   EXPECT_EQ(remark_of(samples(-1), rises), "");
+  // One step up of a tenth at 64 on the way down.
+  const auto stumbles = [&](double n) { return n == 64 ? 1.1 * falls(16) : falls(n); };
+  EXPECT_NE(remark_of(samples(), stumbles).find("the error rises with samples per light, from"),
+            std::string::npos);
   EXPECT_EQ(remark_of(samples(0), rises), "");
   // 0.1 to 0.1019: 1.9 %.
   EXPECT_EQ(remark_of(samples(), [](double n) { return n < 2 ? 0.1019 : 0.1; }),

@@ -40,6 +40,7 @@ inline StudyPoint study_point(const std::string& knob, const std::string& base, 
   point.n = n;
   point.flags = "--" + knob + " " + value;
   point.frames = 8;
+  point.comparable = true;
   point.error = error_table(error);
   point.time_ratio = around(ratio, 0.03);
   point.frame_ms = 21.3 * ratio;
