@@ -82,9 +82,6 @@ void check_study_options(const StudyOptions& options) {
   if (options.resume && options.overwrite) {
     throw UsageError("--resume: conflicts with --overwrite; give one of them");
   }
-  if (options.render.foveation == Foveation::off) {
-    throw UsageError("--foveation: a study compares with rays per pixel by itself; leave it out");
-  }
 }
 
 }  // namespace herr
