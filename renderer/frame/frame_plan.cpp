@@ -7,6 +7,7 @@
 #include "renderer/detail/detail_levels.h"
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/geometry/surface_details.h"
+#include "renderer/probes/probe_grid.h"
 
 namespace herr {
 namespace {
