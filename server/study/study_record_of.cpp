@@ -77,7 +77,7 @@ std::vector<StudyReference> references_of(const StudyState& state, const StudySu
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].error = over_frames(errors[i]);
     all[i].settings =
-        all[i].settings == "pixels" ? "rays through many places of each pixel" : "frames of many seeds";
+        all[i].settings == "seeds" ? "frames of many seeds" : "rays through many places of each pixel";
   }
   return all;
 }
@@ -125,7 +125,9 @@ void add_reference_warnings(StudyRecord& record) {
     record.warnings.push_back(
         "the reference '" + reference.name +
         "' was left with a larger error than a fifth of the smallest that is judged by it: " +
-        "its share of the time was spent, or 512 passes a half; give more --minutes");
+        "its share of the time was spent (give more --minutes), or 512 passes a half did not do, or probes "
+        "of two "
+        "seeds differ, which no pass mends");
   }
 }
 

@@ -120,6 +120,7 @@ References::Context StudyRun::reference_context(std::optional<std::int64_t> fram
   };
   context.stopped = [] { return stop_signal() != 0; };
   context.is_known = [this, frame](const std::string& name) { return frame && is_noted(name, *frame); };
+  context.warn = [this](const std::string& what) { warnings_.push_back(what); };
   context.tell = [this](const std::string& what) {
     reference_start_ns_ = steady_now_ns();
     progress_.tell(what, seconds());

@@ -16,7 +16,7 @@ constexpr double kMostShareOfClip = 0.15;
 double StudyRun::clip_seconds() const {
   double of_pass = 0;
   for (const auto& [frame, reference] : state_.references) {
-    if (reference.settings != "pixels" || reference.passes == 0) continue;
+    if (reference.settings == "seeds" || reference.passes == 0) continue;
     of_pass =
         std::max(of_pass, reference.seconds / (2.0 * std::max(reference.passes, reference.most_passes)));
   }

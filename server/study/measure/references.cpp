@@ -53,12 +53,13 @@ ReferencePicture References::make(const ReferenceSpec& spec, bool improve) {
                          (context_.cache->remark().empty() ? "" : " (" + context_.cache->remark() + ")"),
                      "put it back, or begin anew with --overwrite");
   }
-  const bool found = halves.has_value();
+  if (cached && context_.warn && !context_.cache->remark().empty()) context_.warn(context_.cache->remark());
+  bool found = halves.has_value();
   if (!halves || (improve && !halves->goal_met)) {
     ReferenceHalves fresh = render_halves(spec, instant_, context_.out_of_time);
     const bool better = !halves || fresh.goal_met || fresh.passes > halves->passes ||
                         (fresh.passes == halves->passes && fresh.most_passes > halves->most_passes);
-    if (better) halves = std::move(fresh);
+    if (better) halves = std::move(fresh), found = false;
     const bool stopped = context_.stopped && context_.stopped();
     if (better && cached && !stopped) context_.cache->store(key, *halves);
   }

@@ -23,6 +23,7 @@ class References {
     std::function<bool()> stopped;      // what is cut short by this is not kept on disk
     // Rows were measured against the one of this name: another one must not take its place.
     std::function<bool(const std::string& name)> is_known;
+    std::function<void(const std::string&)> warn;  // of a file that is damaged and made again
     std::function<void(const std::string&)> tell;  // what is being made
   };
   References(const FrameInstant& instant, Context context)

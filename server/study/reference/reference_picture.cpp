@@ -37,7 +37,6 @@ class Halves {
   double error_of(const RenderSettings& settings);
   ReferenceHalves take();
   int most_passes() const { return halves_[0].next; }
-  bool divided() const { return !tiles_.empty(); }
 
  private:
   void add(const RenderedFrame& frame, HalfSum& half, const std::vector<std::uint8_t>& tiles);
@@ -48,7 +47,6 @@ class Halves {
   const FrameInstant& instant_;
   HalfSum halves_[2];
   std::vector<PixelTile> tiles_;  // one for each viewport where passes are frames
-  std::vector<LinearPicture> scratch_;
   RenderedFrame frame_;
 };
 
