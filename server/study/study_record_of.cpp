@@ -114,6 +114,10 @@ std::vector<StudyPicture> pictures_of(StudySubject& subject, StudyRun& run) {
       limit_to_white(test[v]);
       pictures.push_back(difference_picture(setting.name + ", " + viewport.name, test[v], truth.picture[v],
                                             kPictureGain, kPanelPx));
+      const std::vector<std::uint8_t>& band = instant.maps[v].band;
+      if (std::find(band.begin(), band.end(), kNotSeen) != band.end()) {
+        pictures.back().caption += " Black: a focus viewport covers it; no error counts there.";
+      }
     }
   }
   return pictures;

@@ -131,7 +131,12 @@ StudyPlot work_precision_plot(const StudyRecord& record, Metric metric, const st
       out.plot.marks.back().label = std::to_string(place - front.begin() + 1);
     }
   }
-  for (const std::string& knob : knobs) out.legend.push_back({style_of(knob, knobs), legend_text(knob)});
+  for (const std::string& knob : knobs) {
+    const bool drawn = std::any_of(record.points.begin(), record.points.end(), [&](const StudyPoint& point) {
+      return point.knob == knob && point.comparable;
+    });
+    if (drawn) out.legend.push_back({style_of(knob, knobs), legend_text(knob)});
+  }
   out.caption =
       "Each mark is one setting; lower left is better. Horizontal bars: 95 % interval of the time "
       "ratio; vertical bars: plus and minus the reference's own error.";
@@ -144,6 +149,12 @@ StudyPlot work_precision_plot(const StudyRecord& record, Metric metric, const st
     out.caption +=
         " The line is the Pareto front, its numbers are those of the table below; the fuller a "
         "mark, the more often it is on the front when frames and times are drawn anew.";
+  }
+  const auto others = std::count_if(record.points.begin(), record.points.end(),
+                                    [](const StudyPoint& point) { return !point.comparable; });
+  if (others > 0) {
+    out.caption += " Not here, since their light or frames are others: " + std::to_string(others) +
+                   " settings, each in the diagram of its knob.";
   }
   const int missing = static_cast<int>(out.plot.marks.size()) - marks_drawn(out.plot);
   if (missing > 0) out.caption += " Without a place for want of a number: " + std::to_string(missing) + ".";

@@ -29,6 +29,20 @@ TEST(WorkPrecisionPlot, DrawsEachPointOnceAndNumbersTheFront) {
   EXPECT_DOUBLE_EQ(plot.floor, 3 * 4e-4);
 }
 
+// Points of other light are held against another picture: neither mark nor legend, but told.
+TEST(WorkPrecisionPlot, PointsThatDoNotCompareAreLeftOutAndCounted) {
+  StudyRecord record;
+  record.points = {test::study_point("a", "", "1", 1, 0.5, 1), test::study_point("lit", "", "1", 1, 0.25, 3),
+                   test::study_point("lit", "", "2", 2, 0.2, 4)};
+  record.points[1].comparable = record.points[2].comparable = false;
+  const StudyPlot plot = work_precision_plot(record, Metric::acuity_rmse, "p");
+  EXPECT_EQ(plot.plot.marks.size(), 1u);
+  EXPECT_EQ(plot.legend.size(), 1u);
+  EXPECT_NE(plot.caption.find("Not here, since their light or frames are others: 2 settings"),
+            std::string::npos)
+      << plot.caption;
+}
+
 TEST(WorkPrecisionPlot, TheFrontIsStairs) {
   StudyRecord record;
   record.points = {test::study_point("a", "", "1", 1, 0.5, 1), test::study_point("a", "", "2", 2, 0.25, 3)};
