@@ -15,7 +15,7 @@
 #include "server/settings/flag_values.h"
 #include "server/settings/option_checks.h"
 #include "server/synth/synth_command.h"
-#include "sessions/import/built_in_maps.h"
+#include "sessions/import/presets/built_in_maps.h"
 
 namespace herr {
 namespace {

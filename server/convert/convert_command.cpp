@@ -16,9 +16,9 @@
 #include "server/settings/flag_values.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
-#include "sessions/import/aria_calibration.h"
-#include "sessions/import/built_in_maps.h"
-#include "sessions/import/camera_pictures.h"
+#include "sessions/import/cameras/aria_calibration.h"
+#include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/cameras/camera_pictures.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/record/session_recorder.h"
 

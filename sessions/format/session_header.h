@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,19 @@ inline constexpr int kSessionFormatVersion = 1;
 // Later stamps are refused, so that the difference of any two fits into 64 bits (4e18 ns = 126 years).
 inline constexpr TimeNs kLastStampNs = 4'000'000'000'000'000'000;
 
+// What a conversion left out of a stream, and what it had to assume.
+struct SessionConversion {
+  struct LeftOut {
+    std::string stream;  // "pose", "gaze", "cam0"
+    std::int64_t rows = 0, of = 0;
+    std::string reason;  // a sentence
+  };
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> assumed;  // sentences: "camera stamps were not recorded: 15 pictures a second"
+
+  bool empty() const { return left_out.empty() && assumed.empty(); }
+};
+
 // What session.json says.
 struct SessionHeader {
   struct Camera {
@@ -34,6 +48,8 @@ struct SessionHeader {
   std::optional<double> vergence_m;   // combined gaze: distance at which the eyes converge
   double pose_hz = 0, gaze_hz = 0;    // nominal; 0 = not stated
   std::vector<Camera> cameras;        // 0, 1 or 2: [0] is the left or only one
+  std::optional<double> feed_distance_m;  // of the camera feed's sphere about the displayed eye
+  SessionConversion conversion;       // of a session that was converted
   std::string scene;                  // path of a scene file relative to the session's folder; may be empty
 };
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sessions/files/input_error.h"
-#include "sessions/import/foreign_table.h"
-#include "sessions/import/row_readers.h"
+#include "sessions/import/tables/foreign_table.h"
+#include "sessions/import/rows/row_readers.h"
 
 namespace herr {
 namespace {

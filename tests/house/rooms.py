@@ -3,7 +3,8 @@ A file includes only its own room and rooms below it; the root of a module is it
 
 ROOMS = {
     "sessions": ("files/system", "files", "text", "pictures", "pictures/openimageio", "camera", "format", "streams",
-                 "check", "inspect", "record", "import"),
+                 "check", "inspect", "record", "import/text", "import/map", "import/tables", "import/rows",
+                 "import/stamps", "import", "import/cameras", "import/presets", "import/check"),
     "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
@@ -29,7 +30,7 @@ FACE = {
         "sessions/files/write_error.h",
         "sessions/format/covered_by_focus.h", "sessions/format/display_profile.h", "sessions/format/pose.h",
         "sessions/format/session_header.h",
-        "sessions/import/aria_calibration.h", "sessions/import/built_in_maps.h", "sessions/import/camera_pictures.h",
+        "sessions/import/cameras/aria_calibration.h", "sessions/import/presets/built_in_maps.h", "sessions/import/cameras/camera_pictures.h",
         "sessions/import/import_report.h", "sessions/import/import_rows.h",
         "sessions/inspect/findings.h", "sessions/inspect/number_words.h", "sessions/inspect/session_inspection.h",
         "sessions/inspect/time_profile.h",

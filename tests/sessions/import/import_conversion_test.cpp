@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "sessions/import/axis_directions.h"
-#include "sessions/import/camera_pictures.h"
-#include "sessions/import/stamp_text.h"
+#include "sessions/import/map/axis_directions.h"
+#include "sessions/import/cameras/camera_pictures.h"
+#include "sessions/import/text/stamp_text.h"
 
 namespace herr {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/aria_calibration.h"
-#include "sessions/import/built_in_maps.h"
-#include "sessions/import/foreign_table.h"
+#include "sessions/import/cameras/aria_calibration.h"
+#include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/tables/foreign_table.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/session.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/built_in_maps.h"
+#include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/import_rows.h"
 #include "tests/sessions/recorded_folder.h"
 

@@ -1,4 +1,4 @@
-#include "sessions/import/axis_directions.h"
+#include "sessions/import/map/axis_directions.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "sessions/import/built_in_maps.h"
+#include "sessions/import/presets/built_in_maps.h"
 
 namespace herr {
 

@@ -1,4 +1,4 @@
-#include "sessions/import/row_readers.h"
+#include "sessions/import/rows/row_readers.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/column_map.h"
-#include "sessions/import/foreign_table.h"
+#include "sessions/import/map/column_map.h"
+#include "sessions/import/tables/foreign_table.h"
 #include "sessions/import/import_report.h"
 
 namespace herr {

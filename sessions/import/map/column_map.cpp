@@ -1,4 +1,4 @@
-#include "sessions/import/column_map.h"
+#include "sessions/import/map/column_map.h"
 
 #include <algorithm>
 #include <cmath>

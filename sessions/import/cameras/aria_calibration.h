@@ -8,7 +8,7 @@
 
 #include "sessions/camera/camera_image.h"
 #include "sessions/format/session_header.h"
-#include "sessions/import/column_map.h"
+#include "sessions/import/map/column_map.h"
 
 namespace herr {
 

@@ -1,4 +1,4 @@
-#include "sessions/import/stamp_text.h"
+#include "sessions/import/text/stamp_text.h"
 
 #include <charconv>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "sessions/import/foreign_table.h"
+#include "sessions/import/tables/foreign_table.h"
 
 #include <algorithm>
 #include <charconv>

@@ -5,7 +5,7 @@ foreach(map ${MAPS})
   file(READ ${map} text)
   string(APPEND entries "      {\"${name}\", R\"map(${text})map\"},\n")
 endforeach()
-file(WRITE ${OUT} "#include \"sessions/import/built_in_maps.h\"
+file(WRITE ${OUT} "#include \"sessions/import/presets/built_in_maps.h\"
 
 namespace herr {
 

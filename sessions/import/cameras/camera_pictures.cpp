@@ -1,4 +1,4 @@
-#include "sessions/import/camera_pictures.h"
+#include "sessions/import/cameras/camera_pictures.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "sessions/import/aria_calibration.h"
+#include "sessions/import/cameras/aria_calibration.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

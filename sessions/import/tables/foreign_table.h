@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sessions/files/line_reader.h"
-#include "sessions/import/column_map.h"
+#include "sessions/import/map/column_map.h"
 
 namespace herr {
 

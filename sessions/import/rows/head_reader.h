@@ -1,0 +1,42 @@
+// One row as a pose of the head in our axes, by the columns of a map. Before: RowSource, HeadColumns.
+// After: import_rows. No allocation per row.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sessions/format/pose.h"
+#include "sessions/import/map/column_map.h"
+#include "sessions/import/rows/filter_reader.h"
+#include "sessions/import/rows/places.h"
+#include "sessions/import/tables/row_source.h"
+
+namespace herr {
+
+// What reading had to put right.
+struct ReadingCounts {
+  std::int64_t normalised = 0;  // quaternions, directions or matrices off by more than rounding
+};
+
+class HeadReader {
+ public:
+  // Looks the places up; `columns` must outlive the reader. Throws InputError.
+  HeadReader(RowSource& rows, const HeadColumns& columns);
+  // In our axes; none where tracking was lost: the row's filter says so, or its numbers are absent.
+  // Throws InputError that names line and column.
+  std::optional<Pose> read(const RowSource& rows, ReadingCounts& counts) const;
+  // Gravity of the row in our axes, where the map names it; none where it is absent or zero.
+  std::optional<glm::dvec3> gravity(const RowSource& rows) const;
+
+ private:
+  const HeadColumns& columns_;
+  FilterReader valid_;
+  Places position_, rotation_, up_, gravity_;
+};
+
+std::vector<ColumnRef> columns_of(const HeadColumns& head);
+
+}  // namespace herr
