@@ -6,23 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/map/column_map.h"
-#include "sessions/import/presets/choose_format.h"
+#include "sessions/import/presets/fitting_columns.h"
 
 namespace herr {
 
-struct FoundRecording {
-  RecordingFiles files;
-  struct Camera {
-    std::filesystem::path pictures, stamps, calibration;  // empty: none
-    std::string names;
-  };
-  std::vector<Camera> cameras;
-  std::string preset;  // whose layout it is
+struct FoundCamera {
+  std::filesystem::path pictures, stamps, calibration;  // empty: none
+  std::string names;                                    // pattern of stamps in the pictures' names
 };
 
-// `preset` empty: every built-in layout is tried. Throws InputError that says what such folders hold, or which
-// layouts fit when several do.
-FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset);
+struct FoundRecording {
+  RecordingFiles files;
+  std::vector<FoundCamera> cameras;
+  std::string preset;  // whose layout it is; empty: of several, which the columns tell apart
+};
+
+// `preset` empty: every built-in layout is tried, the one with the most files counts. `map`: a map of the
+// user's, or null. Throws InputError that says what such folders hold, or which files fit when several do.
+FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset,
+                              const ColumnMap* map);
 
 }  // namespace herr

@@ -1,0 +1,189 @@
+#include "sessions/import/presets/choose_format.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sessions/files/folders.h"
+#include "sessions/files/input_error.h"
+#include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/presets/trial_import.h"
+
+namespace herr {
+namespace {
+
+std::shared_ptr<const ColumnMap> parsed(const BuiltInMap& map) {
+  return std::make_shared<const ColumnMap>(parse_column_map(map.json, std::string(map.name) + ".json"));
+}
+
+const std::filesystem::path& any_file(const FormatRequest& request) {
+  return request.files.head.empty() ? *request.files.gaze : request.files.head;
+}
+
+FittingResult fitting(const FormatRequest& request, const std::shared_ptr<const ColumnMap>& map,
+                      const std::string& preset) {
+  return fitting_columns(request.files, map, preset, request.variant, request.still);
+}
+
+// Of all built-in maps, those that ask for the most columns by name: a table of bare numbers fits any map
+// that counts columns.
+std::vector<FittingColumns> recognised(const FormatRequest& request) {
+  std::vector<FittingColumns> all;
+  for (const BuiltInMap& map : built_in_maps()) {
+    FittingResult result = fitting(request, parsed(map), std::string(map.name));
+    std::move(result.fitting.begin(), result.fitting.end(), std::back_inserter(all));
+  }
+  std::size_t most = 0;
+  for (const FittingColumns& one : all) most = std::max(most, one.named_columns);
+  std::erase_if(all, [most](const FittingColumns& one) { return one.named_columns < most; });
+  return all;
+}
+
+// The presets of a list, each once: "euroc, tum".
+std::string presets_in(const std::vector<FittingColumns>& formats) {
+  std::string names;
+  std::string last;
+  for (const FittingColumns& one : formats) {
+    if (one.preset == last) continue;
+    names += (names.empty() ? "" : ", ") + one.preset;
+    last = one.preset;
+  }
+  return names;
+}
+
+// What a preset or map that does not fit lacks, and the preset that fits instead.
+[[noreturn]] void fail_misfit(const FormatRequest& request, const InputError& missing) {
+  FormatRequest any = request;
+  any.variant.clear();
+  const std::vector<FittingColumns> others = recognised(any);
+  std::string remedy = missing.remedy();
+  if (!others.empty() && others.front().named_columns > 0)
+    remedy = "its columns are those of preset " + presets_in(others) + ", not of " +
+             (request.preset.empty() ? "this map" : request.preset);
+  throw InputError(missing.file(), missing.line(), missing.problem(), remedy);
+}
+
+std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
+  if (!request.map && request.preset.empty()) {
+    std::vector<FittingColumns> formats = recognised(request);
+    if (formats.empty())
+      throw InputError(any_file(request), 0, "has the columns of no preset",
+                       "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
+    return formats;
+  }
+  std::shared_ptr<const ColumnMap> map = request.map;
+  if (!map) {
+    const auto& maps = built_in_maps();
+    const auto found = std::find_if(maps.begin(), maps.end(),
+                                    [&](const BuiltInMap& one) { return one.name == request.preset; });
+    map = parsed(*found);
+  }
+  FittingResult result = fitting(request, map, request.preset);
+  if (result.fitting.empty()) {
+    if (result.missing) fail_misfit(request, *result.missing);
+    throw InputError(any_file(request), 0,
+                     "fits no part of map '" + map->name + "'" +
+                         (request.variant.empty() ? "" : " that is of variant '" + request.variant + "'"),
+                     "check --variant and --map");
+  }
+  return std::move(result.fitting);
+}
+
+struct Tried {
+  FittingColumns format;
+  TrialImport trial;
+  std::string against;  // what makes it implausible, or empty
+};
+
+std::string list_of(const std::vector<Tried>& tried) {
+  std::string text;
+  for (const Tried& one : tried)
+    text += (text.empty() ? "" : "; ") + one.format.words() +
+            (one.against.empty() ? "" : " (" + one.against + ")");
+  return text;
+}
+
+bool differ(const Tried& a, const Tried& b) {
+  return a.trial.rows_hash != b.trial.rows_hash;
+}
+
+// How unsteady the head's up is may tell what levels alone do not: of two axes that are both level enough,
+// the true one stays much steadier while the head turns about it.
+bool steadier(const Tried& a, const Tried& b) {
+  constexpr double kTimes = 3, kDeg = 5;
+  return b.trial.figures.up_spread_deg > kDeg &&
+         a.trial.figures.up_spread_deg * kTimes < b.trial.figures.up_spread_deg;
+}
+
+std::string told_apart(const Tried& chosen, const std::vector<Tried>& others) {
+  std::string text = chosen.format.words() + " was taken";
+  if (!chosen.trial.words.empty()) text += " (" + chosen.trial.words + ")";
+  for (const Tried& one : others)
+    if (!one.against.empty()) text += "; with " + one.format.words() + " " + one.against;
+  return text;
+}
+
+// Of equals in the same head: the first, which the map's author put first; the user is told.
+bool only_gaze_differs(const std::vector<Tried>& tried) {
+  return std::all_of(tried.begin(), tried.end(), [&](const Tried& one) {
+    return one.format.columns.head == tried.front().format.columns.head;
+  });
+}
+
+ChosenFormat choose(const FormatRequest& request, std::vector<Tried> tried) {
+  std::vector<Tried> good, bad;
+  for (Tried& one : tried) (one.against.empty() ? good : bad).push_back(std::move(one));
+  if (good.empty())
+    throw InputError(any_file(request), 0,
+                     "looks like no person's head and eyes in any of its formats: " + list_of(bad),
+                     "give --preset and --variant to insist on one, or --map");
+  std::vector<Tried> unlike{good.front()};
+  for (const Tried& one : good)
+    if (std::all_of(unlike.begin(), unlike.end(), [&](const Tried& other) { return differ(one, other); }))
+      unlike.push_back(one);
+  if (unlike.size() == 1) return {unlike.front().format, {told_apart(unlike.front(), bad)}};
+  for (const Tried& one : unlike) {
+    if (!std::all_of(unlike.begin(), unlike.end(),
+                     [&](const Tried& other) { return &one == &other || steadier(one, other); }))
+      continue;
+    return {one.format, {told_apart(one, bad) + "; with the others the head's up is not steady"}};
+  }
+  if (only_gaze_differs(unlike))
+    return {unlike.front().format,
+            {unlike.front().format.words() + " was taken, and the data would also allow " +
+             unlike[1].format.words() + ": give --variant where that is meant"}};
+  throw InputError(any_file(request), 0,
+                   "fits several formats, and its data cannot tell which: " + list_of(unlike),
+                   "give --preset, and --variant where one is named");
+}
+
+}  // namespace
+
+ImportRequest import_request(const FormatRequest& request, const ImportColumns& columns) {
+  ImportRequest import;
+  import.head_file = request.files.head;
+  import.gaze_file = request.files.gaze;
+  import.columns = columns;
+  import.still = request.still;
+  return import;
+}
+
+ChosenFormat choose_format(const FormatRequest& request) {
+  for (const std::filesystem::path& file : {request.files.head, request.files.gaze.value_or("")})
+    if (!file.empty() && !path_exists(file)) throw InputError(file, 0, "does not exist", "name a recording");
+  std::vector<FittingColumns> formats = all_fitting(request);
+  const bool recognised_itself = !request.map && request.preset.empty();
+  if (formats.size() == 1 && !recognised_itself) return {std::move(formats.front()), {}};
+  std::vector<Tried> tried;
+  for (FittingColumns& format : formats) {
+    Tried one{std::move(format), {}, {}};
+    one.trial = trial_import(import_request(request, one.format.columns));
+    one.against = implausible(one.trial);
+    tried.push_back(std::move(one));
+  }
+  if (tried.size() > 1) return choose(request, std::move(tried));
+  // The only format that has these columns: what is wrong in it is for its import to say.
+  return {tried.front().format, {tried.front().format.words() + " was recognised by its columns"}};
+}
+
+}  // namespace herr

@@ -1,0 +1,101 @@
+#include "sessions/import/presets/trial_import.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
+
+namespace herr {
+namespace {
+
+constexpr std::int64_t kTrialRows = 20000;
+
+// More than this share of the rows against it: the axes are wrong. People lie down and trackers fail, but not
+// for most of a recording.
+constexpr double kMost = 0.5;
+// Eyes that turn with the head in most windows are mirrored; chance gives a half.
+constexpr double kSeldom = 0.25;
+constexpr std::int64_t kFewestWindows = 30;
+
+class RowsHash {
+ public:
+  void add(std::int64_t value) { add_bits(static_cast<std::uint64_t>(value)); }
+  void add(const glm::dvec3& v) {
+    for (const double value : {v.x, v.y, v.z}) add_bits(std::bit_cast<std::uint64_t>(value + 0.0));
+  }
+  void add(const PoseRow& row) {
+    const Pose& pose = row.world_from_head;
+    add(row.stamp_ns);
+    add(pose.position);
+    add(pose.orientation * glm::dvec3(1, 0, 0));
+    add(pose.orientation * glm::dvec3(0, 1, 0));
+  }
+  void add(const GazeRow& row) {
+    add(row.stamp_ns);
+    for (std::size_t eye = 0; eye < 2; ++eye)
+      if (row.valid[eye]) add(row.head_direction[eye]);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  void add_bits(std::uint64_t bits) {
+    hash_ ^= bits + 0x9e3779b97f4a7c15u + (hash_ << 6) + (hash_ >> 2);
+    hash_ *= 0xff51afd7ed558ccdu;
+  }
+  std::uint64_t hash_ = 0;
+};
+
+std::string share_words(double share) {
+  return std::to_string(std::llround(100 * share)) + " % of the rows";
+}
+
+}  // namespace
+
+TrialImport trial_import(ImportRequest request) {
+  request.keep_going = true;
+  request.most_rows = kTrialRows;
+  TrialImport trial;
+  PlausibilityMeter meter;
+  RowsHash hash;
+  const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
+  try {
+    const ImportReport report = import_rows(request, {[&](const PoseRow& row) {
+                                                        meter.add(row);
+                                                        hash.add(row);
+                                                      },
+                                                      [&](const GazeRow& row) {
+                                                        meter.add(row, per_eye);
+                                                        hash.add(row);
+                                                      }});
+    trial.lost_share = std::max(report.poses.lost_share(), report.has_gaze ? report.gaze.lost_share() : 0);
+  } catch (const InputError& error) {
+    trial.error = error.what();
+    return trial;
+  }
+  meter.finish();
+  trial.figures = meter.figures();
+  trial.words = meter.words();
+  trial.rows_hash = hash.value();
+  return trial;
+}
+
+std::string implausible(const TrialImport& trial) {
+  const PlausibilityFigures& f = trial.figures;
+  if (trial.error) return *trial.error;
+  if (trial.lost_share > kMost) return share_words(trial.lost_share) + " cannot be used";
+  if (f.level_share && *f.level_share < kMost)
+    return "the head is not level in " + share_words(1 - *f.level_share);
+  if (f.diverging_share && *f.diverging_share > kMost)
+    return "the eyes diverge in " + share_words(*f.diverging_share);
+  if (f.off_axis_share && *f.off_axis_share > kMost)
+    return "the gaze is more than 60 degrees off the head's forward in " + share_words(*f.off_axis_share);
+  if (f.countering_windows >= kFewestWindows &&
+      ((f.countering_x && *f.countering_x < kSeldom) || (f.countering_y && *f.countering_y < kSeldom)))
+    return "the eyes turn with the head instead of against it";
+  return "";
+}
+
+}  // namespace herr
