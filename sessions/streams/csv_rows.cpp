@@ -99,8 +99,7 @@ std::string_view CsvRows::text(std::size_t column) const {
 
 double CsvRows::number(std::size_t column) const {
   const std::string_view field = text(column);
-  // from_chars reads "inf" and "nan" too: a number here is digits, sign, point and exponent.
-  const bool plain = !field.empty() && field.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
+  const bool plain = begins_with_digits(field);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error == std::errc::result_out_of_range)

@@ -16,6 +16,12 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+// Whether a field that std::from_chars reads as a double begins with digits: it reads "inf" and "nan" too.
+inline bool begins_with_digits(std::string_view field) {
+  if (!field.empty() && field.front() == '-') field.remove_prefix(1);
+  return !field.empty() && ((field.front() >= '0' && field.front() <= '9') || field.front() == '.');
+}
+
 // For messages.
 inline std::string in_quotes(std::string_view text) {
   return "'" + printable(std::string(text)) + "'";
