@@ -7,6 +7,7 @@
 
 #include "renderer/settings_list.h"
 #include "server/cli/check_flags.h"
+#include "server/cli/convert_flags.h"
 #include "server/cli/flags.h"
 #include "server/cli/setting_flags.h"
 #include "server/cli/study_flags.h"
@@ -15,7 +16,6 @@
 #include "server/settings/flag_values.h"
 #include "server/settings/option_checks.h"
 #include "server/synth/synth_command.h"
-#include "sessions/import/presets/built_in_maps.h"
 
 namespace herr {
 namespace {
@@ -108,49 +108,6 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
 }
 
-void add_convert(CLI::App& app, ConvertOptions& options) {
-  app.add_option("HEAD", options.head, "the recording, or its trajectory of the head")->type_name("");
-  app.add_option("OUT", options.out, "folder of the new session")->type_name("");
-  const auto path = [&app](const std::string& flag, const std::string& help, auto& target) {
-    file_flag(app, flag, help, [&target](const std::string& text) { target = text; });
-  };
-  const auto word = [&app](const std::string& flag, const char* kind, const std::string& help,
-                           std::string& target) {
-    value_flag(app, flag, kind, help, [&target](const std::string& text) { target = text; });
-  };
-  path("--gaze", "file of the gaze, where it is not in HEAD", options.gaze);
-  word("--preset", "NAME", "format of the files: " + joined(built_in_map_names()), options.preset);
-  path("--map", "column map (JSON) of a format that no preset knows", options.map);
-  app.add_flag_callback(
-      "--show-map", [&] { options.show_map = true; },
-      "print the preset's column map, to be changed and used with --map");
-  path("--camera", "folder of pictures for the camera feed, in natural order of their names", options.camera);
-  const auto number = [&app](const std::string& flag, const std::string& help, double lowest, double highest,
-                             double& value) {
-    value_flag(app, flag, "X", help, [flag, lowest, highest, &value](const std::string& text) {
-      value = parse_real_number(flag, text, lowest, highest);
-    });
-  };
-  number("--camera-hz", "pictures per second (default 15)", 0.1, 1000, options.camera_hz);
-  app.add_flag_callback(
-      "--camera-loop", [&] { options.camera_loop = true; },
-      "begin again at the end, as long as the poses last");
-  number("--camera-hfov", "width of the view in degrees, of a lens without distortion", 1, 170,
-         options.camera_hfov_deg);
-  path("--camera-calibration", "Project Aria's calibration, instead of --camera-hfov",
-       options.camera_calibration);
-  word("--camera-label", "NAME", "which of its cameras (default camera-rgb)", options.camera_label);
-  word("--profile", "NAME|FILE", "display profile of the session (default xr1)", options.profile);
-  word("--scene", "PATH", "scene that session.json names, relative to OUT", options.scene);
-  word("--licence", "TEXT", "licence of the recording", options.licence);
-  app.add_flag_callback(
-      "--overwrite", [&] { options.overwrite = true; }, "replace the session that is there");
-  app.add_flag_callback(
-      "--keep-going", [&] { options.keep_going = true; }, "leave bad rows out, end with exit code 5");
-  app.add_flag_callback(
-      "--json", [&] { options.json = true; }, "report on stdout as JSON");
-}
-
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
@@ -224,7 +181,7 @@ struct Parser {
     add_study_flags(*study_command, study);
     add_inspect(*inspect_command, inspect);
     add_synth_flags(*synth_command, synth);
-    add_convert(*convert_command, convert);
+    add_convert_flags(*convert_command, convert);
     app.require_subcommand(0, 1);
     app.footer("'herr COMMAND --help' lists the flags of a command.");
   }
@@ -268,17 +225,6 @@ void check_required(const InspectOptions& options) {
 void check_required(const SynthOptions& options) {
   if (options.out.empty()) throw UsageError("OUT: the path is empty; give a folder");
   check_synth_options(options);
-}
-
-void check_required(const ConvertOptions& options) {
-  if (options.preset.empty() == options.map.empty()) {
-    throw UsageError("--preset: give either the name of a format (" + joined(built_in_map_names()) +
-                     ") or a column map with --map FILE");
-  }
-  if (options.show_map && options.preset.empty()) throw UsageError("--show-map: give --preset NAME");
-  if (options.show_map) return;
-  if (options.head.empty()) throw UsageError("HEAD: missing; give the recording");
-  if (options.out.empty()) throw UsageError("OUT: missing; give the folder of the new session");
 }
 
 }  // namespace
@@ -327,7 +273,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->synth;
   }
   if (parser->convert_command->parsed()) {
-    check_required(parser->convert);
+    check_convert_flags(parser->convert);
     return parser->convert;
   }
   throw UsageError("no command; 'herr --help' lists the commands");

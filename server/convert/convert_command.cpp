@@ -1,12 +1,12 @@
 #include "server/convert/convert_command.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "server/convert/check_report.h"
+#include "server/convert/convert_feed.h"
 #include "server/convert/convert_report.h"
 #include "server/output/new_session_folder.h"
 #include "server/process/exit_code.h"
@@ -14,12 +14,13 @@
 #include "server/process/terminal.h"
 #include "server/process/version.h"
 #include "server/settings/flag_values.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/input_file.h"
-#include "sessions/import/cameras/aria_calibration.h"
-#include "sessions/import/presets/built_in_maps.h"
-#include "sessions/import/cameras/camera_pictures.h"
 #include "sessions/import/import_rows.h"
+#include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/presets/choose_format.h"
+#include "sessions/import/presets/recording_folder.h"
+#include "sessions/inspect/plausibility.h"
 #include "sessions/record/session_recorder.h"
 
 namespace herr {
@@ -27,25 +28,55 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kMaxPictureBytes = std::int64_t{1} << 30;
+constexpr std::size_t kSortRows = 64;
+
+// Rates that session.json can state.
+constexpr double kLowestRateHz = 0.1, kHighestRateHz = 10000;
 
 const BuiltInMap& built_in(const std::string& name) {
   return built_in_maps().at(parse_word("--preset", name, built_in_map_names()));
 }
 
-ColumnMap chosen_map(const ConvertOptions& options) {
-  if (!options.map.empty()) return read_column_map(options.map);
-  return parse_column_map(built_in(options.preset).json, options.preset + ".json");
+struct Recording {
+  FormatRequest format;
+  std::vector<FoundCamera> cameras;
+};
+
+// The files that the user names, or those that a recorder's folder holds.
+Recording recording_of(const ConvertOptions& options) {
+  Recording recording;
+  FormatRequest& request = recording.format;
+  if (!options.map.empty()) request.map = std::make_shared<const ColumnMap>(read_column_map(options.map));
+  if (!options.preset.empty()) request.preset = std::string(built_in(options.preset).name);
+  request.variant = options.variant;
+  request.still = options.still;
+  request.files = {options.head, options.gaze};
+  if (facts_of_name(options.head).kind == FileKind::folder) {
+    FoundRecording found = find_recording(options.head, request.preset, request.map.get());
+    recording.cameras = std::move(found.cameras);
+    if (!request.map) request.preset = found.preset;
+    if (options.gaze) found.files.gaze = options.gaze;
+    request.files = std::move(found.files);
+  }
+  // A log without a head is the gaze's.
+  if (request.still.head && !request.files.gaze) request.files.gaze = request.files.head;
+  if (request.still.head) request.files.head.clear();
+  if (request.files.head.empty() && !request.still.head && !options.check)
+    throw InputError(options.head, 0, "holds no recording of the head",
+                     "give --still-head, or name the head's file");
+  return recording;
 }
 
-SessionHeader header_for(const ConvertOptions& options, const NewSessionFolder& folder, const ColumnMap& map,
-                         DisplayProfile profile) {
+SessionHeader header_for(const ConvertOptions& options, const NewSessionFolder& folder,
+                         const ChosenFormat& format, DisplayProfile profile) {
   SessionHeader header = new_session_header(folder);
   header.provenance = std::string("converted by ") + program_with_version() + " from " +
-                      printable(options.head.filename().string()) + " with the map " + printable(map.name);
+                      printable(options.head.filename().string()) + " with " +
+                      printable(format.format.words());
   header.licence = options.licence;
   header.profile = std::move(profile);
   header.scene = options.scene;
+  header.feed_distance_m = options.feed.distance_m;
   return header;
 }
 
@@ -56,122 +87,107 @@ void stop_on_signal() {
   if (stop_signal() != 0) throw Stopped{};
 }
 
-struct Feed {
-  CameraPictures pictures;
-  SessionHeader::Camera camera;
-};
-
-Feed open_feed(const ConvertOptions& options, const ImportRequest& request) {
-  Feed feed;
-  feed.pictures = find_camera_pictures(options.camera);
-  const ImageSize& size = feed.pictures.size;
-  if (!options.camera_calibration.empty())
-    feed.camera = read_aria_camera(options.camera_calibration, options.camera_label, size,
-                                   fitting_head_columns(request));
-  else
-    feed.camera.model = pinhole_camera(size.width_px, size.height_px, options.camera_hfov_deg);
-  feed.camera.nominal_hz = options.camera_hz;
-  return feed;
+double stated_rate(double rate_hz) {
+  return rate_hz >= kLowestRateHz && rate_hz <= kHighestRateHz ? rate_hz : 0;
 }
 
-// Every picture is copied once; a loop names them again.
-std::int64_t write_feed(const ConvertOptions& options, const Feed& feed, const ImportedStream& poses,
-                        SessionRecorder& recorder) {
-  std::vector<std::string> names;
-  std::int64_t rows = 0;
-  for (;; ++rows) {
-    stop_on_signal();
-    const auto offset_ns =
-        static_cast<TimeNs>(std::llround(static_cast<double>(rows) * 1e9 / options.camera_hz));
-    const auto index = static_cast<std::size_t>(rows);
-    if (poses.first_ns + offset_ns > poses.last_ns) break;
-    if (!options.camera_loop && index >= feed.pictures.files.size()) break;
-    if (index < feed.pictures.files.size()) {
-      const fs::path& picture = feed.pictures.files[index];
-      const std::string bytes = read_whole_file(picture, kMaxPictureBytes);
-      names.push_back(numbered_picture(index, picture.extension().string()));
-      recorder.add_image(0, names.back(),
-                         {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-    }
-    recorder.add_camera_frame(0, {poses.first_ns + offset_ns, names[index % feed.pictures.files.size()]});
-  }
-  return rows;
+// The user's file behind a file of the new session, which they have not seen.
+fs::path users_file(const fs::path& session_file, const ConvertReport& report,
+                    const ConvertOptions& options) {
+  const std::string folder = session_file.parent_path().filename().string();
+  if (folder == "gaze" && report.rows.has_gaze) return report.rows.gaze.file;
+  if ((folder == "cam0" || folder == "cam1") && !options.feed.pictures.empty())
+    return options.feed.pictures[folder == "cam1" && options.feed.pictures.size() > 1 ? 1 : 0];
+  return report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
 }
 
 // What replay would say of it; the result is a session or there is none.
-SessionFindings check_result(const ConvertOptions& options, const NewSessionFolder& folder) {
+void check_result(const ConvertOptions& options, const NewSessionFolder& folder,
+                  const ConvertReport& report) {
   try {
-    return folder.findings();
+    (void)folder.findings();
   } catch (const InputError& error) {
-    throw InputError(options.head, 0, "gives no usable session: " + folder.with_final_name(error.what()),
-                     "check the units and columns of the map");
+    throw InputError(users_file(error.file(), report, options), 0,
+                     "gives no usable session: " + folder.with_final_name(error.problem()),
+                     "check the units, the clock and the columns of the format (" + report.format + ")");
   }
-}
-
-// A flag that would change nothing is a mistake of whoever gave it.
-void check_camera_options(const ConvertOptions& options) {
-  const ConvertOptions unset;
-  const bool has_lens = options.camera_hfov_deg != 0, has_calibration = !options.camera_calibration.empty();
-  if (options.camera.empty()) {
-    for (const auto& [given, flag] :
-         {std::pair{options.camera_hz != unset.camera_hz, "--camera-hz"},
-          std::pair{options.camera_loop, "--camera-loop"}, std::pair{has_lens, "--camera-hfov"},
-          std::pair{has_calibration, "--camera-calibration"},
-          std::pair{options.camera_label != unset.camera_label, "--camera-label"}}) {
-      if (given) throw UsageError(std::string(flag) + ": there are no pictures; give --camera DIR too");
-    }
-    return;
-  }
-  if (!has_lens && !has_calibration)
-    throw UsageError(
-        "--camera: the lens is unknown; give --camera-hfov DEGREES or --camera-calibration FILE");
-  if (has_lens && has_calibration)
-    throw UsageError("--camera-hfov: the calibration has a lens of its own; give one of the two");
-  if (!has_calibration && options.camera_label != unset.camera_label)
-    throw UsageError("--camera-label: names a camera of a calibration; give --camera-calibration FILE");
 }
 
 void check_options(const ConvertOptions& options) {
-  check_camera_options(options);
+  check_feed_options(options.feed);
   check_scene_name("--scene", options.scene);
   if (options.head == options.out) throw UsageError("OUT: is the recording itself; choose another folder");
+  if (options.still.head && options.still.gaze)
+    throw UsageError("--still-gaze: with --still-head nothing is left of the recording; give one of the two");
+}
+
+// Rows on their way: into the session, and past the meter.
+ImportReport import_into(SessionRecorder& recorder, PlausibilityMeter& meter, const ImportRequest& request) {
+  const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
+  ImportReport report = import_rows(request, {[&](const PoseRow& row) {
+                                                stop_on_signal();
+                                                recorder.add_pose(row);
+                                                meter.add(row);
+                                              },
+                                              [&](const GazeRow& row) {
+                                                stop_on_signal();
+                                                recorder.add_gaze(row);
+                                                meter.add(row, per_eye);
+                                              }});
+  meter.finish();
+  return report;
+}
+
+void judge(const PlausibilityMeter& meter, const ConvertOptions& options, ConvertReport& report) {
+  report.head_words = meter.words();
+  FindingList findings;
+  const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
+  meter.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
+  for (const Finding& finding : findings.sorted()) report.warnings.push_back(finding.text());
+  if (!report.rows.has_gaze) report.warnings.push_back("no gaze was recorded: the eyes look straight ahead");
+}
+
+void finish_header(const ConvertReport& report, const ChosenFormat& format, SessionHeader& header) {
+  header.gaze_combined = report.rows.gaze_combined || !report.rows.has_gaze;
+  if (report.rows.gaze_combined) header.vergence_m = format.format.map->vergence_m;
+  header.pose_hz = stated_rate(report.rows.poses.rate_hz());
+  header.gaze_hz = stated_rate(report.rows.gaze.rate_hz());
+  header.conversion = conversion_record(report);
 }
 
 int convert(const ConvertOptions& options) {
-  const ColumnMap map = chosen_map(options);
+  const Recording recording = recording_of(options);
   DisplayProfile profile = load_display_profile(options.profile);
-  const ImportRequest request{options.head, options.gaze, &map, options.keep_going};
-  ConvertReport report{options.out, map.name, {}, 0, 0, {}};
-  Feed feed;
-  if (!options.camera.empty()) feed = open_feed(options, request);
+  const ChosenFormat format = choose_format(recording.format);
+  ConvertReport report;
+  report.out = options.out;
+  report.format = format.format.words();
+  report.remarks = format.remarks;
+  const std::vector<Feed> feeds = open_feeds(options.feed, recording.cameras, format, report.remarks);
+  ImportRequest request = import_request(recording.format, format.format.columns);
+  request.keep_going = options.keep_going;
+  request.sort_rows = options.sort ? kSortRows : 0;
 
   NewSessionFolder folder(options.out, options.overwrite);
-  SessionHeader header = header_for(options, folder, map, std::move(profile));
+  SessionHeader header = header_for(options, folder, format, std::move(profile));
   SessionRecorder recorder(folder.path());
-  report.rows = import_rows(request, {[&](const PoseRow& row) {
-                                        stop_on_signal();
-                                        recorder.add_pose(row);
-                                      },
-                                      [&](const GazeRow& row) {
-                                        stop_on_signal();
-                                        recorder.add_gaze(row);
-                                      }});
-  if (!options.camera.empty()) {
-    header.cameras.push_back(feed.camera);
-    report.camera_rows = write_feed(options, feed, report.rows.poses, recorder);
-    report.pictures = std::min(report.camera_rows, static_cast<std::int64_t>(feed.pictures.files.size()));
+  PlausibilityMeter meter;
+  report.rows = import_into(recorder, meter, request);
+  judge(meter, options, report);
+  for (std::size_t i = 0; i < feeds.size(); ++i) {
+    header.cameras.push_back(feeds[i].camera);
+    report.feeds.push_back(write_feed(options.feed, i, feeds[i], report.rows, recorder, stop_on_signal));
   }
-  header.gaze_combined = report.rows.gaze_combined || !report.rows.has_gaze;
-  if (report.rows.gaze_combined) header.vergence_m = map.vergence_m;
-  header.pose_hz = report.rows.poses.rate_hz();
-  header.gaze_hz = report.rows.gaze.rate_hz();
+  finish_header(report, format, header);
   recorder.write_header(header);
   recorder.finish();
-  report.findings = check_result(options, folder);
+  check_result(options, folder, report);
   stop_on_signal();
   folder.keep();
   print_result(options.json ? convert_json(report) : convert_text(report));
-  return report.rows.poses.bad_rows + report.rows.gaze.bad_rows > 0 ? kExitPartial : kExitDone;
+  const std::vector<std::string> losses = heavy_losses(report);
+  for (const std::string& loss : losses) print_message(loss);
+  return losses.empty() ? kExitDone : kExitPartial;
 }
 
 }  // namespace
@@ -181,6 +197,7 @@ int run_convert(const ConvertOptions& options) {
     print_result(std::string(built_in(options.preset).json));
     return kExitDone;
   }
+  if (options.check) return run_format_check(options, recording_of(options).format.files);
   check_options(options);
   try {
     return convert(options);

@@ -4,24 +4,42 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "sessions/import/import_rows.h"
 
 namespace herr {
 
+// The camera feed: at most two cameras, the left and the right eye's.
+struct FeedOptions {
+  std::vector<std::filesystem::path> pictures;     // folders; empty: those of the recording's folder, if any
+  std::vector<std::filesystem::path> stamps;       // tables, one a camera
+  std::vector<std::filesystem::path> calibration;  // one a camera, or one for both
+  std::vector<std::string> label;                  // which camera of the calibration, one a camera
+  std::string names;                               // pattern of stamps in the pictures' names
+  std::optional<int> zone_minutes;                 // of dates in names and EXIF
+  std::optional<double> hz;                        // no stamps were recorded: so many pictures a second
+  bool loop = false;                               // hz: begin again at the end, as long as the poses last
+  double offset_ms = 0;                            // added to every stamp of a picture
+  double hfov_deg = 0;                             // width of the view of a pinhole; 0: not given
+  std::optional<double> distance_m;                // of the feed's sphere about the displayed eye
+  bool none = false;                               // leave the pictures of the recording's folder out
+};
+
 struct ConvertOptions {
-  std::filesystem::path head;                 // the recording, or its trajectory
+  std::filesystem::path head;                 // the recording: a file, or a recorder's folder
   std::filesystem::path out;                  // the session's folder
   std::optional<std::filesystem::path> gaze;  // a file of its own
-  std::string preset;                         // a built-in column map
-  std::filesystem::path map;                  // or a column map of the user's
-  bool show_map = false;                      // print the map and do nothing else
+  std::string preset;                         // a built-in format; empty and no map: recognised
+  std::string variant;                        // of siblings
+  std::filesystem::path map;                  // a column map of the user's
+  bool show_map = false;                      // print the preset's map and do nothing else
+  bool check = false;                         // say what the recording seems to be and do nothing else
+  std::filesystem::path write_map;            // check: where a proposed map goes
+  StillParts still;
+  bool sort = false;  // put rows that come late where they belong
 
-  std::filesystem::path camera;              // folder of pictures; empty: no feed
-  double camera_hz = 15;                     // how fast they follow each other
-  bool camera_loop = false;                  // begin again at the end, as long as the poses last
-  double camera_hfov_deg = 0;                // width of the view of a pinhole; 0: not given
-  std::filesystem::path camera_calibration;  // Project Aria's JSON instead of --camera-hfov
-  std::string camera_label = "camera-rgb";   // which camera of the calibration
-
+  FeedOptions feed;
   std::string profile = "xr1";  // display profile, built in or a file
   std::string scene;            // written into session.json, relative to OUT
   std::string licence;          // of the recording

@@ -1,8 +1,8 @@
 #include "server/convert/convert_report.h"
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <vector>
 
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
@@ -12,26 +12,41 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A camera's sources as rows of a stream: what is lost of it.
+constexpr std::size_t kMostRecorded = 64;
+
 std::string shown(const std::filesystem::path& path) {
   return printable(path.string());
 }
 
+struct CountedRemark {
+  std::string key, sentence;
+  std::int64_t count = 0, first_line = 0;
+};
+
 // Counts that are not 0, by what they mean.
-std::vector<std::pair<std::string, std::int64_t>> remarks(const ImportedStream& stream, bool is_gaze) {
-  const std::vector<std::pair<std::string, std::int64_t>> all{
-      {is_gaze ? "rows without gaze (blinks, lost pupils), written as not valid"
-               : "rows without tracking, left out",
-       stream.lost_rows},
-      {"rows with one eye only", stream.one_eye_rows},
-      {"rows repeat the one before: the sensor is slower than the log", stream.repeated_values},
-      {"rows left out: the stamp repeats the one before", stream.repeated_stamps},
-      {"rows left out: the stamp goes backwards", stream.backward_stamps},
-      {"bad rows left out", stream.bad_rows},
-      {"rows normalised: the length was off by more than rounding", stream.normalised_rows},
-      {"blank lines", stream.blank_lines}};
-  std::vector<std::pair<std::string, std::int64_t>> found;
-  for (const auto& remark : all)
-    if (remark.second > 0) found.push_back(remark);
+std::vector<CountedRemark> remarks_of(const ImportedStream& stream, bool is_gaze) {
+  std::vector<CountedRemark> found;
+  const auto add = [&](std::string key, std::string sentence, std::int64_t count, std::int64_t line) {
+    if (count > 0) found.push_back({std::move(key), std::move(sentence), count, line});
+  };
+  for (std::size_t i = 0; i < kRowFates; ++i) {
+    const RowFateText& text = row_fate_texts()[i];
+    const bool lost_gaze = is_gaze && i == static_cast<std::size_t>(RowFate::lost_tracking);
+    add(std::string(text.key),
+        lost_gaze ? "rows without gaze (blinks, lost pupils), written as not valid"
+                  : std::string(text.sentence),
+        stream.fates.rows[i], stream.fates.first_line[i]);
+  }
+  add("one_eye_rows", "rows with one eye only", stream.one_eye_rows, 0);
+  add("repeated_values", "rows repeat the one before", stream.repeated_values, 0);
+  add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows, 0);
+  add("normalised_rows", "rows normalised: the length was off by more than rounding",
+      stream.reading.normalised, 0);
+  add("repeated_headers", "lines name the columns again and were passed over", stream.source.repeated_headers,
+      0);
+  add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows, 0);
+  add("blank_lines", "blank lines", stream.source.blank_lines, 0);
   return found;
 }
 
@@ -40,64 +55,152 @@ std::string stream_text(const std::string& name, const ImportedStream& stream, b
   std::string text =
       name + ": " + std::to_string(stream.rows) + " rows over " + fixed_text(seconds, 2) + " s";
   if (stream.rows > 1) text += ", " + fixed_text(stream.rate_hz(), 1) + " Hz";
-  text += "  (" + shown(stream.file) + ")\n";
+  if (!stream.file.empty()) text += "  (" + shown(stream.file) + ")";
+  text += "\n";
   if (const std::int64_t hitches = stream.intervals.hitches(); hitches > 0)
     text += "  " + std::to_string(hitches) + " intervals of more than 1.5 times the usual one, the widest " +
             fixed_text(static_cast<double>(stream.intervals.widest_ns()) * 1e-6, 1) + " ms before line " +
             std::to_string(stream.intervals.widest_line()) + "\n";
-  for (const auto& [meaning, count] : remarks(stream, is_gaze))
-    text += "  " + std::to_string(count) + " " + meaning + "\n";
+  for (const CountedRemark& remark : remarks_of(stream, is_gaze)) {
+    text += "  " + std::to_string(remark.count) + " " + remark.sentence;
+    if (remark.first_line > 0)
+      text += remark.count == 1 ? " (line " + std::to_string(remark.first_line) + ")"
+                                : " (the first in line " + std::to_string(remark.first_line) + ")";
+    text += "\n";
+  }
   return text;
 }
 
-Json stream_json(const ImportedStream& stream) {
-  return {{"file", printable(stream.file.string())},
-          {"rows", stream.rows},
-          {"first_ns", stream.first_ns},
-          {"last_ns", stream.last_ns},
-          {"rate_hz", stream.rate_hz()},
-          {"hitches", stream.intervals.hitches()},
-          {"widest_interval_ns", stream.intervals.widest_ns()},
-          {"widest_interval_line", stream.intervals.widest_line()},
-          {"lost_rows", stream.lost_rows},
-          {"one_eye_rows", stream.one_eye_rows},
-          {"repeated_values", stream.repeated_values},
-          {"repeated_stamps_left_out", stream.repeated_stamps},
-          {"backward_stamps_left_out", stream.backward_stamps},
-          {"bad_rows_left_out", stream.bad_rows},
-          {"normalised_rows", stream.normalised_rows},
-          {"blank_lines", stream.blank_lines}};
+Json stream_json(const ImportedStream& stream, bool is_gaze) {
+  Json json{{"file", printable(stream.file.string())},
+            {"rows_read", stream.rows_read},
+            {"rows", stream.rows},
+            {"first_ns", stream.first_ns},
+            {"last_ns", stream.last_ns},
+            {"rate_hz", stream.rate_hz()},
+            {"hitches", stream.intervals.hitches()},
+            {"widest_interval_ns", stream.intervals.widest_ns()},
+            {"widest_interval_line", stream.intervals.widest_line()},
+            {"lost_share", stream.lost_share()}};
+  for (std::size_t i = 0; i < kRowFates; ++i)
+    json[std::string(row_fate_texts()[i].key) + "_rows"] = stream.fates.rows[i];
+  for (const char* key : {"one_eye_rows", "repeated_values", "sorted_rows", "normalised_rows",
+                          "repeated_headers", "ragged_rows", "blank_lines"})
+    json[key] = 0;
+  for (const CountedRemark& remark : remarks_of(stream, is_gaze))
+    if (json.contains(remark.key)) json[remark.key] = remark.count;
+  return json;
 }
 
-std::vector<std::string> all_warnings(const ConvertReport& report) {
-  std::vector<std::string> warnings = report.rows.warnings;
-  warnings.insert(warnings.end(), report.findings.warnings.begin(), report.findings.warnings.end());
-  return warnings;
+std::string feed_text(std::size_t camera, const FeedReport& feed) {
+  std::string text = "cam" + std::to_string(camera) + ": " + std::to_string(feed.frames) + " frames from " +
+                     std::to_string(feed.pictures) + " pictures; stamps: " + feed.stamps + "\n";
+  for (const std::string& remark : feed.remarks) text += "  " + remark + "\n";
+  return text;
+}
+
+double lost_share(const FeedReport& feed) {
+  const std::int64_t all = feed.pictures + feed.left_out;
+  return all > 0 ? static_cast<double>(feed.left_out) / static_cast<double>(all) : 0;
+}
+
+void add_left_out(const std::string& name, const ImportedStream& stream, bool is_gaze,
+                  SessionConversion& record) {
+  for (std::size_t i = 0; i < kRowFates && record.left_out.size() < kMostRecorded; ++i) {
+    if (stream.fates.rows[i] == 0) continue;
+    if (is_gaze && i == static_cast<std::size_t>(RowFate::lost_tracking)) continue;  // written as not valid
+    record.left_out.push_back(
+        {name, stream.fates.rows[i], stream.rows_read, std::string(row_fate_texts()[i].sentence)});
+  }
+}
+
+// The first remark about a stream's clock says what its fates only count.
+std::string loss_sentence(const ImportedStream& stream, const std::vector<std::string>& remarks) {
+  std::int64_t lost = 0;
+  std::string causes;
+  for (std::size_t i = 0; i < kRowFates; ++i) {
+    if (!row_fate_texts()[i].loss || stream.fates.rows[i] == 0) continue;
+    lost += stream.fates.rows[i];
+    causes += (causes.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +
+              std::string(row_fate_texts()[i].sentence);
+  }
+  for (const std::string& remark : remarks)
+    if (remark.find(std::to_string(stream.rows_read) + " rows") != std::string::npos)
+      return shown(stream.file) + ": " + remark;
+  return shown(stream.file) + ": " + std::to_string(lost) + " of " + std::to_string(stream.rows_read) +
+         " rows are not in the session: " + causes;
 }
 
 }  // namespace
 
+SessionConversion conversion_record(const ConvertReport& report) {
+  SessionConversion record;
+  add_left_out("pose", report.rows.poses, false, record);
+  if (report.rows.has_gaze) add_left_out("gaze", report.rows.gaze, true, record);
+  for (std::size_t i = 0; i < report.feeds.size(); ++i) {
+    const FeedReport& feed = report.feeds[i];
+    const std::string name = "cam" + std::to_string(i);
+    if (feed.left_out > 0)
+      record.left_out.push_back({name, feed.left_out, feed.pictures + feed.left_out,
+                                 "pictures left out: no stamp, or not the only one with it"});
+    if (feed.stamps.starts_with("assumed: ")) record.assumed.push_back(name + ": stamps " + feed.stamps);
+  }
+  for (const auto* sentences : {&report.rows.assumed, &report.rows.remarks, &report.remarks})
+    for (const std::string& sentence : *sentences)
+      if (record.assumed.size() < kMostRecorded) record.assumed.push_back(sentence.substr(0, 1000));
+  return record;
+}
+
+std::vector<std::string> heavy_losses(const ConvertReport& report) {
+  std::vector<std::string> sentences;
+  for (const ImportedStream* stream : {&report.rows.poses, &report.rows.gaze})
+    if (stream->rows_read > 0 && stream->lost_share() > kPartialShare)
+      sentences.push_back(loss_sentence(*stream, report.rows.remarks));
+  for (std::size_t i = 0; i < report.feeds.size(); ++i) {
+    const FeedReport& feed = report.feeds[i];
+    if (lost_share(feed) > kPartialShare)
+      sentences.push_back("cam" + std::to_string(i) + ": " + std::to_string(feed.left_out) + " of " +
+                          std::to_string(feed.pictures + feed.left_out) + " pictures are not in the session");
+  }
+  return sentences;
+}
+
 std::string convert_text(const ConvertReport& report) {
-  std::string text = "session: " + shown(report.out) + "\n";
+  std::string text = "session: " + shown(report.out) + "\nformat: " + printable(report.format) + "\n";
+  if (!report.head_words.empty()) text += "head: " + report.head_words + "\n";
   text += stream_text("poses", report.rows.poses, false);
   if (report.rows.has_gaze)
     text +=
         stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze, true);
-  if (report.camera_rows > 0)
-    text += "camera: " + std::to_string(report.camera_rows) + " frames from " +
-            std::to_string(report.pictures) + " pictures\n";
-  for (const std::string& warning : all_warnings(report)) text += "note: " + warning + "\n";
+  for (std::size_t i = 0; i < report.feeds.size(); ++i) text += feed_text(i, report.feeds[i]);
+  for (const std::string& sentence : report.rows.assumed) text += "assumed: " + printable(sentence) + "\n";
+  for (const auto* sentences :
+       {&report.remarks, &report.rows.remarks, &report.rows.warnings, &report.warnings})
+    for (const std::string& sentence : *sentences) text += "note: " + printable(sentence) + "\n";
   return text;
 }
 
 std::string convert_json(const ConvertReport& report) {
-  Json json{{"session", shown(report.out)}, {"map", report.map}, {"poses", stream_json(report.rows.poses)}};
+  Json json{
+      {"session", shown(report.out)}, {"format", printable(report.format)}, {"head", report.head_words}};
+  json["poses"] = stream_json(report.rows.poses, false);
   if (report.rows.has_gaze) {
-    json["gaze"] = stream_json(report.rows.gaze);
+    json["gaze"] = stream_json(report.rows.gaze, true);
     json["gaze"]["kind"] = report.rows.gaze_combined ? "combined" : "per_eye";
   }
-  json["camera"] = {{"frames", report.camera_rows}, {"pictures", report.pictures}};
-  json["warnings"] = all_warnings(report);
+  json["cameras"] = Json::array();
+  for (const FeedReport& feed : report.feeds)
+    json["cameras"].push_back({{"frames", feed.frames},
+                               {"pictures", feed.pictures},
+                               {"left_out", feed.left_out},
+                               {"stamps", feed.stamps},
+                               {"remarks", feed.remarks}});
+  json["shift_ns"] = report.rows.shift_ns;
+  json["assumed"] = report.rows.assumed;
+  json["remarks"] = report.remarks;
+  for (const std::string& remark : report.rows.remarks) json["remarks"].push_back(remark);
+  json["warnings"] = report.rows.warnings;
+  for (const std::string& warning : report.warnings) json["warnings"].push_back(warning);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

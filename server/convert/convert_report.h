@@ -1,24 +1,32 @@
 // What a conversion did, as text for people and as JSON. Before: run_convert. After: stdout.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "server/convert/convert_feed.h"
+#include "sessions/format/session_header.h"
 #include "sessions/import/import_report.h"
-#include "sessions/session.h"
 
 namespace herr {
 
 struct ConvertReport {
   std::filesystem::path out;
-  std::string map;
+  std::string format;  // "preset euroc, variant tumvi"
   ImportReport rows;
-  std::int64_t pictures = 0, camera_rows = 0;
-  SessionFindings findings;  // of opening the result
+  std::vector<FeedReport> feeds;
+  std::string head_words;             // where the head looks, how level it is
+  std::vector<std::string> remarks;   // how the format was chosen, what was assumed
+  std::vector<std::string> warnings;  // one line each, of the user's files
 };
 
 std::string convert_text(const ConvertReport& report);
 std::string convert_json(const ConvertReport& report);
+
+// What session.json keeps of it.
+SessionConversion conversion_record(const ConvertReport& report);
+// One sentence for each stream of which more than kPartialShare was lost.
+std::vector<std::string> heavy_losses(const ConvertReport& report);
 
 }  // namespace herr

@@ -1,0 +1,162 @@
+#include "server/cli/convert_flags.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "server/cli/flags.h"
+#include "server/process/exit_code.h"
+#include "server/settings/flag_values.h"
+#include "sessions/import/presets/built_in_maps.h"
+
+namespace herr {
+namespace {
+
+constexpr double kLongestOffsetMs = 1e12;
+constexpr int kWidestZoneHours = 14;
+
+// "+01:00", "-0530", "Z": minutes east of Greenwich.
+int parse_zone(const std::string& flag, const std::string& text) {
+  if (text == "Z" || text == "UTC") return 0;
+  const auto digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
+  const bool colon = text.size() == 6 && text[3] == ':';
+  const std::size_t minutes_at = colon ? 4 : 3;
+  const bool shaped = (colon || text.size() == 5) && (text[0] == '+' || text[0] == '-') && digit(1) &&
+                      digit(2) && digit(minutes_at) && digit(minutes_at + 1);
+  const int hours = shaped ? std::stoi(text.substr(1, 2)) : 0;
+  const int minutes = shaped ? std::stoi(text.substr(minutes_at, 2)) : 0;
+  if (!shaped || hours > kWidestZoneHours || minutes > 59)
+    throw UsageError(flag + ": '" + text + "' is no time zone; write +01:00, -05:30 or Z");
+  return (text[0] == '-' ? -1 : 1) * (60 * hours + minutes);
+}
+
+double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
+  const bool minus = text.starts_with("-");
+  const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
+  return minus ? -value : value;
+}
+
+// Given once for each camera.
+template <typename Values>
+void repeated_flag(CLI::App& app, const std::string& flag, const char* kind, const std::string& help,
+                   Values& values) {
+  app.add_option_function<std::vector<std::string>>(
+         flag,
+         [flag, &values](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) values.emplace_back(non_empty(flag, text));
+         },
+         help)
+      ->type_name(kind)
+      ->expected(1)
+      ->take_all();
+}
+
+void add_format_flags(CLI::App& app, ConvertOptions& options) {
+  const auto word = [&app](const std::string& flag, const char* kind, const std::string& help,
+                           std::string& target) {
+    value_flag(app, flag, kind, help,
+               [flag, &target](const std::string& text) { target = non_empty(flag, text); });
+  };
+  file_flag(app, "--gaze", "file of the gaze, where it is not in HEAD",
+            [&](const std::string& text) { options.gaze = text; });
+  word("--preset", "NAME", "format of the files (default: recognised): " + joined(built_in_map_names()),
+       options.preset);
+  word("--variant", "NAME", "which of the format's siblings, where the data cannot tell", options.variant);
+  file_flag(app, "--map", "column map (JSON) of a format that no preset knows",
+            [&](const std::string& text) { options.map = text; });
+  app.add_flag_callback(
+      "--show-map", [&] { options.show_map = true; },
+      "print the preset's column map, to be changed and used with --map");
+  app.add_flag_callback(
+      "--check", [&] { options.check = true; },
+      "convert nothing: say what the recording seems to be and which command converts it");
+  file_flag(app, "--write-map", "with --check: where a proposed column map goes",
+            [&](const std::string& text) { options.write_map = text; });
+  app.add_flag_callback(
+      "--still-head", [&] { options.still.head = true; },
+      "HEAD holds gaze alone; the head stays at the origin");
+  app.add_flag_callback(
+      "--still-gaze", [&] { options.still.gaze = true; },
+      "the eyes look straight ahead, whatever HEAD holds");
+  app.add_flag_callback(
+      "--sort", [&] { options.sort = true; }, "put rows that come at most 64 rows late where they belong");
+}
+
+void add_feed_flags(CLI::App& app, FeedOptions& feed) {
+  repeated_flag(app, "--camera", "DIR", "folder of pictures for the camera feed; twice: left and right eye",
+                feed.pictures);
+  repeated_flag(app, "--camera-stamps", "FILE",
+                "table that says when each was taken (default: data.csv or frames.csv beside them)",
+                feed.stamps);
+  value_flag(
+      app, "--camera-names", "PATTERN",
+      "or the stamps stand in the names: frame_{ms}, with {s} {ms} {us} {ns} {date}, and {*} for any text",
+      [&](const std::string& text) { feed.names = non_empty("--camera-names", text); });
+  value_flag(app, "--camera-zone", "ZONE", "time zone of dates in names and EXIF that state none: +01:00",
+             [&](const std::string& text) { feed.zone_minutes = parse_zone("--camera-zone", text); });
+  value_flag(app, "--camera-hz", "X",
+             "no stamps were recorded: so many pictures a second from the first pose on",
+             [&](const std::string& text) { feed.hz = parse_real_number("--camera-hz", text, 0.1, 1000); });
+  app.add_flag_callback(
+      "--camera-loop", [&] { feed.loop = true; },
+      "with --camera-hz: begin again at the end, as long as the poses last");
+  value_flag(app, "--camera-offset-ms", "X", "added to the stamp of each picture; may be negative",
+             [&](const std::string& text) {
+               feed.offset_ms = parse_signed_number("--camera-offset-ms", text, kLongestOffsetMs);
+             });
+  value_flag(
+      app, "--camera-hfov", "X", "width of the view in degrees, of a lens without distortion",
+      [&](const std::string& text) { feed.hfov_deg = parse_real_number("--camera-hfov", text, 1, 170); });
+  repeated_flag(
+      app, "--camera-calibration", "FILE",
+      "lens and its place instead: EuRoC's sensor.yaml, Kalibr's camchain.yaml, Project Aria's JSON",
+      feed.calibration);
+  repeated_flag(app, "--camera-label", "NAME", "which camera of that calibration", feed.label);
+  app.add_flag_callback(
+      "--no-camera", [&] { feed.none = true; }, "leave the pictures of a recorder's folder out");
+  value_flag(app, "--feed-distance", "M",
+             "metres from the displayed eye at which the feed is seen (default 2)",
+             [&](const std::string& text) {
+               feed.distance_m = parse_real_number("--feed-distance", text, 0.01, 10000);
+             });
+}
+
+}  // namespace
+
+void add_convert_flags(CLI::App& app, ConvertOptions& options) {
+  app.add_option("HEAD", options.head, "the recording: its trajectory of the head, or a recorder's folder")
+      ->type_name("");
+  app.add_option("OUT", options.out, "folder of the new session")->type_name("");
+  add_format_flags(app, options);
+  add_feed_flags(app, options.feed);
+  value_flag(app, "--profile", "NAME|FILE", "display profile of the session (default xr1)",
+             [&](const std::string& text) { options.profile = text; });
+  value_flag(app, "--scene", "PATH", "scene that session.json names, relative to OUT",
+             [&](const std::string& text) { options.scene = text; });
+  value_flag(app, "--licence", "TEXT", "licence of the recording",
+             [&](const std::string& text) { options.licence = text; });
+  app.add_flag_callback(
+      "--overwrite", [&] { options.overwrite = true; }, "replace the session that is there");
+  app.add_flag_callback(
+      "--keep-going", [&] { options.keep_going = true; },
+      "leave bad rows out instead of stopping at the first");
+  app.add_flag_callback(
+      "--json", [&] { options.json = true; }, "results on stdout as JSON");
+}
+
+void check_convert_flags(const ConvertOptions& options) {
+  if (!options.preset.empty() && !options.map.empty())
+    throw UsageError("--preset: --map is given too; give the name of a format (" +
+                     joined(built_in_map_names()) + ") or a column map");
+  if (options.show_map && options.preset.empty()) throw UsageError("--show-map: give --preset NAME");
+  if (options.show_map) return;
+  if (options.head.empty()) throw UsageError("HEAD: missing; give the recording");
+  if (!options.write_map.empty() && !options.check) throw UsageError("--write-map: give --check too");
+  if (options.check && !options.out.empty()) throw UsageError("OUT: --check converts nothing; leave it out");
+  if (options.check && (!options.preset.empty() || !options.map.empty()))
+    throw UsageError("--check: proposes a format; leave --preset and --map out");
+  if (!options.check && options.out.empty())
+    throw UsageError("OUT: missing; give the folder of the new session");
+}
+
+}  // namespace herr

@@ -1,0 +1,85 @@
+#include "server/convert/check_report.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "server/process/exit_code.h"
+#include "server/process/terminal.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/input_error.h"
+#include "sessions/import/check/proposal.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word_of(Proposal::Certainty certainty) {
+  switch (certainty) {
+    case Proposal::Certainty::certain:
+      return "certain";
+    case Proposal::Certainty::likely:
+      return "likely";
+    case Proposal::Certainty::cannot_tell:
+      return "cannot tell";
+  }
+  return "cannot tell";
+}
+
+// As a shell reads it back.
+std::string quoted(const std::string& word) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+// Empty where the data cannot tell.
+std::string command_line(const ConvertOptions& options, const Proposal& proposal) {
+  if (proposal.certainty == Proposal::Certainty::cannot_tell) return "";
+  std::string line = "herr convert " + quoted(options.head.string()) + " OUT";
+  if (options.gaze) line += " --gaze " + quoted(options.gaze->string());
+  if (!proposal.preset.empty()) line += " --preset " + quoted(proposal.preset);
+  if (!proposal.variant.empty()) line += " --variant " + quoted(proposal.variant);
+  if (proposal.preset.empty())
+    line += " --map " +
+            (options.write_map.empty() ? std::string("MAP.json") : quoted(options.write_map.string()));
+  if (proposal.still.head) line += " --still-head";
+  if (proposal.still.gaze) line += " --still-gaze";
+  return line;
+}
+
+std::string text_of(const Proposal& proposal, const std::string& line, bool map_written) {
+  std::string text = std::string("confidence: ") + word_of(proposal.certainty) + "\n";
+  for (const std::string& reason : proposal.reasons) text += "  " + printable(reason) + "\n";
+  for (const std::string& question : proposal.questions) text += "please say: " + printable(question) + "\n";
+  if (!line.empty()) text += "recommended: " + line + "\n";
+  if (!proposal.map_json.empty() && !map_written)
+    text += "with this in MAP.json (or give --write-map FILE):\n" + proposal.map_json;
+  return text;
+}
+
+std::string json_of(const Proposal& proposal, const std::string& line) {
+  Json json{{"confidence", word_of(proposal.certainty)},
+            {"command", line},
+            {"preset", proposal.preset},
+            {"variant", proposal.variant},
+            {"reasons", proposal.reasons},
+            {"questions", proposal.questions}};
+  json["map"] = proposal.map_json.empty() ? Json() : Json::parse(proposal.map_json);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+int run_format_check(const ConvertOptions& options, const RecordingFiles& files) {
+  const Proposal proposal = propose_format(files);
+  const bool write = !options.write_map.empty() && !proposal.map_json.empty();
+  if (write) write_whole_file(options.write_map, proposal.map_json);
+  const std::string line = command_line(options, proposal);
+  print_result(options.json ? json_of(proposal, line) : text_of(proposal, line, write));
+  return proposal.certainty == Proposal::Certainty::cannot_tell ? kExitInconclusive : kExitDone;
+}
+
+}  // namespace herr
