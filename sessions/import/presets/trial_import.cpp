@@ -11,8 +11,6 @@
 namespace herr {
 namespace {
 
-constexpr std::int64_t kTrialRows = 20000;
-
 // More than this share of the rows against it: the axes are wrong. People lie down and trackers fail, but not
 // for most of a recording.
 constexpr double kMost = 0.5;

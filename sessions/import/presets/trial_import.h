@@ -11,6 +11,8 @@
 
 namespace herr {
 
+inline constexpr std::int64_t kTrialRows = 20000;
+
 struct TrialImport {
   std::optional<std::string> error;  // what reading threw
   PlausibilityFigures figures;
