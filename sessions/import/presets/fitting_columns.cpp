@@ -47,6 +47,10 @@ template <typename Columns>
 Fits<Columns> fits_in(const std::filesystem::path& file, const std::vector<const Columns*>& alternatives) {
   Fits<Columns> fits;
   for (const Columns* columns : alternatives) {
+    // Of one variant the first that fits: what follows asks for less.
+    if (std::any_of(fits.columns.begin(), fits.columns.end(),
+                    [&](const Columns* before) { return before->variant == columns->variant; }))
+      continue;
     const std::optional<Misfit> lacks = misfit(file, *columns);
     if (!lacks)
       fits.columns.push_back(columns);
