@@ -9,9 +9,13 @@
 #include "server/process/exit_code.h"
 #include "server/text/number_text.h"
 #include "sessions/camera/camera_model.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
 #include "sessions/import/cameras/camera_calibration.h"
+#include "sessions/import/cameras/column_lens.h"
+#include "sessions/import/cameras/exif_time.h"
+#include "sessions/import/cameras/name_pattern.h"
 #include "sessions/import/presets/camera_table.h"
 
 namespace herr {
@@ -75,25 +79,55 @@ std::optional<StampedPictures> stamps_of(const FeedOptions& options, const FeedS
   if (!table.empty()) return stamps_from_table(pictures, table, camera_columns_of(table, *format.format.map));
   if (const auto pattern = stamp_pattern_of(pictures))
     return stamps_from_names(pictures, *pattern, options.zone_minutes);
-  if (has_exif_stamps(pictures)) return stamps_from_exif(pictures, options.zone_minutes);
+  if (read_exif_time(pictures.files.front())) return stamps_from_exif(pictures, options.zone_minutes);
   throw InputError(
       source.pictures, 0, "says nowhere when its pictures were taken",
       "give --camera-stamps TABLE, --camera-names PATTERN, or --camera-hz X where they follow each other "
       "evenly from the first pose on");
 }
 
-Feed open_feed(const FeedOptions& options, const FeedSource& source, const ChosenFormat& format) {
-  if (source.calibration.empty() && options.hfov_deg == 0)
-    throw InputError(source.pictures, 0, "has pictures of an unknown lens",
-                     "give --camera-hfov DEGREES or --camera-calibration FILE");
-  Feed feed;
-  feed.pictures = find_camera_pictures(source.pictures, source.names);
-  feed.stamped = stamps_of(options, source, feed.pictures, format);
+// Pictures of other cameras may lie in the same folder: their names do not fit the pattern.
+CameraPictures pictures_of(const FeedOptions& options, const FeedSource& source) {
+  if (source.names.empty()) return find_camera_pictures(source.pictures);
+  const NamePattern pattern(source.names, source.pictures);
+  return find_camera_pictures(source.pictures, [&](const std::string& stem) {
+    return pattern.find(stem, options.zone_minutes).has_value();
+  });
+}
+
+void set_lens(const FeedOptions& options, const FeedSource& source, std::size_t index,
+              const ChosenFormat& format, Feed& feed) {
   const ImageSize& size = feed.pictures.size;
-  if (source.calibration.empty())
+  if (options.hfov_deg != 0) {
     feed.camera.model = pinhole_camera(size.width_px, size.height_px, options.hfov_deg);
-  else
-    feed.camera = read_camera_calibration(source.calibration, source.label, size, format.format.columns.head);
+    return;
+  }
+  if (!source.calibration.empty()) {
+    const HeadColumns* head = format.format.columns.head;
+    feed.camera = read_camera_calibration(source.calibration, {source.label, index}, size,
+                                          head != nullptr ? *head : HeadColumns{});
+    return;
+  }
+  const fs::path table = source.stamps.empty() ? table_beside(source.pictures) : source.stamps;
+  if (!table.empty()) {
+    const CameraColumns columns = camera_columns_of(table, *format.format.map);
+    if (!columns.lens.empty()) {
+      const ColumnLens lens = lens_from_columns(table, columns, size);
+      feed.camera.model = lens.model;
+      feed.remarks = lens.remarks;
+      return;
+    }
+  }
+  throw InputError(source.pictures, 0, "has pictures of an unknown lens",
+                   "give --camera-hfov DEGREES or --camera-calibration FILE");
+}
+
+Feed open_feed(const FeedOptions& options, const FeedSource& source, std::size_t index,
+               const ChosenFormat& format) {
+  Feed feed;
+  feed.pictures = pictures_of(options, source);
+  feed.stamped = stamps_of(options, source, feed.pictures, format);
+  set_lens(options, source, index, format, feed);
   if (options.hz) feed.camera.nominal_hz = *options.hz;
   return feed;
 }
@@ -189,9 +223,10 @@ void check_feed_options(const FeedOptions& options) {
 std::vector<Feed> open_feeds(const FeedOptions& options, const std::vector<FoundCamera>& found,
                              const ChosenFormat& format, std::vector<std::string>& remarks) {
   std::vector<Feed> feeds;
+  std::size_t index = 0;
   for (const FeedSource& source : sources_of(options, found)) {
     try {
-      Feed feed = open_feed(options, source, format);
+      Feed feed = open_feed(options, source, index++, format);
       if (feed.stamped) {
         if (feed.camera.nominal_hz == 0) feed.camera.nominal_hz = median_hz(feed.stamped->pictures);
         const auto offset_ns = static_cast<TimeNs>(std::llround(options.offset_ms * 1e6));
@@ -208,8 +243,11 @@ std::vector<Feed> open_feeds(const FeedOptions& options, const std::vector<Found
 
 FeedReport write_feed(const FeedOptions& options, std::size_t camera, const Feed& feed,
                       const ImportReport& rows, SessionRecorder& recorder, void (*pass_by)()) {
-  if (feed.stamped) return write_stamped(camera, *feed.stamped, rows.shift_ns, recorder, pass_by);
-  return write_at_rate(options, camera, feed.pictures, rows.poses, recorder, pass_by);
+  FeedReport report = feed.stamped
+                          ? write_stamped(camera, *feed.stamped, rows.shift_ns, recorder, pass_by)
+                          : write_at_rate(options, camera, feed.pictures, rows.poses, recorder, pass_by);
+  report.remarks.insert(report.remarks.end(), feed.remarks.begin(), feed.remarks.end());
+  return report;
 }
 
 }  // namespace herr

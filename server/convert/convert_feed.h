@@ -21,6 +21,7 @@ struct Feed {
   CameraPictures pictures;
   std::optional<StampedPictures> stamped;  // none: at a rate, on the user's word
   SessionHeader::Camera camera;
+  std::vector<std::string> remarks;  // about the lens
 };
 
 struct FeedReport {

@@ -55,14 +55,17 @@ bool natural_less(const std::string& a, const std::string& b) {
   return a < b;  // "01" and "1": some order, always the same
 }
 
-CameraPictures find_camera_pictures(const std::filesystem::path& folder) {
+CameraPictures find_camera_pictures(const std::filesystem::path& folder,
+                                    const std::function<bool(const std::string&)>& keep) {
   CameraPictures pictures;
   std::error_code error;
   for (const std::string& name : list_folder(folder, error))
-    if (is_picture(name)) pictures.files.push_back(folder / name);
+    if (is_picture(name) && (!keep || keep(std::filesystem::path(name).stem().string())))
+      pictures.files.push_back(folder / name);
   if (error) throw InputError(folder, 0, "cannot be listed: " + error.message(), "name a folder of pictures");
   if (pictures.files.empty())
-    throw InputError(folder, 0, "holds no pictures", "name a folder of .jpg, .png or .exr files");
+    throw InputError(folder, 0, keep ? "holds no pictures whose names fit the pattern" : "holds no pictures",
+                     "name a folder of .jpg, .png or .exr files");
   std::sort(pictures.files.begin(), pictures.files.end(), [](const auto& a, const auto& b) {
     return natural_less(a.filename().string(), b.filename().string());
   });

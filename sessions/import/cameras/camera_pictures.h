@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@ struct CameraPictures {
 };
 
 // All JPEG, PNG and EXR files of the folder (not of folders in it). Throws InputError: no such folder, no
-// picture, one that cannot be read or that has another size.
-CameraPictures find_camera_pictures(const std::filesystem::path& folder);
+// picture, one that cannot be read or that has another size. `keep`: of a name without its extension; others
+// are passed over.
+CameraPictures find_camera_pictures(const std::filesystem::path& folder,
+                                    const std::function<bool(const std::string&)>& keep = {});
 
 // Numbers within names count as numbers: "2.jpg" comes before "10.jpg".
 bool natural_less(const std::string& a, const std::string& b);
