@@ -9,6 +9,7 @@
 #include "renderer/frame/renderer_impl.h"
 #include "scenes/load_scene.h"
 #include "sessions/session.h"
+#include "tests/missing_tool.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
@@ -21,7 +22,7 @@ class SampleFrameTest : public testing::Test {
   void SetUp() override {
     const std::filesystem::path samples = std::filesystem::path(test::source_dir()) / "scenes" / "samples";
     if (!std::filesystem::exists(samples / "generated" / "teapot.glb")) {
-      GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+      HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
     }
     scene_ = load_scene(samples / "general.scene.json");
   }

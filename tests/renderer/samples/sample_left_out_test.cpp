@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/load_scene.h"
+#include "tests/missing_tool.h"
 #include "tests/paths.h"
 #include "tests/renderer/busy_scene.h"
 #include "tests/renderer/rendered_frames.h"
@@ -27,7 +28,7 @@ class SampleLeftOutTest : public testing::TestWithParam<std::filesystem::path> {
 
 TEST_P(SampleLeftOutTest, EverythingOnGivesTheSameBits) {
   if (!std::filesystem::exists(GetParam().parent_path() / "generated" / "teapot.glb")) {
-    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
   }
   const Scene scene = load_scene(GetParam());
   RenderSettings lean = test::small_settings();

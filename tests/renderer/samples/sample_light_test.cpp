@@ -8,6 +8,7 @@
 
 #include "scenes/load_scene.h"
 #include "sessions/session.h"
+#include "tests/missing_tool.h"
 #include "tests/paths.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
@@ -40,7 +41,7 @@ std::int64_t all_shadow_rays(const RayCounts& rays) {
 TEST(SampleLightTest, AdaptiveSamplesOfTheGeneralSceneTraceAThirdOfTheRays) {
   const std::filesystem::path source = test::source_dir();
   if (!std::filesystem::exists(source / "scenes/samples/generated/teapot.glb")) {
-    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
   }
   const Scene scene = load_scene(source / "scenes/samples/general.scene.json");
   Session session = Session::open(source / "sessions/samples/desk-walk");

@@ -10,6 +10,7 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "scenes/load_scene.h"
+#include "tests/missing_tool.h"
 #include "tests/paths.h"
 #include "tests/renderer/half_pixels.h"
 #include "tests/renderer/test_scenes.h"
@@ -115,7 +116,7 @@ Bands crawling(bool levels) {
 
 TEST(SampleQualityTest, ThePeripheryCrawlsLessWithLevelsOfTextures) {
   if (!std::filesystem::exists(samples() / "generated/quality_boards.glb")) {
-    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
   }
   const Bands with = crawling(true), without = crawling(false);
   for (std::size_t band = 0; band < with.size(); ++band) {
@@ -130,7 +131,7 @@ TEST(SampleQualityTest, ThePeripheryCrawlsLessWithLevelsOfTextures) {
 
 TEST(SampleQualityTest, LettersAtTheGazeAreThoseOfOneRayForEachPixel) {
   if (!std::filesystem::exists(samples() / "generated/quality_boards.glb")) {
-    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
   }
   // 60 pixels a degree, the display's focus area; the gaze on the middle of the letter chart.
   constexpr int kSide = 600;

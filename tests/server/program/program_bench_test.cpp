@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "renderer/render_settings.h"
+#include "tests/missing_tool.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
@@ -31,7 +32,7 @@ void measure_one_frame_on(Isa isa) {
   if (!cpu_has(isa)) GTEST_SKIP() << "this CPU lacks " << name_of(isa);
   const std::filesystem::path source = test::source_dir();
   if (!std::filesystem::exists(source / "scenes/samples/generated/teapot.glb")) {
-    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
   }
   const TemporaryFolder folder;
   const std::string line = "cd '" + source.string() + "' && " + test::program_path() +
@@ -65,7 +66,7 @@ TEST(BenchSmoke, MeasuresOneFrameOnAvx512) {
 TEST(BenchSmoke, AveragesRunsAsTheTableOfThePaperDoes) {
   const std::filesystem::path source = test::source_dir();
   if (!std::filesystem::exists(source / "scenes/samples/generated/teapot.glb")) {
-    GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+    HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
   }
   const TemporaryFolder folder;
   const std::string out = folder.path().string() + "/out";

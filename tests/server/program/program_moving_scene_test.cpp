@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/missing_tool.h"
 #include "tests/paths.h"
 #include "tests/server/program/program_runner.h"
 #include "tests/server/small_session.h"
@@ -25,7 +26,7 @@ class ProgramMovingScene : public ::testing::Test {
   void SetUp() override {
     const fs::path scene = fs::path(test::source_dir()) / "scenes/samples/moving.scene.json";
     if (!fs::exists(scene.parent_path() / "generated/teapot.glb")) {
-      GTEST_SKIP() << "scenes/samples/generated is missing; an ordinary build makes it";
+      HERR_MISSING_TOOL("scenes/samples/generated is missing; an ordinary build makes it");
     }
     write_small_profile(root() / "slow.json");
     std::string profile = content_of(root() / "slow.json");

@@ -8,6 +8,7 @@
 
 #include "server/process/exit_code.h"
 #include "sessions/files/atomic_file.h"
+#include "tests/missing_tool.h"
 #include "tests/server/program/program_runner.h"
 #include "tests/server/small_session.h"
 
@@ -89,7 +90,7 @@ TEST_F(Start, NeedsNoPictureLibraryForWhatDecodesNothing) {
 
 TEST_F(Start, ReadsHeadersOfTexturesAloneToDescribeAScene) {
   if (!fs::exists(test::source_dir() + "/scenes/samples/generated/room.glb"))
-    GTEST_SKIP() << "the sample scenes are not generated";
+    HERR_MISSING_TOOL("the sample scenes are not generated");
   const std::string sample = "'" + test::source_dir() + "/sessions/samples/desk-walk'";
   EXPECT_EQ(loads_of("inspect " + sample, 0).find("libOpenImageIO"), std::string::npos);
   const Outcome described = run_program(root(), "inspect " + sample + " --json");

@@ -13,6 +13,7 @@
 
 #include "server/serve/prometheus_text.h"
 #include "server/serve/recycler.h"
+#include "tests/missing_tool.h"
 #include "tests/server/serve/served_board.h"
 #include "tests/temporary_folder.h"
 
@@ -250,7 +251,7 @@ TEST_F(Serve, PromtoolFindsNothingInTheMetrics) {
   const char* named = std::getenv("HERR_PROMTOOL");
   const std::string promtool = named != nullptr ? named : "promtool";
   if (std::system((promtool + " --version >/dev/null 2>&1").c_str()) != 0) {
-    GTEST_SKIP() << "no promtool; apt-get install prometheus, or set HERR_PROMTOOL";
+    HERR_MISSING_TOOL("no promtool; apt-get install prometheus, or set HERR_PROMTOOL");
   }
   publish(100);
   const TemporaryFolder folder;

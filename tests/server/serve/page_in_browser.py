@@ -164,8 +164,8 @@ def main():
     program, session = sys.argv[1], sys.argv[2]
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
     if chromium is None:
-        print("skipped: no chromium; apt-get install chromium")
-        return SKIPPED
+        print("no chromium; apt-get install chromium")
+        return 1 if "HERR_TOOLS_INSTALLED" in os.environ else SKIPPED
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else scratch)
         folder.mkdir(parents=True, exist_ok=True)

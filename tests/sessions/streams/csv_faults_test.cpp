@@ -6,6 +6,7 @@
 
 #include "sessions/files/input_error.h"
 #include "sessions/session.h"
+#include "tests/missing_tool.h"
 #include "tests/sessions/recorded_folder.h"
 
 namespace herr {
@@ -135,7 +136,7 @@ TEST(Streams, AcceptWindowsLineEndsAndAByteOrderMark) {
 
 TEST(Streams, ReadNumbersAlikeInALocaleWithDecimalCommas) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
-  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no such locale here";
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) HERR_MISSING_TOOL("no such locale here");
   const RecordedFolder folder;
   write_good_session(folder);
   folder.write("pose/data.csv", kPoseHeader + "0,1.5,0,0,0,0,0,1\n");
