@@ -1,0 +1,162 @@
+// Which format a recording is taken for: by its columns, and among siblings by what its data say.
+#include "sessions/import/presets/choose_format.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "sessions/import/presets/recording_folder.h"
+#include "tests/sessions/recorded_folder.h"
+
+namespace herr::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9f", value);
+  return text;
+}
+
+// 300 rows of 100 Hz: a head that turns to and fro by 60 degrees about the axis `up` (0 x, 1 y, 2 z) of the file,
+// its own axes parallel to the world's at the beginning.
+std::string turning_about(int up) {
+  std::string rows = "t,x,y,z,qx,qy,qz,qw\n";
+  for (int i = 0; i < 300; ++i) {
+    const double half = std::sin(i * 0.03) * kPi / 6;
+    const double q[3] = {up == 0 ? std::sin(half) : 0, up == 1 ? std::sin(half) : 0, up == 2 ? std::sin(half) : 0};
+    rows += number(1 + i * 0.01) + ",0.1,1.6,0.2," + number(q[0]) + "," + number(q[1]) + "," + number(q[2]) + "," +
+            number(std::cos(half)) + "\n";
+  }
+  return rows;
+}
+
+std::string head(const std::string& variant, const std::string& axes) {
+  return R"({"variant": ")" + variant + R"(", "time": {"column": "t", "unit": "s"},
+    "position": {"columns": ["x", "y", "z"]}, "orientation": {"quaternion_xyzw": ["qx", "qy", "qz", "qw"]},
+    "world_axes": )" + axes + R"(, "head_axes": )" + axes + "}";
+}
+
+const std::string kYUp = R"(["right", "up", "back"])", kZUp = R"(["forward", "left", "up"])";
+
+FormatRequest request(const RecordedFolder& folder, const std::string& heads) {
+  FormatRequest request;
+  request.files.head = folder / "head.csv";
+  request.map = std::make_shared<const ColumnMap>(
+      parse_column_map(R"({"format_version": 1, "name": "lab", "head": [)" + heads + "]}", "lab.json"));
+  return request;
+}
+
+TEST(ChooseFormat, TakesTheSiblingInWhichTheHeadTurnsAboutTheVertical) {
+  const RecordedFolder folder;
+  const std::string both = head("y-up", kYUp) + "," + head("z-up", kZUp);
+  folder.write("head.csv", turning_about(2));
+  const ChosenFormat z_up = choose_format(request(folder, both));
+  EXPECT_EQ(z_up.format.variant(), "z-up");
+  ASSERT_FALSE(z_up.remarks.empty());
+  EXPECT_NE(z_up.remarks.front().find("variant z-up was taken"), std::string::npos) << z_up.remarks.front();
+  folder.write("head.csv", turning_about(1));
+  EXPECT_EQ(choose_format(request(folder, both)).format.variant(), "y-up");
+}
+
+TEST(ChooseFormat, RefusesWithTheNamesOfBothWhereAStillHeadCannotTell) {
+  const RecordedFolder folder;
+  std::string rows = "t,x,y,z,qx,qy,qz,qw\n";
+  for (int i = 0; i < 300; ++i) rows += number(1 + i * 0.01) + ",0,0,0,0,0,0,1\n";
+  folder.write("head.csv", rows);
+  FormatRequest both = request(folder, head("y-up", kYUp) + "," + head("z-up", kZUp));
+  const std::string error = error_of([&] { choose_format(both); });
+  EXPECT_NE(error.find("variant y-up"), std::string::npos) << error;
+  EXPECT_NE(error.find("variant z-up"), std::string::npos) << error;
+  EXPECT_NE(error.find("--variant"), std::string::npos) << error;
+  both.variant = "z-up";
+  EXPECT_EQ(choose_format(both).format.variant(), "z-up");
+}
+
+TEST(ChooseFormat, OfOneVariantTakesTheFirstWhoseColumnsAreThere) {
+  const RecordedFolder folder;
+  folder.write("head.csv", turning_about(1));
+  std::string richer = head("", kYUp);
+  richer.replace(richer.find("\"position\""), 10, "\"part\": \"graph\", \"position\"");
+  const FormatRequest asked = request(folder, richer + "," + head("", kYUp));
+  const ChosenFormat chosen = choose_format(asked);
+  EXPECT_EQ(chosen.format.columns.head, &asked.map->head[1]);
+  EXPECT_TRUE(chosen.remarks.empty());
+}
+
+TEST(ChooseFormat, RecognisesAPresetByItsColumnsAndNamesItWhereAnotherWasAskedFor) {
+  const RecordedFolder folder;
+  std::string rows = "time,head_pos_x,head_pos_y,head_pos_z,head_rot_x,head_rot_y,head_rot_z\n";
+  for (int i = 0; i < 300; ++i)
+    rows += number(1 + i * 0.011) + ",0.1,1.6,0.2,10," + number(30 * std::sin(i * 0.02)) + ",1\n";
+  folder.write("head.csv", rows);
+  FormatRequest asked;
+  asked.files.head = folder / "head.csv";
+  EXPECT_EQ(choose_format(asked).format.preset, "jov2023");
+  asked.preset = "pico-neo";
+  const std::string error = error_of([&] { choose_format(asked); });
+  EXPECT_NE(error.find("pico-neo"), std::string::npos) << error;
+  EXPECT_NE(error.find("jov2023"), std::string::npos) << error;
+}
+
+TEST(ChooseFormat, SaysWhatToDoWithColumnsThatNobodyKnows) {
+  const RecordedFolder folder;
+  folder.write("head.csv", "a,b\n1,2\n3,4\n");
+  FormatRequest asked;
+  asked.files.head = folder / "head.csv";
+  EXPECT_NE(error_of([&] { choose_format(asked); }).find("--check"), std::string::npos);
+  asked.files.head = folder / "missing.csv";
+  EXPECT_NE(error_of([&] { choose_format(asked); }).find("does not exist"), std::string::npos);
+}
+
+TEST(ChooseFormat, AsksForAStillHeadWhereOnlyGazeWasRecorded) {
+  const RecordedFolder folder;
+  folder.write("gaze.csv", "t,gx,gy,gz\n1,0,0,1\n1.1,0,0,1\n");
+  FormatRequest asked;
+  asked.files.head = folder / "gaze.csv";
+  asked.map = std::make_shared<const ColumnMap>(parse_column_map(
+      R"({"format_version": 1, "name": "lab", "gaze": [{"in_head_file": true, "time": {"column": "t", "unit": "s"},
+          "axes": ["right", "up", "forward"], "combined": {"vector": ["gx", "gy", "gz"]}}]})",
+      "lab.json"));
+  EXPECT_NE(error_of([&] { choose_format(asked); }).find("--still-head"), std::string::npos);
+  asked.files = {"", folder / "gaze.csv"};
+  asked.still.head = true;
+  EXPECT_EQ(choose_format(asked).format.columns.head, nullptr);
+}
+
+TEST(RecordingFolder, FindsTheFilesAndCamerasOfAnEurocFolderFromAboveAndFromWithin) {
+  const RecordedFolder folder;
+  folder.write("V1/mav0/state_groundtruth_estimate0/data.csv", "#t\n");
+  folder.write("V1/mav0/cam0/data.csv", "#t\n");
+  folder.write("V1/mav0/cam0/sensor.yaml", "a: 1\n");
+  folder.write_image("V1/mav0/cam0/data/1.png", 4, 4);
+  for (const char* named : {"V1", "V1/mav0"}) {
+    const FoundRecording found = find_recording(folder / named, "", nullptr);
+    EXPECT_EQ(found.files.head, folder / "V1/mav0/state_groundtruth_estimate0/data.csv") << named;
+    EXPECT_EQ(found.preset, "euroc");
+    ASSERT_EQ(found.cameras.size(), 1u);
+    EXPECT_EQ(found.cameras[0].pictures, folder / "V1/mav0/cam0/data");
+    EXPECT_EQ(found.cameras[0].calibration, folder / "V1/mav0/cam0/sensor.yaml");
+  }
+}
+
+TEST(RecordingFolder, SaysWhatItLooksFor) {
+  const RecordedFolder folder;
+  folder.write("a/notes.txt", "\n");
+  EXPECT_NE(error_of([&] { find_recording(folder / "a", "", nullptr); }).find("no folder of a recorder"),
+            std::string::npos);
+  EXPECT_NE(error_of([&] { find_recording(folder / "a", "euroc", nullptr); }).find("state_groundtruth_estimate0"),
+            std::string::npos);
+  ColumnMap map;
+  map.layouts.push_back({"*_head.csv", "", {}});
+  folder.write("b/1_head.csv", "\n");
+  folder.write("b/2_head.csv", "\n");
+  EXPECT_NE(error_of([&] { find_recording(folder / "b", "", &map); }).find("several recordings"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace herr::test
