@@ -7,6 +7,7 @@
 namespace herr {
 namespace {
 
+constexpr double kMuchDisorder = 0.2;        // of the rows
 constexpr double kManyEqual = 0.05;          // of the rows
 constexpr TimeNs kPauseNs = 60'000'000'000;  // and more than StampRuns::far: worth a word
 
@@ -72,6 +73,8 @@ std::vector<std::string> stamp_remarks(const ClockCounts& clock, const StepPatte
     add("the stamps jump more than " + std::to_string(StampRuns::kMost) + " times (" +
         of_rows(clock.backward, clock) +
         " go backwards): every row that is newer than all before it was kept");
+  else if (static_cast<double>(clock.backward) > kMuchDisorder * static_cast<double>(clock.rows))
+    add(of_rows(clock.backward, clock) + " go backwards: are they in another order than that of time?");
   add(reset_remark(clock, runs));
   add(pause_remark(runs));
   if (pattern.usual_ns > 0 && static_cast<double>(clock.equal) > kManyEqual * static_cast<double>(clock.rows))

@@ -146,7 +146,7 @@ TEST(SessionHeader, RefusesFeedDistancesAndConversionsThatAreNone) {
   EXPECT_INPUT_ERROR(read(left_out("reason", std::string(1001, 'x'))), "reason has 1001 bytes");
   EXPECT_INPUT_ERROR(read(with("conversion", {{"left_out", std::vector(65, entry)}})),
                      "conversion.left_out has 65 elements");
-  EXPECT_INPUT_ERROR(read(with("conversion", {{"assumed", std::vector(65, "x")}})),
+  EXPECT_INPUT_ERROR(read(with("conversion", {{"assumed", std::vector(65, std::string("x"))}})),
                      "conversion.assumed has 65 elements");
   EXPECT_INPUT_ERROR(read(with("conversion", {{"assumed", {1}}})),
                      "conversion.assumed holds what is no text");
