@@ -14,6 +14,8 @@ MapJson camera_json(const CameraColumns& camera) {
   write_table(camera.table, entry);
   entry["time"] = json_of(camera.time);
   if (camera.file) entry["file"] = json_of(*camera.file);
+  write_filter(camera.valid, "valid", entry);
+  for (const ColumnRef& column : camera.lens) entry["lens"].push_back(json_of(column));
   return entry;
 }
 

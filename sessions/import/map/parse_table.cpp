@@ -57,11 +57,15 @@ TableFormat parse_table(const JsonObject& entry) {
 
 CameraColumns parse_camera(const JsonObject& entry) {
   entry.allow_only({"separator", "decimal", "comment", "header", "header_lines", "names_line", "ragged",
-                    "xml", "time", "file"});
+                    "xml", "time", "file", "valid", "lens"});
   CameraColumns camera;
   camera.table = parse_table(entry);
   camera.time = parse_time(entry);
   if (entry.has("file")) camera.file = parse_ref(entry, "file");
+  camera.valid = parse_filter(entry);
+  if (entry.has("lens")) camera.lens = parse_group(entry, "lens", 4).columns;
+  if (entry.has("lens") && camera.lens.size() != 4)
+    entry.fail("lens", "is one column", "name the columns of fx, fy, cx and cy");
   return camera;
 }
 

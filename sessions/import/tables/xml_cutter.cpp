@@ -24,11 +24,6 @@ constexpr std::size_t kMostValueBytes = 64 << 10;
 constexpr std::size_t kMostPlaces = 4096;
 constexpr std::size_t kMostOtherElements = 64;
 
-struct PathHash {
-  using is_transparent = void;
-  std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
-};
-
 std::string_view without_namespace(std::string_view name) {
   const std::size_t colon = name.rfind(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
@@ -37,11 +32,6 @@ std::string_view without_namespace(std::string_view name) {
 bool declares_namespace(std::string_view attribute) {
   return attribute == "xmlns" || attribute.starts_with("xmlns:");
 }
-
-struct Fault {
-  std::int64_t line = 0;
-  std::string problem, remedy;
-};
 
 std::string error_remedy(XML_Error error) {
   switch (error) {
@@ -59,6 +49,15 @@ std::string error_remedy(XML_Error error) {
 }  // namespace
 
 struct XmlCutter::State {
+  struct PathHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
+  struct Fault {
+    std::int64_t line = 0;
+    std::string problem, remedy;
+  };
+
   State(const std::filesystem::path& name, std::string element, bool learning)
       : file(name), row_element(std::move(element)), learn(learning), parser(XML_ParserCreate(nullptr)) {
     if (parser == nullptr) throw std::bad_alloc();
