@@ -17,6 +17,7 @@ struct Pose {
   glm::dvec3 position{0.0};                    // origin of b in a, metres
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  // unit quaternion (w, x, y, z in GLM's constructor)
 
+  bool operator==(const Pose&) const = default;
   glm::dvec3 operator()(const glm::dvec3& point) const { return orientation * point + position; }
 };
 

@@ -3,17 +3,18 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/matrix.hpp>
+#include <utility>
 
 namespace herr {
 namespace {
 
+const std::pair<const char*, glm::dvec3> kDirections[] = {{"right", {1, 0, 0}}, {"left", {-1, 0, 0}},
+                                                          {"up", {0, 1, 0}},    {"down", {0, -1, 0}},
+                                                          {"back", {0, 0, 1}},  {"forward", {0, 0, -1}}};
+
 std::optional<glm::dvec3> direction_of(const std::string& word) {
-  if (word == "right") return glm::dvec3(1, 0, 0);
-  if (word == "left") return glm::dvec3(-1, 0, 0);
-  if (word == "up") return glm::dvec3(0, 1, 0);
-  if (word == "down") return glm::dvec3(0, -1, 0);
-  if (word == "back") return glm::dvec3(0, 0, 1);
-  if (word == "forward") return glm::dvec3(0, 0, -1);
+  for (const auto& [name, direction] : kDirections)
+    if (word == name) return direction;
   return std::nullopt;
 }
 
@@ -29,6 +30,14 @@ std::optional<AxisDirections> AxisDirections::from_words(const std::array<std::s
   axes.sign_ = glm::determinant(axes.ours_from_theirs_);
   if (axes.sign_ == 0) return std::nullopt;  // exact: the columns are unit vectors along axes
   return axes;
+}
+
+std::array<std::string, 3> AxisDirections::words() const {
+  std::array<std::string, 3> words;
+  for (int i = 0; i < 3; ++i)
+    for (const auto& [name, direction] : kDirections)
+      if (ours_from_theirs_[i] == direction) words[static_cast<std::size_t>(i)] = name;
+  return words;
 }
 
 glm::dquat rotation_to_ours(const glm::dquat& q, const AxisDirections& world, const AxisDirections& body) {

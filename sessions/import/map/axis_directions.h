@@ -19,6 +19,10 @@ class AxisDirections {
   // lie on one line.
   static std::optional<AxisDirections> from_words(const std::array<std::string, 3>& words);
 
+  // What from_words was given.
+  std::array<std::string, 3> words() const;
+  bool operator==(const AxisDirections&) const = default;
+
   bool left_handed() const { return sign_ < 0; }
   glm::dvec3 to_ours(const glm::dvec3& v) const { return ours_from_theirs_ * v; }
 

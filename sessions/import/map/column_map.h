@@ -1,6 +1,7 @@
-// Where the numbers of a foreign recording stand and what they mean: rows, time, units, axes, which rows count.
+// Where the numbers of a foreign recording stand and what they mean: rows, time, units, axes, valid rows.
 // Every importer is such a map; the built-in ones are the JSON files of presets/maps/.
-// Before: a JSON file (schema in this folder's README.md). After: rows/ reads values with it, import_rows streams.
+// Before: a JSON file (schema in this folder's README.md).
+// After: rows/ reads values with it, import_rows streams; column_map_text writes it as JSON again.
 #pragma once
 
 #include <array>
@@ -24,12 +25,14 @@ namespace herr {
 struct ColumnRef {
   std::string name;
   std::size_t number = 0;  // 0: by name
+  bool operator==(const ColumnRef&) const = default;
 };
 
 // Several numbers: one column each, or all in one field, written as "(1, 2, 3)".
 struct ColumnGroup {
   std::vector<ColumnRef> columns;
   std::size_t numbers = 3;
+  bool operator==(const ColumnGroup&) const = default;
 };
 
 struct TableFormat {
@@ -41,6 +44,7 @@ struct TableFormat {
   std::size_t names_line = 1;    // ... and this one of them names the columns, from 1
   bool ragged = false;           // rows may have more or fewer fields beyond the columns in use
   std::string xml_row;           // not empty: an XML file, one element of this name a row
+  bool operator==(const TableFormat&) const = default;
 };
 
 // A stamp = scale * value + offset.
@@ -59,6 +63,7 @@ struct TimeColumns {
   double rate_hz = 0;
   double scale = 1;
   TimeNs offset_ns = 0;
+  bool operator==(const TimeColumns&) const = default;
 };
 
 // A test on one field.
@@ -69,11 +74,13 @@ struct RowCondition {
   std::vector<std::string> texts;  // is, is_not: one, the whole field as written; one_of
   double limit = 0;                // above, below
   std::uint64_t bits = 0;          // has_bits: all of them are set in the field, a whole number
+  bool operator==(const RowCondition&) const = default;
 };
 
 // Passes when every condition of `all` and, unless it is empty, one of `any` passes.
 struct RowFilter {
   std::vector<RowCondition> all, any;
+  bool operator==(const RowFilter&) const = default;
 };
 
 enum class RotationKind {
@@ -98,18 +105,19 @@ struct HeadColumns {
   double metres_per_unit = 1;
   RotationKind rotation_kind = RotationKind::quaternion_xyzw;
   ColumnGroup rotation;
-  ColumnGroup up;                          // forward_up
-  double radians_per_unit = 1;             // euler_xyz, rotation_vector
-  std::string euler_order;                 // the axes in the order in which the rotations are applied, "zxy"
+  ColumnGroup up;                           // forward_up
+  double radians_per_unit = 1;              // euler_xyz, rotation_vector
+  std::string euler_order;                  // the axes in the order in which the rotations are applied, "zxy"
   std::array<int, 3> euler_sense{1, 1, 1};  // -1: the file's angle about x, y, z turns the other way
-  bool column_major = false;               // matrices
-  bool head_from_world = false;            // the file holds the inverse pose
+  bool column_major = false;                // matrices
+  bool head_from_world = false;             // the file holds the inverse pose
   AxisDirections world_axes, head_axes;
   Pose body_from_head;  // in the file's axes; identity where the file records the head itself
   RowFilter valid;      // other rows are lost tracking and left out
-  // Acceleration of gravity in the file's world: checks that world_axes' up is against it. Empty: not recorded.
+  // Acceleration of gravity in the file's world: checks that world_axes' up is against it.
   std::optional<ColumnGroup> gravity;
   std::optional<ColumnRef> part;  // a graph or session id: where it changes, another recording begins
+  bool operator==(const HeadColumns&) const = default;
 };
 
 // How two angles make a direction (x to the right of the ray's axes, y up, z forward).
@@ -128,12 +136,14 @@ struct DirectionColumns {
   std::optional<ColumnGroup> angles;    // azimuth, elevation
   AngleKind angle_kind = AngleKind::tangents;
   double radians_per_unit = 1;
-  std::optional<ColumnGroup> point;   // what is looked at
-  std::optional<ColumnGroup> origin;  // point: of the ray, in the same space; none: the head's (or eye's) origin
-  double metres_per_unit = 1;         // point, origin
+  std::optional<ColumnGroup> point;  // what is looked at
+  // point: of the ray, in the same space; none: the head's (or eye's) origin.
+  std::optional<ColumnGroup> origin;
+  double metres_per_unit = 1;             // point, origin
   std::optional<glm::dvec3> placeholder;  // what the tracker writes when it has no direction
   RowFilter valid;
   std::optional<ColumnRef> confidence;  // only judged: it should change
+  bool operator==(const DirectionColumns&) const = default;
 };
 
 struct GazeColumns {
@@ -146,6 +156,7 @@ struct GazeColumns {
   // Combined, where the file tells which pupils were seen: left and right. One of them suffices for the ray.
   std::vector<RowFilter> pupils;
   AxisDirections axes;  // head, eye: of the head, as the gaze is written in; world: of the world
+  bool operator==(const GazeColumns&) const = default;
 };
 
 // When pictures were taken.
@@ -155,6 +166,7 @@ struct CameraColumns {
   // The picture's file name (with or without folders, of which only the last part counts), or a number that
   // stands in it. None: rows and pictures in natural order belong together.
   std::optional<ColumnRef> file;
+  bool operator==(const CameraColumns&) const = default;
 };
 
 // Where a program puts the files of one recording, relative to its folder. Names may hold one * a part.
@@ -162,21 +174,26 @@ struct RecordingLayout {
   struct Camera {
     std::string pictures, stamps, calibration;  // empty: none
     std::string names;                          // pattern of stamps in file names, as for --camera-names
+    bool operator==(const Camera&) const = default;
   };
   std::string head, gaze;  // empty: none
   std::vector<Camera> cameras;
+  bool operator==(const RecordingLayout&) const = default;
 };
 
 struct ColumnMap {
   std::string name, note;
-  std::vector<HeadColumns> head;      // alternatives whose columns are all there; siblings are told apart by the data
-  std::vector<GazeColumns> gaze;      // may be empty
-  std::vector<CameraColumns> camera;  // may be empty
+  // Alternatives: those whose columns are all there; siblings are told apart by the data. Any list may be
+  // empty, not both of head and gaze.
+  std::vector<HeadColumns> head;
+  std::vector<GazeColumns> gaze;
+  std::vector<CameraColumns> camera;
   std::vector<RecordingLayout> layouts;
   std::optional<double> vergence_m;
+  bool operator==(const ColumnMap&) const = default;
 };
 
-// Throw InputError.
+// Throw InputError that names the field, quotes what it holds and says what is legal.
 ColumnMap read_column_map(const std::filesystem::path& json_file);
 ColumnMap parse_column_map(std::string_view json, const std::filesystem::path& shown_name);
 
