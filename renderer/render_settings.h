@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace herr {
 
 inline constexpr int kMostLightSamples = 4096;
+inline constexpr double kUsualFeedDistance_m = 2.0;
 inline constexpr int kFewestProbeRays = 8, kMostProbeRays = 512;
 
 enum class Foveation : std::uint8_t { log_polar, off };
@@ -46,14 +48,16 @@ struct RenderSettings {
   // Rays from the eye are this many times as wide as their samples: textures and voxels are read at the level
   // that this asks for. 0: the finest.
   double ray_width = 1;
-  double detail_error = 0.5;     // samples that a simplified mesh may lie off; 0: full meshes only
-  bool covered_pixels = true;    // without foveation: trace context pixels that a focus viewport covers
-  bool reflections = true;       // trace one mirror bounce where a material asks for it
-  bool refraction = true;        // follow light through transparent materials; off: they are opaque
-  bool camera = true;            // composite over the camera feed where the session has one
-  bool gaze_marker = false;      // red circle around the gaze direction in every viewport
-  bool debug_tiles = false;      // colour the polar buffer in tiles of 15 degrees (Figure 6)
-  double feed_distance_m = 2.0;  // the camera feed is re-projected as if it lay on a sphere of this radius
+  double detail_error = 0.5;   // samples that a simplified mesh may lie off; 0: full meshes only
+  bool covered_pixels = true;  // without foveation: trace context pixels that a focus viewport covers
+  bool reflections = true;     // trace one mirror bounce where a material asks for it
+  bool refraction = true;      // follow light through transparent materials; off: they are opaque
+  bool camera = true;          // composite over the camera feed where the session has one
+  bool gaze_marker = false;    // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;    // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  // The camera feed is re-projected as if it lay on a sphere of this radius, metres, whose centre is the eye
+  // that is displayed. None: the distance that the session names, else kUsualFeedDistance_m.
+  std::optional<double> feed_distance_m;
   ProbeSettings probes;
   std::uint32_t seed = 0;  // of the random numbers, beside time, eye and sample
   // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the

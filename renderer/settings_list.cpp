@@ -75,6 +75,18 @@ std::vector<Setting> of_probes(ProbeSettings& p) {
   };
 }
 
+// None reads as the usual one, which holds unless a session names another.
+NumberSetting feed_distance(std::optional<double>& distance_m) {
+  NumberSetting setting;
+  setting.get = [&distance_m]() -> std::optional<double> {
+    return distance_m.value_or(kUsualFeedDistance_m);
+  };
+  setting.set = [&distance_m](std::optional<double> number) { distance_m = number; };
+  setting.lowest = 0.01;
+  setting.highest = kFarthestFeed_m;
+  return setting;
+}
+
 std::vector<Setting> of_pictures(RenderSettings& s) {
   return {
       {"camera", "--no-camera", "", Group::rays, Effect::pictures, "leave the camera feed out",
@@ -83,9 +95,10 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
        on_off(s.gaze_marker)},
       {"debug_tiles", "--debug-tiles", "", Group::look, Effect::pictures,
        "colour the polar buffer in tiles of 15 degrees", on_off(s.debug_tiles)},
-      {"feed_distance_m", "", "m", Group::look, Effect::pictures,
-       "the camera feed is re-projected as if it lay on a sphere of this radius",
-       real(s.feed_distance_m, 0.01, kFarthestFeed_m)},
+      {"feed_distance_m", "--feed-distance", "m", Group::look, Effect::pictures,
+       "the camera feed is shown as if it lay on a sphere of this radius about the displayed eye; where the "
+       "session names a distance, that one is the default",
+       feed_distance(s.feed_distance_m)},
   };
 }
 
@@ -103,7 +116,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 176);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 184);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;

@@ -305,7 +305,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     job.feed.model = camera.model;
     job.feed.camera_from_eye =
         inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
-    job.feed.distance_m = settings.feed_distance_m;
+    job.feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
   }
 }
 

@@ -14,6 +14,7 @@ RenderSettings resolved(RenderSettings settings) {
   check_settings(settings);
   if (settings.threads == 0) settings.threads = available_threads();
   settings.isa = resolve_isa(settings.isa);
+  if (!settings.feed_distance_m) settings.feed_distance_m = kUsualFeedDistance_m;
   return settings;
 }
 

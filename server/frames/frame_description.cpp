@@ -29,7 +29,8 @@ std::optional<double> camera_age_ms(const FrameSample& sample) {
 
 void describe_feed(const FrameSample& sample, const SessionReport& report, FrameRecord& record) {
   if (!report.plan.camera) return;
-  const auto feed = feed_registration(sample, report.header.cameras, report.settings.feed_distance_m);
+  const auto feed = feed_registration(sample, report.header.cameras,
+                                      report.settings.feed_distance_m.value_or(kUsualFeedDistance_m));
   if (!feed) return;
   record.feed_turn_arcmin = feed->turn_arcmin;
   record.feed_shift_arcmin = feed->shift_arcmin;

@@ -32,8 +32,10 @@ void open_recording(const ReplayOptions& options, const SessionReport& report, O
 
 void build_renderer(const RenderSettings& settings, const SessionReport& report, OpenedSession& opened) {
   opened.renderer.reset();  // first, so that memory holds one
+  RenderSettings asked = settings;
+  if (!asked.feed_distance_m) asked.feed_distance_m = report.header.feed_distance_m;
   const bool has_camera = report.findings.camera_rows[0] > 0;
-  opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, settings, has_camera);
+  opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, asked, has_camera);
 }
 
 void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {

@@ -73,6 +73,15 @@ Json camera_json(const SessionHeader::Camera& camera) {
   return json;
 }
 
+Json conversion_json(const SessionConversion& conversion) {
+  Json json = Json::object();
+  for (const SessionConversion::LeftOut& entry : conversion.left_out)
+    json["left_out"].push_back(
+        {{"stream", entry.stream}, {"rows", entry.rows}, {"of", entry.of}, {"reason", entry.reason}});
+  if (!conversion.assumed.empty()) json["assumed"] = conversion.assumed;
+  return json;
+}
+
 }  // namespace
 
 std::string header_text(const SessionHeader& header) {
@@ -89,6 +98,8 @@ std::string header_text(const SessionHeader& header) {
   if (header.gaze_hz > 0) rates["gaze"] = header.gaze_hz;
   if (!rates.empty()) json["rates_hz"] = rates;
   if (!header.scene.empty()) json["scene"] = header.scene;
+  if (header.feed_distance_m) json["feed_distance_m"] = *header.feed_distance_m;
+  if (!header.conversion.empty()) json["conversion"] = conversion_json(header.conversion);
   Json cameras = Json::array();
   for (const SessionHeader::Camera& camera : header.cameras) cameras.push_back(camera_json(camera));
   if (!cameras.empty()) json["cameras"] = cameras;

@@ -124,6 +124,50 @@ void parse_span(const JsonObject& root, ParsedSessionHeader& parsed) {
     root.fail("end_ns", "lies before start_ns", "exchange the two");
 }
 
+constexpr std::size_t kMostConversionEntries = 64, kLongestConversionText = 1000;
+constexpr std::int64_t kMostConversionRows = 1'000'000'000'000;
+
+const std::string& checked_sentence(const JsonObject& where, const char* key, const std::string& text) {
+  if (text.size() > kLongestConversionText)
+    where.fail(key, "has " + std::to_string(text.size()) + " bytes", "write a sentence of at most 1000");
+  return text;
+}
+
+void check_entry_count(const JsonObject& where, const char* key, std::size_t count) {
+  if (count > kMostConversionEntries)
+    where.fail(key, "has " + std::to_string(count) + " elements", "list at most 64");
+}
+
+SessionConversion::LeftOut parse_left_out(const JsonObject& entry) {
+  entry.allow_only({"stream", "rows", "of", "reason"});
+  SessionConversion::LeftOut left_out;
+  left_out.stream = entry.text("stream");
+  if (left_out.stream != "pose" && left_out.stream != "gaze" && left_out.stream != "cam0" &&
+      left_out.stream != "cam1")
+    entry.fail("stream", "is '" + printable(left_out.stream) + "'", "write pose, gaze, cam0 or cam1");
+  left_out.of = entry.integer("of", 1, kMostConversionRows);
+  left_out.rows = entry.integer("rows", 0, left_out.of);
+  left_out.reason = checked_sentence(entry, "reason", entry.text("reason"));
+  return left_out;
+}
+
+SessionConversion parse_conversion(const JsonObject& entry) {
+  entry.allow_only({"left_out", "assumed"});
+  SessionConversion conversion;
+  const std::vector<JsonObject> left_out = entry.objects("left_out");
+  check_entry_count(entry, "left_out", left_out.size());
+  for (const JsonObject& each : left_out) conversion.left_out.push_back(parse_left_out(each));
+  if (!entry.has("assumed")) return conversion;
+  const nlohmann::json& assumed = entry.value("assumed");
+  if (!assumed.is_array()) entry.fail("assumed", "is no list", "write a list of sentences");
+  check_entry_count(entry, "assumed", assumed.size());
+  for (const nlohmann::json& sentence : assumed) {
+    if (!sentence.is_string()) entry.fail("assumed", "holds what is no text", "write a list of sentences");
+    conversion.assumed.push_back(checked_sentence(entry, "assumed", sentence.get<std::string>()));
+  }
+  return conversion;
+}
+
 // First of all: in a newer version any other field may have a new meaning.
 void check_version(const JsonObject& root) {
   const std::int64_t version = root.integer("format_version", 0, 1'000'000);
@@ -143,7 +187,8 @@ ParsedSessionHeader read_session_header(const std::filesystem::path& session_jso
   const JsonObject root(document, session_json, "");
   check_version(root);
   root.allow_only({"format_version", "name", "provenance", "licence", "display_profile", "eye_offsets",
-                   "gaze_kind", "vergence_m", "rates_hz", "start_ns", "end_ns", "scene", "cameras"});
+                   "gaze_kind", "vergence_m", "rates_hz", "start_ns", "end_ns", "scene", "cameras",
+                   "feed_distance_m", "conversion"});
   ParsedSessionHeader parsed;
   SessionHeader& header = parsed.header;
   header.name = root.text("name");
@@ -162,6 +207,8 @@ ParsedSessionHeader read_session_header(const std::filesystem::path& session_jso
   header.scene = root.text_or("scene", "");
   if (!header.scene.empty() && header.scene.front() == '/')
     root.fail("scene", "is an absolute path", "write it relative to the session's folder");
+  if (root.has("feed_distance_m")) header.feed_distance_m = root.number("feed_distance_m", 0.01, 10000);
+  if (root.has("conversion")) header.conversion = parse_conversion(root.object("conversion"));
   const std::vector<JsonObject> cameras = root.objects("cameras");
   if (cameras.size() > 2)
     root.fail("cameras", "has " + std::to_string(cameras.size()) + " elements",

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sessions/format/pose.h"
-#include "sessions/import/stamps/row_fate.h"
 #include "sessions/import/rows/head_reader.h"
+#include "sessions/import/stamps/row_fate.h"
 #include "sessions/import/tables/row_source.h"
 #include "sessions/streams/interval_census.h"
 

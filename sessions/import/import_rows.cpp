@@ -1,203 +1,239 @@
 #include "sessions/import/import_rows.h"
 
-#include <array>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "sessions/files/input_error.h"
-#include "sessions/import/tables/foreign_table.h"
-#include "sessions/import/rows/row_readers.h"
+#include "sessions/format/session_header.h"
+#include "sessions/import/head_at.h"
+#include "sessions/import/ordered_rows.h"
+#include "sessions/import/row_watches.h"
+#include "sessions/import/rows/gaze_reader.h"
+#include "sessions/import/rows/head_reader.h"
+#include "sessions/import/stream_cursor.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {
 
-constexpr std::size_t kMostWarnings = 100;
+constexpr glm::dvec3 kAhead(0, 0, -1);
+constexpr TimeNs kSecondNs = 1'000'000'000;
 
-// The first alternative whose columns are all in the file. Throws what the first one lacks.
-template <typename Columns>
-const Columns& fitting(const std::filesystem::path& file, const std::vector<Columns>& alternatives) {
-  for (const Columns& columns : alternatives) {
-    const ForeignTable table(file, columns.table);
-    bool all = true;
-    for (const ColumnRef& column : columns_of(columns)) all = all && table.has(column);
-    if (all) return columns;
-  }
-  const ForeignTable table(file, alternatives.back().table);
-  for (const ColumnRef& column : columns_of(alternatives.back())) (void)table.place(column);
-  throw InputError(file, 0, "does not fit the map", "check the preset");
+bool same_column(const ColumnRef& a, const ColumnRef& b) {
+  return a.name == b.name && a.number == b.number;
 }
 
-// Counts, orders and hands on the rows of one stream.
-class StreamImport {
- public:
-  StreamImport(ForeignTable& table, const TimeColumn& time, const ImportRequest& request,
-               ImportedStream& stream, std::vector<std::string>& warnings)
-      : table_(table),
-        time_place_(table.place(time.column)),
-        unit_(time.unit),
-        keep_going_(request.keep_going),
-        stream_(stream),
-        warnings_(warnings) {
-    stream_.file = table.path();
-  }
+// Both read the same stamp from a row.
+bool same_time(const TimeColumns& a, const TimeColumns& b) {
+  return a.kind == b.kind && same_column(a.column, b.column) && same_column(a.nanoseconds, b.nanoseconds) &&
+         a.unit == b.unit && a.date_format == b.date_format && a.zone_minutes == b.zone_minutes &&
+         a.rate_hz == b.rate_hz && a.scale == b.scale && a.offset_ns == b.offset_ns;
+}
 
-  // Calls take(stamp) for each row in order of time; it returns whether it wrote the row.
-  template <typename Take>
-  void run(const Take& take) {
-    while (next_row()) {
-      try {
-        one_row(take);
-      } catch (const InputError& error) {
-        skip(error);
-      }
-    }
-    stream_.blank_lines = table_.blank_lines();
-    if (!table_.cut_off().empty())
-      warn(InputError(table_.path(), table_.line(),
-                      "the file ends within this line; '" + printable(table_.cut_off()) + "' was left out",
-                      "end the last line if it is whole")
-               .what());
-    if (stream_.rows == 0) throw InputError(table_.path(), 0, "has no usable rows", "check the map");
+class RowsImport {
+ public:
+  RowsImport(const ImportRequest& request, const ImportSink& sink) : request_(request), sink_(sink) {}
+
+  ImportReport run() {
+    find_streams();
+    survey();
+    if (has_head())
+      import_poses();
+    else
+      stand_still();
+    if (has_gaze())
+      import_gaze();
+    else if (request_.still.gaze)
+      look_ahead();
+    return std::move(report_);
   }
 
  private:
-  bool next_row() {
-    for (;;) {
-      try {
-        return table_.next();
-      } catch (const InputError& error) {
-        skip(error);
-      }
-    }
+  bool has_head() const { return head_.table != nullptr; }
+  bool has_gaze() const { return gaze_.table != nullptr; }
+
+  void find_streams() {
+    const auto [head, gaze] = request_.columns;
+    if (head != nullptr && !request_.still.head)
+      head_ = {request_.head_file, &head->table, &head->time, columns_of(*head)};
+    if (has_head() && head->part) head_.wanted.push_back(*head->part);
+    if (gaze != nullptr && !request_.still.gaze)
+      gaze_ = {request_.gaze_file.value_or(request_.head_file), &gaze->table, &gaze->time, columns_of(*gaze)};
+    if (!has_head() && !has_gaze())
+      throw InputError(request_.head_file, 0, "holds neither poses of the head nor gaze by this map",
+                       "check the map");
+    one_table_ = has_head() && has_gaze() && gaze_.path == head_.path && same_time(head->time, gaze->time);
+    if (one_table_ && gaze->space == GazeSpace::world)
+      gaze_.wanted.insert(gaze_.wanted.end(), head_.wanted.begin(), head_.wanted.end());
   }
 
+  void survey() {
+    if (has_head()) head_survey_ = survey_file(head_, request_);
+    if (has_gaze()) gaze_survey_ = one_table_ ? head_survey_ : survey_file(gaze_, request_);
+    TimeNs lowest_ns = 0, last_ns = 0;
+    for (const StampSurvey* survey : {&head_survey_, &gaze_survey_}) {
+      lowest_ns = std::min(lowest_ns, survey->lowest_ns);
+      last_ns = std::max(last_ns, survey->last_ns);
+    }
+    add_remarks(head_survey_, has_head() && has_gaze() && !one_table_ ? "poses: " : "");
+    if (!one_table_) add_remarks(gaze_survey_, has_head() ? "gaze: " : "");
+    for (const StreamFile* stream : {&head_, &gaze_})
+      if (stream->time != nullptr && stream->time->kind == TimeColumns::Kind::rate)
+        report_.assumed.push_back("stamps were not recorded: " + plain_number_text(stream->time->rate_hz) +
+                                  " rows a second");
+    if (lowest_ns == 0) return;
+    const TimeNs seconds = (-lowest_ns + kSecondNs - 1) / kSecondNs;
+    report_.shift_ns = seconds * kSecondNs;
+    if (last_ns > kLastStampNs - report_.shift_ns)
+      throw InputError(has_head() ? head_.path : gaze_.path, 0,
+                       "stamps reach from " + std::to_string(lowest_ns) + " to " + std::to_string(last_ns) +
+                           " ns: more than a session can hold",
+                       "check the time unit of the map");
+    report_.assumed.push_back("stamps are negative: " + std::to_string(seconds) +
+                              " s was added to every stamp");
+  }
+
+  void add_remarks(const StampSurvey& survey, const std::string& whose) {
+    for (const std::string& remark : survey.remarks) report_.remarks.push_back(whose + remark);
+  }
+
+  // Calls take(row) for each pose of the file.
   template <typename Take>
-  void one_row(const Take& take) {
-    const auto stamp = parse_stamp(table_.text(time_place_), unit_);
-    if (!stamp)
-      table_.fail_field(
-          time_place_,
-          "is '" + printable(std::string(table_.text(time_place_))) + "', no time stamp in range",
-          "check the time unit of the map, or remove the line");
-    if (stream_.rows > 0 && *stamp <= stream_.last_ns) {
-      const bool repeats = *stamp == stream_.last_ns;
-      ++(repeats ? stream_.repeated_stamps : stream_.backward_stamps);
-      warn(InputError(table_.path(), table_.line(),
-                      repeats ? "the time stamp repeats the one before" : "the time stamp goes backwards",
-                      "the row was left out")
-               .what());
-      return;
-    }
-    if (!take(*stamp)) return;
-    if (stream_.rows > 0)
-      stream_.intervals.count(*stamp - stream_.last_ns, table_.line());
+  void each_pose(ImportedStream& stream, Warnings& warnings, const Take& take) {
+    const HeadColumns& columns = *request_.columns.head;
+    StreamCursor cursor(head_, head_survey_, report_.shift_ns, request_.keep_going, stream, warnings);
+    const HeadReader reader(cursor.rows(), columns);
+    IdWatch ids(cursor.rows(), columns.part);
+    GravityWatch gravity;
+    OrderedRows<PoseRow> rows(cursor, request_.sort_rows, request_.most_rows);
+    const auto read = [&](PoseRow& row) {
+      const auto pose = reader.read(cursor.rows(), stream.reading);
+      if (!pose) {
+        cursor.leave_out(RowFate::lost_tracking, cursor.line());
+        return false;
+      }
+      row.world_from_head = *pose;
+      ids.see(cursor.rows());
+      if (columns.gravity) gravity.see(reader.gravity(cursor.rows()));
+      return true;
+    };
+    for (PoseRow row; rows.next(row, read);) take(row);
+    cursor.finish();
+    gravity.finish(head_.path, columns.world_axes);
+    if (&stream == &report_.poses) ids.finish(report_.remarks);
+  }
+
+  void import_poses() {
+    Pose before;
+    ImportedStream& stream = report_.poses;
+    each_pose(stream, warnings_, [&](const PoseRow& row) {
+      const Pose& pose = row.world_from_head;
+      const bool same = before.position == pose.position && before.orientation == pose.orientation;
+      stream.repeated_values += same && stream.rows > 1 ? 1 : 0;
+      before = pose;
+      sink_.pose(row);
+    });
+  }
+
+  // Calls take(row) for each row of gaze.
+  template <typename Take>
+  void each_gaze(ImportedStream& stream, Warnings& warnings, const Take& take) {
+    const GazeColumns& columns = *request_.columns.gaze;
+    StreamCursor cursor(gaze_, gaze_survey_, report_.shift_ns, request_.keep_going, stream, warnings);
+    const GazeReader reader(cursor.rows(), columns);
+    std::optional<HeadReader> row_head;
+    std::optional<HeadAt> head_at;
+    if (reader.needs_head() && one_table_)
+      row_head.emplace(cursor.rows(), *request_.columns.head);
+    else if (reader.needs_head() && has_head())
+      head_at.emplace(head_, *request_.columns.head, head_survey_, report_.shift_ns, request_.sort_rows);
+    const std::array<glm::dvec3, 2> eyes = reader.combined() ? std::array<glm::dvec3, 2>{} : request_.eyes;
+    ConfidenceWatch confidence;
+    ReadingCounts of_head;  // counted with the poses
+    OrderedRows<GazeRow> rows(cursor, request_.sort_rows, request_.most_rows);
+    const auto read = [&](GazeRow& row) {
+      std::optional<Pose> head;
+      if (row_head)
+        head = row_head->read(cursor.rows(), of_head);
+      else if (head_at)
+        head = (*head_at)(row.stamp_ns);
+      else
+        head.emplace();
+      reader.read(cursor.rows(), head ? &*head : nullptr, eyes, row, stream.reading);
+      if (!row.valid[0] && !row.valid[1]) stream.fates.count(RowFate::lost_tracking, cursor.line());
+      confidence.see(reader, cursor.rows(), row);
+      return true;
+    };
+    for (GazeRow row; rows.next(row, read);) take(row);
+    cursor.finish();
+    if (&stream != &report_.gaze) return;
+    report_.has_gaze = true;
+    report_.gaze_combined = reader.combined();
+    confidence.finish(report_.remarks);
+  }
+
+  void import_gaze() {
+    GazeRow before;
+    ImportedStream& stream = report_.gaze;
+    each_gaze(stream, warnings_, [&](const GazeRow& row) {
+      stream.one_eye_rows += row.valid[0] != row.valid[1] ? 1 : 0;
+      const bool same = row.valid == before.valid && (row.valid[0] || row.valid[1]) &&
+                        row.head_direction == before.head_direction;
+      stream.repeated_values += same && stream.rows > 1 ? 1 : 0;
+      before = row;
+      sink_.gaze(row);
+    });
+  }
+
+  // Poses at the gaze's stamps: the gaze is read twice, so that poses come first.
+  void stand_still() {
+    report_.assumed.push_back("the head stands still at the origin, level: no poses were given");
+    ImportedStream pass;
+    std::vector<std::string> texts;
+    Warnings warnings(texts);
+    each_gaze(pass, warnings, [&](const GazeRow& row) {
+      count(row.stamp_ns, report_.poses);
+      sink_.pose({row.stamp_ns, {}});
+    });
+  }
+
+  void look_ahead() {
+    report_.assumed.push_back("the gaze looks straight ahead: none was given");
+    ImportedStream pass;
+    std::vector<std::string> texts;
+    Warnings warnings(texts);
+    each_pose(pass, warnings, [&](const PoseRow& row) {
+      count(row.stamp_ns, report_.gaze);
+      sink_.gaze({row.stamp_ns, {kAhead, kAhead}, {true, true}});
+    });
+    report_.has_gaze = report_.gaze_combined = true;
+  }
+
+  // A row that no file holds.
+  static void count(TimeNs stamp_ns, ImportedStream& stream) {
+    if (stream.rows == 0)
+      stream.first_ns = stamp_ns;
     else
-      stream_.first_ns = *stamp;
-    stream_.last_ns = *stamp;
-    ++stream_.rows;
+      stream.intervals.count(stamp_ns - stream.last_ns, 0);
+    stream.last_ns = stamp_ns;
+    ++stream.rows;
+    ++stream.rows_read;
   }
 
-  void skip(const InputError& error) {
-    if (!keep_going_) throw error;
-    ++stream_.bad_rows;
-    warn(std::string(error.what()) + " (left out)");
-  }
-
-  void warn(const std::string& text) {
-    if (warnings_.size() < kMostWarnings) warnings_.push_back(text);
-    if (warnings_.size() == kMostWarnings) warnings_.push_back("further warnings are only counted");
-  }
-
-  ForeignTable& table_;
-  std::size_t time_place_;
-  TimeUnit unit_;
-  bool keep_going_;
-  ImportedStream& stream_;
-  std::vector<std::string>& warnings_;
+  const ImportRequest& request_;
+  const ImportSink& sink_;
+  ImportReport report_;
+  Warnings warnings_{report_.warnings};
+  StreamFile head_, gaze_;  // no table: not read
+  StampSurvey head_survey_, gaze_survey_;
+  bool one_table_ = false;  // each row holds a pose and its gaze
 };
-
-void import_poses(const ImportRequest& request, const ImportSink& sink, ImportReport& report) {
-  const HeadColumns& columns = fitting(request.head_file, request.map->head);
-  ForeignTable table(request.head_file, columns.table);
-  const HeadReader reader(table, columns);
-  std::optional<Pose> before;
-  StreamImport(table, columns.time, request, report.poses, report.warnings).run([&](TimeNs stamp_ns) {
-    const auto pose = reader.read(table, report.poses);
-    if (!pose) {
-      ++report.poses.lost_rows;
-      return false;
-    }
-    const bool same =
-        before && before->position == pose->position && before->orientation == pose->orientation;
-    report.poses.repeated_values += same ? 1 : 0;
-    before = pose;
-    sink.pose({stamp_ns, *pose});
-    return true;
-  });
-}
-
-// The gaze of one row. Rays are read where a pupil was seen; elsewhere trackers write anything.
-void read_rays(const ForeignTable& table, const std::vector<RayReader>& readers,
-               const std::vector<FilterReader>& pupils, const AxisDirections& axes, GazeRow& row,
-               ImportedStream& stream) {
-  std::array<bool, 2> seen{true, true};
-  for (std::size_t eye = 0; eye < pupils.size(); ++eye) seen[eye] = pupils[eye].passes(table);
-  if (!seen[0] && !seen[1]) return;
-  for (std::size_t eye = 0; eye < readers.size(); ++eye) {
-    const auto direction = readers[eye].read(table, stream);
-    row.valid[eye] = direction.has_value();
-    if (direction) row.head_direction[eye] = axes.to_ours(*direction);
-  }
-  if (readers.size() > 1) return;
-  row.head_direction[1] = row.head_direction[0];
-  row.valid = {row.valid[0] && seen[0], row.valid[0] && seen[1]};
-}
-
-void import_gaze(const ImportRequest& request, const std::filesystem::path& file, const GazeColumns& columns,
-                 const ImportSink& sink, ImportReport& report) {
-  ForeignTable table(file, columns.table);
-  std::vector<RayReader> readers;
-  for (const DirectionColumns& ray : columns.rays) readers.emplace_back(table, ray);
-  std::vector<FilterReader> pupils;
-  for (const RowFilter& pupil : columns.pupils) pupils.emplace_back(table, pupil);
-  report.has_gaze = true;
-  report.gaze_combined = readers.size() == 1;
-  std::optional<GazeRow> before;
-  StreamImport(table, columns.time, request, report.gaze, report.warnings).run([&](TimeNs stamp_ns) {
-    GazeRow row;
-    row.stamp_ns = stamp_ns;
-    read_rays(table, readers, pupils, columns.axes, row, report.gaze);
-    report.gaze.lost_rows += !row.valid[0] && !row.valid[1] ? 1 : 0;
-    report.gaze.one_eye_rows += row.valid[0] != row.valid[1] ? 1 : 0;
-    const bool same = before && row.valid == before->valid && (row.valid[0] || row.valid[1]) &&
-                      row.head_direction == before->head_direction;
-    report.gaze.repeated_values += same ? 1 : 0;
-    before = row;
-    sink.gaze(row);
-    return true;
-  });
-}
 
 }  // namespace
 
-const HeadColumns& fitting_head_columns(const ImportRequest& request) {
-  return fitting(request.head_file, request.map->head);
-}
-
 ImportReport import_rows(const ImportRequest& request, const ImportSink& sink) {
-  ImportReport report;
-  import_poses(request, sink, report);
-  std::vector<GazeColumns> usable;
-  for (const GazeColumns& columns : request.map->gaze)
-    if (columns.in_head_file || request.gaze_file) usable.push_back(columns);
-  if (request.gaze_file && usable.empty())
-    throw InputError(*request.gaze_file, 0, "cannot be read: map '" + request.map->name + "' has no gaze",
-                     "leave --gaze out, or write a map that has one");
-  if (usable.empty()) return report;
-  const std::filesystem::path& file = request.gaze_file ? *request.gaze_file : request.head_file;
-  const GazeColumns chosen = fitting(file, usable);
-  import_gaze(request, file, chosen, sink, report);
-  return report;
+  return RowsImport(request, sink).run();
 }
 
 }  // namespace herr

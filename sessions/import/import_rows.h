@@ -2,8 +2,12 @@
 // Before: presets/choose_format. After: SessionRecorder (or whatever takes the rows).
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "sessions/import/import_report.h"
@@ -32,6 +36,8 @@ struct ImportRequest {
   bool keep_going = false;     // leave bad rows out and count them instead of throwing
   std::size_t sort_rows = 0;   // rows that come at most so many rows late are put where they belong
   std::int64_t most_rows = 0;  // of each stream; 0: all (a trial reads a part)
+  // Centres of the eyes in the head, for gaze at points that names no origin; combined gaze has the head's.
+  std::array<glm::dvec3, 2> eyes{glm::dvec3(-0.0315, 0, 0), glm::dvec3(0.0315, 0, 0)};
 };
 
 struct ImportSink {
@@ -39,9 +45,9 @@ struct ImportSink {
   std::function<void(const GazeRow&)> gaze;
 };
 
-// Poses first, then gaze. Negative stamps move all streams by the same whole number of seconds (shift_ns of the
-// report; the feed's stamps move with them). Throws InputError; a stream without one good row is an error whatever
-// the request.
+// Poses first, then gaze. Negative stamps move all streams by the same whole number of seconds (shift_ns of
+// the report; the feed's stamps move with them). Throws InputError; a stream without one good row is an error
+// whatever the request.
 ImportReport import_rows(const ImportRequest& request, const ImportSink& sink);
 
 }  // namespace herr

@@ -1,4 +1,4 @@
-// Text of one field of a row. Before: who cuts lines into fields (csv_rows, foreign_table).
+// Text of one field of a row. Before: who cuts lines into fields (csv_rows, import/tables).
 // After: numbers and messages.
 #pragma once
 

@@ -3,8 +3,9 @@
 // Before: import_rows, stream_meter, frame_ages. After: reports.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <map>
+#include <vector>
 
 #include "sessions/format/pose.h"
 
@@ -31,12 +32,17 @@ class IntervalCensus {
 
  private:
   struct Bucket {
+    int name = 0;                   // by logarithm
+    TimeNs from_ns = 0, to_ns = 0;  // intervals that certainly belong to it
     std::int64_t intervals = 0;
     double sum_ns = 0, sum_squares = 0;
 
     double mean_ns() const { return sum_ns / static_cast<double>(intervals); }
   };
-  std::map<int, Bucket> buckets_;  // by logarithm
+  Bucket& bucket_of(TimeNs interval_ns);
+
+  std::vector<Bucket> buckets_;  // by name
+  std::size_t last_ = 0;         // where the last interval was counted
   std::int64_t intervals_ = 0;
   TimeNs widest_ns_ = 0;
   std::int64_t widest_line_ = 0;

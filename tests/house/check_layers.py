@@ -31,6 +31,8 @@ FOREIGN = (
     Foreign("OpenImageIO", ("OpenImageIO/*",),
             ("sessions/pictures/openimageio/*.cpp", "scenes/samples/generator/*picture*.cpp", "tests/*.cpp")),
     Foreign("libjpeg", ("jpeglib.h",), ("sessions/pictures/jpeg_*.cpp", "tests/*.cpp")),
+    Foreign("yaml-cpp", ("yaml-cpp/*",), ("sessions/import/cameras/yaml_document.cpp",)),
+    Foreign("libexpat", ("expat.h",), ("sessions/import/tables/xml_*.cpp",), one_file=True),
     Foreign("OpenEXR", ("OpenEXR/*", "Imf*.h"),
             ("server/output/*", "sessions/pictures/exr_*.cpp", "tests/*.cpp")),
     Foreign("Embree", ("embree3/*", "embree4/*"),

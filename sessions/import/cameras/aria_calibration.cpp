@@ -6,6 +6,7 @@
 #include "sessions/files/input_error.h"
 #include "sessions/files/line_reader.h"
 #include "sessions/files/strict_json.h"
+#include "sessions/import/cameras/camera_on_head.h"
 
 namespace herr {
 namespace {
@@ -83,12 +84,24 @@ bool fit_to_pictures(CameraModel& model, const std::string& label) {
   return model.width_px == kHalfSizePx || model.width_px == kColourPx;
 }
 
+// The grey cameras of Gen 2 are called slam-front-left ...; those of Gen 1 camera-slam-left and
+// camera-slam-right. The glasses' frame and the sizes of their pictures differ too.
+void refuse_gen2(const JsonObject& root, const std::filesystem::path& file) {
+  for (const JsonObject& entry : root.objects("CameraCalibrations")) {
+    const std::string label = entry.text("Label");
+    if (label.starts_with("slam-"))
+      throw InputError(file, 0, "is a calibration of Aria Gen 2 glasses (camera '" + printable(label) + "')",
+                       "only Gen 1 is known; leave --camera-calibration out and give --camera-hfov");
+  }
+}
+
 }  // namespace
 
 SessionHeader::Camera read_aria_camera(const std::filesystem::path& file, const std::string& label,
                                        const ImageSize& size, const HeadColumns& head) {
   const nlohmann::json document = read_calibration(file);
   const JsonObject root(document, file, "");
+  refuse_gen2(root, file);
   std::string known;
   for (const JsonObject& entry : root.objects("CameraCalibrations")) {
     known += (known.empty() ? "" : ", ") + printable(entry.text("Label"));
@@ -101,15 +114,14 @@ SessionHeader::Camera read_aria_camera(const std::filesystem::path& file, const 
                            std::to_string(size.width_px) + "x" + std::to_string(size.height_px),
                        "use the pictures as they were recorded");
     camera.model.prepare();
-    // Aria's cameras look along +z with y down.
-    const auto lens = AxisDirections::from_words({"right", "down", "forward"});
-    const Pose head_from_camera =
-        inverse(head.body_from_head) * parse_transform(entry.object("T_Device_Camera"));
-    camera.head_from_camera = {head.head_axes.to_ours(head_from_camera.position),
-                               rotation_to_ours(head_from_camera.orientation, head.head_axes, *lens)};
+    camera.head_from_camera = camera_on_head(parse_transform(entry.object("T_Device_Camera")), head);
     return camera;
   }
-  throw InputError(file, 0, "has no camera '" + printable(label) + "'", "its cameras are: " + known);
+  throw InputError(
+      file, 0,
+      known.empty() ? "lists no cameras (CameraCalibrations)" : "has no camera '" + printable(label) + "'",
+      known.empty() ? "give the calibration of Project Aria glasses"
+                    : "give --camera-label with one of: " + known);
 }
 
 }  // namespace herr

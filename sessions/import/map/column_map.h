@@ -166,6 +166,8 @@ struct CameraColumns {
   // The picture's file name (with or without folders, of which only the last part counts), or a number that
   // stands in it. None: rows and pictures in natural order belong together.
   std::optional<ColumnRef> file;
+  RowFilter valid;              // other rows are of another camera
+  std::vector<ColumnRef> lens;  // fx, fy, cx, cy in pixels, written with every row; or empty
   bool operator==(const CameraColumns&) const = default;
 };
 

@@ -1,4 +1,5 @@
-// Whether a row counts, by the conditions of a map. Before: RowSource, RowFilter. After: head_reader, gaze_reader.
+// Whether a row counts, by the conditions of a map. Before: RowSource, RowFilter. After: head_reader,
+// gaze_reader.
 #pragma once
 
 #include <cstddef>

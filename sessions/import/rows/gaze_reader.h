@@ -4,16 +4,17 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sessions/format/pose.h"
 #include "sessions/import/map/column_map.h"
 #include "sessions/import/rows/filter_reader.h"
-#include "sessions/import/rows/head_reader.h"
 #include "sessions/import/rows/places.h"
+#include "sessions/import/rows/reading_counts.h"
 #include "sessions/import/tables/row_source.h"
 #include "sessions/streams/stream_rows.h"
 
@@ -36,12 +37,17 @@ class GazeReader {
 
  private:
   struct Ray {
+    const DirectionColumns* columns = nullptr;
     FilterReader valid;
-    Places vector, tangents, angles, point, origin;
+    Places direction;  // vector, tangents or angles
+    Places point, origin;
     std::optional<std::size_t> confidence;
   };
-  std::optional<glm::dvec3> direction(const RowSource& rows, std::size_t ray, const Pose* world_from_head,
+  // In our axes of the head; none where the tracker had no direction.
+  std::optional<glm::dvec3> direction(const RowSource& rows, const Ray& ray, const Pose* world_from_head,
                                       const glm::dvec3& eye, ReadingCounts& counts) const;
+  std::optional<glm::dvec3> towards_point(const RowSource& rows, const Ray& ray, const Pose* world_from_head,
+                                          const glm::dvec3& eye) const;
 
   const GazeColumns& columns_;
   std::vector<Ray> rays_;

@@ -2,9 +2,7 @@
 // After: import_rows. No allocation per row.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
@@ -12,14 +10,11 @@
 #include "sessions/import/map/column_map.h"
 #include "sessions/import/rows/filter_reader.h"
 #include "sessions/import/rows/places.h"
+#include "sessions/import/rows/reading_counts.h"
+#include "sessions/import/rows/rotation_reader.h"
 #include "sessions/import/tables/row_source.h"
 
 namespace herr {
-
-// What reading had to put right.
-struct ReadingCounts {
-  std::int64_t normalised = 0;  // quaternions, directions or matrices off by more than rounding
-};
 
 class HeadReader {
  public:
@@ -32,9 +27,13 @@ class HeadReader {
   std::optional<glm::dvec3> gravity(const RowSource& rows) const;
 
  private:
+  Pose to_ours(const Pose& recorded) const;
+
   const HeadColumns& columns_;
   FilterReader valid_;
-  Places position_, rotation_, up_, gravity_;
+  RotationReader rotation_;
+  Places position_, gravity_;
+  std::optional<Pose> head_in_body_;  // body_from_head in our axes, where the body is not the head itself
 };
 
 std::vector<ColumnRef> columns_of(const HeadColumns& head);

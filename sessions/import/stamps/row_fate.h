@@ -1,6 +1,6 @@
-// What can happen to a row of a foreign recording, each with its word in JSON, its sentence and whether it is a loss:
-// the one list from which reports, session.json and exit codes are made.
-// Before: stamps/, import_rows. After: import_report, `herr convert`.
+// What can happen to a row of a foreign recording, each with its word in JSON, its sentence and whether it is
+// a loss: the one list from which reports, session.json and exit codes are made. Before: stamps/,
+// import_rows. After: import_report, `herr convert`.
 #pragma once
 
 #include <array>

@@ -45,7 +45,8 @@ class RowSource {
   void numbers(std::size_t place, std::span<double> values) const;
 
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const;
-  [[noreturn]] void fail_field(std::size_t place, const std::string& problem, const std::string& remedy) const;
+  [[noreturn]] void fail_field(std::size_t place, const std::string& problem,
+                               const std::string& remedy) const;
 
   std::int64_t line() const { return line_; }  // of the row's beginning, from 1
   const std::filesystem::path& path() const { return path_; }
@@ -64,11 +65,14 @@ class RowSource {
   std::int64_t line_ = 0;
   RowSourceCounts counts_;
   std::string cut_off_;
+
+ private:
+  [[noreturn]] void fail_number(std::size_t place) const;
 };
 
-// Opens the file and reads what comes before its first row. `wanted`: all columns that will be asked for; where
-// separator or decimal sign are to be found in the file, those with which all of them are there.
-// Throws InputError.
+// Opens the file and reads what comes before its first row. `wanted`: all columns that will be asked for;
+// where separator or decimal sign are to be found in the file, those with which all of them are there. Throws
+// InputError.
 std::unique_ptr<RowSource> open_rows(const std::filesystem::path& file, const TableFormat& format,
                                      std::span<const ColumnRef> wanted);
 

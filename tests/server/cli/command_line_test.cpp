@@ -79,6 +79,8 @@ TEST(CommandLine, ReplayUnderstandsEveryFlagItOffers) {
                                         "--foveation",
                                         "off",
                                         "--gaze-marker",
+                                        "--feed-distance",
+                                        "1.5",
                                         "--debug-tiles",
                                         "--policy",
                                         "fixed",
@@ -114,6 +116,7 @@ TEST(CommandLine, ReplayUnderstandsEveryFlagItOffers) {
   EXPECT_FALSE(options.render.camera);
   EXPECT_EQ(options.render.foveation, Foveation::off);
   EXPECT_TRUE(options.render.gaze_marker);
+  EXPECT_EQ(options.render.feed_distance_m, 1.5);
   EXPECT_TRUE(options.render.debug_tiles);
   EXPECT_EQ(options.clock, ReplayClock::max);
   EXPECT_EQ(options.frames, 10);
@@ -142,6 +145,7 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
       {"--isa", {"avx", "sse", ""}},
       {"--foveation", {"on", "logpolar"}},
       {"--policy", {"best", "motion,deadline", "deadline+motion", ""}},
+      {"--feed-distance", {"0", "0.001", "-1", "nan", "2m", ""}},
       {"--polar-floor", {"0", "1", "99", "-2", "16386", "1e2"}},
       {"--clock", {"wall", "real"}},
       {"--sampling", {"newest"}},

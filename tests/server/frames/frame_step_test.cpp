@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "renderer/frame_counters.h"
 #include "server/check/measure/allocation_counter.h"
+#include "server/results/fingerprint.h"
+#include "server/results/settings_report.h"
 #include "tests/server/moving_scene.h"
 #include "tests/temporary_folder.h"
 
@@ -111,6 +115,31 @@ TEST_F(FrameStepTest, FramesAfterRewindingAreThoseOfAFreshReplay) {
       expect_same(pictures(step, opened->report.range), first);
     }
   }
+}
+
+// Told in the header of pictures and in the fingerprint as it was used, whoever named it.
+TEST_F(FrameStepTest, TheFeedLiesWhereTheFlagElseTheSessionSays) {
+  const auto told = [](const Opened& opened) {
+    return settings_text(resolved_options(opened.options, opened.report));
+  };
+  const auto usual = open();
+  EXPECT_EQ(usual->report.settings.feed_distance_m, 2.0);
+  EXPECT_EQ(told(*usual).find("feed distance"), std::string::npos);
+
+  const fs::path header = root() / "walk" / "session.json";
+  std::ifstream in(header);
+  nlohmann::json json = nlohmann::json::parse(in);
+  json["feed_distance_m"] = 3.5;
+  std::ofstream(header) << json;
+  const auto named = open();
+  EXPECT_EQ(named->report.settings.feed_distance_m, 3.5);
+  EXPECT_NE(told(*named).find("feed distance 3.5 m"), std::string::npos) << told(*named);
+  const auto before = fingerprint_of(usual->report, usual->options, usual->session.scene);
+  const auto now = fingerprint_of(named->report, named->options, named->session.scene);
+  EXPECT_EQ(difference(before, now), "--feed-distance was 2, is 3.5");
+
+  options_.render.feed_distance_m = 1.25;
+  EXPECT_EQ(open()->report.settings.feed_distance_m, 1.25);
 }
 
 TEST_F(FrameStepTest, RewoundInTheMiddleItBeginsAtTheBeginning) {

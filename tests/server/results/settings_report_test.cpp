@@ -124,6 +124,7 @@ TEST(SettingsReport, KeysAndValuesAreThoseOfEarlierPrograms) {
                                    {"--foveation", "log-polar"},
                                    {"--gaze-marker", "not given"},
                                    {"--debug-tiles", "not given"},
+                                   {"--feed-distance", "2"},
                                    {"--sampling", "latest"},
                                    {"--policy", "fixed"},
                                    {"--polar-floor", "196"},

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "sessions/format/header_text.h"
 #include "tests/paths.h"
 #include "tests/sessions/recorded_folder.h"
 
@@ -100,6 +101,56 @@ TEST(SessionHeader, IsRefusedFieldByField) {
   nlohmann::json three = example();
   three["cameras"] = {three["cameras"][0], three["cameras"][0], three["cameras"][0]};
   EXPECT_INPUT_ERROR(read(three), "cameras has 3 elements");
+}
+
+TEST(SessionHeader, FeedDistanceAndConversionAreReadAsTheyAreWritten) {
+  SessionHeader header = read(example()).header;
+  EXPECT_FALSE(header.feed_distance_m);
+  EXPECT_TRUE(header.conversion.empty());
+  EXPECT_EQ(nlohmann::json::parse(header_text(header)).count("conversion"), 0u);
+  header.feed_distance_m = 3.25;
+  header.conversion.left_out = {{"pose", 40, 1200, "the stamp is far from its neighbours"},
+                                {"cam1", 0, 7, ""}};
+  header.conversion.assumed = {"camera stamps were not recorded: 15 pictures a second"};
+  const auto [again, start_ns, end_ns, warnings] = read(nlohmann::json::parse(header_text(header)));
+  EXPECT_EQ(again.feed_distance_m, 3.25);
+  ASSERT_EQ(again.conversion.left_out.size(), 2u);
+  EXPECT_EQ(again.conversion.left_out[0].stream, "pose");
+  EXPECT_EQ(again.conversion.left_out[0].rows, 40);
+  EXPECT_EQ(again.conversion.left_out[0].of, 1200);
+  EXPECT_EQ(again.conversion.left_out[0].reason, "the stamp is far from its neighbours");
+  EXPECT_EQ(again.conversion.left_out[1].stream, "cam1");
+  EXPECT_EQ(again.conversion.assumed, header.conversion.assumed);
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(SessionHeader, RefusesFeedDistancesAndConversionsThatAreNone) {
+  const nlohmann::json entry{{"stream", "pose"}, {"rows", 4}, {"of", 12}, {"reason", "lost"}};
+  const auto with = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json document = example();
+    document[key] = value;
+    return document;
+  };
+  const auto left_out = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json changed = entry;
+    changed[key] = value;
+    return with("conversion", {{"left_out", {changed}}});
+  };
+  EXPECT_INPUT_ERROR(read(with("feed_distance_m", 0)), "feed_distance_m is 0");
+  EXPECT_INPUT_ERROR(read(with("feed_distance_m", 10001)), "feed_distance_m is 10001");
+  EXPECT_INPUT_ERROR(read(with("conversion", {{"leftout", 1}})), "conversion.leftout");
+  EXPECT_INPUT_ERROR(read(left_out("stream", "head")), "conversion.left_out[0].stream is 'head'");
+  EXPECT_INPUT_ERROR(read(left_out("rows", 13)), "conversion.left_out[0].rows is 13");
+  EXPECT_INPUT_ERROR(read(left_out("of", 0)), "conversion.left_out[0].of is 0");
+  EXPECT_INPUT_ERROR(read(left_out("why", "x")), "conversion.left_out[0].why");
+  EXPECT_INPUT_ERROR(read(left_out("reason", std::string(1001, 'x'))), "reason has 1001 bytes");
+  EXPECT_INPUT_ERROR(read(with("conversion", {{"left_out", std::vector(65, entry)}})),
+                     "conversion.left_out has 65 elements");
+  EXPECT_INPUT_ERROR(read(with("conversion", {{"assumed", std::vector(65, std::string("x"))}})),
+                     "conversion.assumed has 65 elements");
+  EXPECT_INPUT_ERROR(read(with("conversion", {{"assumed", {1}}})),
+                     "conversion.assumed holds what is no text");
+  EXPECT_INPUT_ERROR(read(with("conversion", {{"assumed", "x"}})), "conversion.assumed is no list");
 }
 
 TEST(SessionHeader, WarnsOfSwappedEyesAndOfEyesMetresApart) {

@@ -1,0 +1,23 @@
+#include "sessions/import/stamps/row_fate.h"
+
+namespace herr {
+namespace {
+
+// In the order of RowFate.
+constexpr std::array<RowFateText, kRowFates> kTexts{{
+    {"lost_tracking", "rows without tracking", false},
+    {"wild_stamp", "rows left out: the stamp is far from its neighbours", true},
+    {"other_clock", "rows left out: before the newest stamp, the clock was reset", true},
+    {"backward_stamp", "rows left out: the stamp goes backwards", true},
+    {"repeated_stamp", "rows left out: the stamp repeats the one before", true},
+    {"bad", "rows left out: they cannot be read", true},
+    {"thinned", "rows left out: a second camera's stamp beside the first one's", false},
+}};
+
+}  // namespace
+
+std::span<const RowFateText, kRowFates> row_fate_texts() {
+  return kTexts;
+}
+
+}  // namespace herr

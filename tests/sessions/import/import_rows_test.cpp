@@ -1,0 +1,421 @@
+// Small recordings of every kind of disorder, each through a plain map, against what its rows say.
+#include "sessions/import/import_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <string>
+#include <vector>
+
+#include "sessions/text/fixed_text.h"
+#include "tests/sessions/recorded_folder.h"
+
+namespace herr::test {
+namespace {
+
+// Seconds, metres, quaternion, all in our axes; gaze as vectors in a file of its own.
+constexpr const char* kMap = R"({
+  "format_version": 1, "name": "plain", "note": "",
+  "head": [{
+    "time": {"column": "t", "unit": "s"},
+    "position": {"columns": ["x", "y", "z"], "unit": "m"},
+    "orientation": {"quaternion_xyzw": ["qx", "qy", "qz", "qw"]},
+    "world_axes": ["right", "up", "back"], "head_axes": ["right", "up", "back"]HEAD
+  }],
+  "gaze": [{
+    "time": {"column": "t", "unit": "s"}, "axes": ["right", "up", "back"],
+    "combined": {"vector": ["gx", "gy", "gz"]GAZE}MORE
+  }]
+})";
+
+struct Imported {
+  std::vector<PoseRow> poses;
+  std::vector<GazeRow> gaze;
+  ImportReport report;
+};
+
+const std::string kHead = "t,x,y,z,qx,qy,qz,qw\n";
+const std::string kGaze = "t,gx,gy,gz\n";
+
+std::string pose(double t, double x = 0) {
+  return fixed_text(t, 6) + "," + fixed_text(x, 6) + ",1.6,0,0,0,0,1\n";
+}
+std::string gaze(double t, const std::string& direction = "0,0,-1") {
+  return fixed_text(t, 6) + "," + direction + "\n";
+}
+std::string poses(int count, double first = 1, double step = 1.0 / 90) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += pose(first + i * step, 0.001 * i);
+  return text;
+}
+
+class ImportRows : public ::testing::Test {
+ protected:
+  // The map with further fields of the head, of the ray and of the gaze.
+  void use_map(const std::string& head, const std::string& ray = "", const std::string& more = "") {
+    std::string json = kMap;
+    for (const auto& [word, text] :
+         {std::pair<std::string, std::string>{"HEAD", head}, {"GAZE", ray}, {"MORE", more}})
+      json.replace(json.find(word), word.size(), text);
+    map_ = parse_column_map(json, "plain.json");
+  }
+  void SetUp() override { use_map(""); }
+
+  Imported import(const std::string& head, const std::string& gaze = "",
+                  const std::function<void(ImportRequest&)>& change = {}) {
+    ImportRequest request;
+    request.columns.head = &map_.head.front();
+    if (!head.empty()) {
+      folder_.write("head.csv", head);
+      request.head_file = folder_ / "head.csv";
+    }
+    if (!gaze.empty()) {
+      folder_.write("gaze.csv", gaze);
+      request.gaze_file = folder_ / "gaze.csv";
+      request.columns.gaze = &map_.gaze.front();
+    }
+    if (change) change(request);
+    Imported got;
+    got.report = import_rows(request, {[&](const PoseRow& row) { got.poses.push_back(row); },
+                                       [&](const GazeRow& row) { got.gaze.push_back(row); }});
+    return got;
+  }
+
+  RecordedFolder folder_;
+  ColumnMap map_;
+};
+
+// "KEY ROWS@FIRST LINE" of each fate that rows had.
+std::string fates(const ImportedStream& stream) {
+  std::string text;
+  for (std::size_t i = 0; i < kRowFates; ++i)
+    if (stream.fates.rows[i] > 0)
+      text += (text.empty() ? "" : ", ") + std::string(row_fate_texts()[i].key) + " " +
+              std::to_string(stream.fates.rows[i]) + "@" + std::to_string(stream.fates.first_line[i]);
+  return text;
+}
+
+std::string all(const std::vector<std::string>& texts) {
+  std::string together;
+  for (const std::string& text : texts) together += (together.empty() ? "" : "\n") + text;
+  return together;
+}
+
+TEST_F(ImportRows, CarriesGoodRowsOver) {
+  const Imported got = import(kHead + poses(90), kGaze + gaze(1) + gaze(1.01, "0.6,0,-0.8"));
+  ASSERT_EQ(got.poses.size(), 90u);
+  EXPECT_EQ(got.poses[1].stamp_ns, 1'011'111'000) << "1 + 1 / 90 s with six decimals";
+  EXPECT_EQ(got.poses[1].world_from_head.position, glm::dvec3(0.001, 1.6, 0));
+  ASSERT_EQ(got.gaze.size(), 2u);
+  EXPECT_EQ(got.gaze[1].head_direction[0], glm::dvec3(0.6, 0, -0.8));
+  EXPECT_TRUE(got.gaze[1].valid[0] && got.gaze[1].valid[1]);
+  EXPECT_TRUE(got.report.has_gaze && got.report.gaze_combined);
+  EXPECT_EQ(got.report.poses.rows_read, 90);
+  EXPECT_EQ(got.report.poses.rows, 90);
+  EXPECT_EQ(got.report.poses.first_ns, 1'000'000'000);
+  EXPECT_EQ(got.report.poses.last_ns, got.poses.back().stamp_ns);
+  EXPECT_NEAR(got.report.poses.rate_hz(), 90, 0.9) << "intervals are known within 1 %";
+  EXPECT_EQ(
+      fates(got.report.poses) + all(got.report.remarks) + all(got.report.warnings) + all(got.report.assumed),
+      "");
+  EXPECT_EQ(got.report.poses.lost_share(), 0);
+}
+
+TEST_F(ImportRows, TellsOfAClockThatWasReset) {
+  const Imported got = import(kHead + poses(60, 0.5) + poses(60, 0.5));
+  EXPECT_EQ(got.poses.size(), 60u);
+  EXPECT_EQ(fates(got.report.poses), "other_clock 60@62");
+  EXPECT_EQ(all(got.report.remarks),
+            "60 of 120 rows lie before the newest stamp: the clock was reset at line 62");
+  EXPECT_EQ(all(got.report.warnings), "") << "one remark, not 60 warnings";
+  EXPECT_EQ(got.report.poses.lost_share(), 0.5);
+  EXPECT_EQ(got.poses.back().world_from_head.position.x, 0.059) << "the first recording";
+}
+
+// The eleventh of 90 rows, in line 12, lies 2147483 s ahead.
+TEST_F(ImportRows, LeaveOneWildStampOut) {
+  const Imported got = import(kHead + poses(10) + pose(2147483.647) + poses(79, 1.122222));
+  EXPECT_EQ(got.poses.size(), 89u);
+  EXPECT_EQ(fates(got.report.poses), "wild_stamp 1@12");
+  ASSERT_EQ(got.report.warnings.size(), 1u);
+  EXPECT_TRUE(holds(got.report.warnings[0], "head.csv:12: the time stamp is far from its neighbours"));
+  EXPECT_NEAR(got.report.poses.lost_share(), 1.0 / 90, 1e-12);
+}
+
+TEST_F(ImportRows, RefusesStampsThatAreAllEqual) {
+  std::string head = kHead;
+  for (int i = 0; i < 60; ++i) head += "1.627531E+09,0,1.6,0,0,0,0,1\n";
+  EXPECT_INPUT_ERROR(import(head), "head.csv: all 60 stamps are equal: written in single precision?");
+}
+
+// Every thirtieth row changes places with the next: the second of the two comes too late, 8 of 240.
+std::string gaze_out_of_order() {
+  std::vector<double> stamps;
+  for (int i = 0; i < 240; ++i) stamps.push_back(1 + i / 120.0);
+  for (std::size_t i = 10; i < 240; i += 30) std::swap(stamps[i], stamps[i + 1]);
+  std::string text = kGaze;
+  for (const double t : stamps) text += gaze(t);
+  return text;
+}
+
+TEST_F(ImportRows, LeavesLateRowsOutOrSortsThem) {
+  const Imported left_out = import(kHead + poses(180), gaze_out_of_order());
+  EXPECT_EQ(left_out.gaze.size(), 232u);
+  EXPECT_EQ(fates(left_out.report.gaze), "backward_stamp 8@13") << "rows 11 and 12 are in lines 12 and 13";
+  EXPECT_EQ(left_out.report.warnings.size(), 8u);
+  const Imported sorted =
+      import(kHead + poses(180), gaze_out_of_order(), [](ImportRequest& request) { request.sort_rows = 4; });
+  ASSERT_EQ(sorted.gaze.size(), 240u);
+  EXPECT_EQ(sorted.report.gaze.sorted_rows, 8);
+  EXPECT_EQ(fates(sorted.report.gaze), "");
+  for (std::size_t i = 1; i < 240; ++i) ASSERT_GT(sorted.gaze[i].stamp_ns, sorted.gaze[i - 1].stamp_ns);
+}
+
+// A row 3 rows late fits into a window of 3 rows and not into one of 2.
+TEST_F(ImportRows, SortsWithinTheWindowOnly) {
+  const std::string head = kHead + pose(1.00) + pose(1.02) + pose(1.03) + pose(1.04) + pose(1.01, 7) +
+                           pose(1.05) + pose(1.06) + pose(1.07);
+  const Imported wide = import(head, "", [](ImportRequest& request) { request.sort_rows = 3; });
+  ASSERT_EQ(wide.poses.size(), 8u);
+  EXPECT_EQ(wide.poses[1].world_from_head.position.x, 7);
+  EXPECT_EQ(wide.report.poses.sorted_rows, 1);
+  const Imported narrow = import(head, "", [](ImportRequest& request) { request.sort_rows = 2; });
+  EXPECT_EQ(narrow.poses.size(), 7u);
+  EXPECT_EQ(fates(narrow.report.poses), "backward_stamp 1@6");
+}
+
+TEST_F(ImportRows, KeepsTheFirstOfEqualStamps) {
+  for (const std::size_t sort_rows : {0u, 4u}) {
+    const Imported got = import(kHead + pose(1) + pose(1.01, 5) + pose(1.01, 6) + pose(1.02), "",
+                                [&](ImportRequest& request) { request.sort_rows = sort_rows; });
+    ASSERT_EQ(got.poses.size(), 3u);
+    EXPECT_EQ(got.poses[1].world_from_head.position.x, 5);
+    EXPECT_EQ(fates(got.report.poses), "repeated_stamp 1@4");
+  }
+}
+
+// The recording begins 0.3 s before its zero: 1 s is the least whole number of seconds that makes all stamps
+// 0 or more. The gaze moves with the head.
+TEST_F(ImportRows, MovesNegativeStampsByWholeSeconds) {
+  const Imported got = import(kHead + poses(60, -0.3), kGaze + gaze(-0.25) + gaze(0.5));
+  ASSERT_EQ(got.poses.size(), 60u);
+  EXPECT_EQ(got.poses[0].stamp_ns, 700'000'000);
+  EXPECT_EQ(got.poses[1].stamp_ns, 711'111'000);
+  EXPECT_EQ(got.gaze[0].stamp_ns, 750'000'000);
+  EXPECT_EQ(got.report.shift_ns, 1'000'000'000);
+  EXPECT_EQ(got.report.poses.first_ns, 700'000'000);
+  EXPECT_EQ(all(got.report.assumed), "stamps are negative: 1 s was added to every stamp");
+  const Imported gaze_first = import(kHead + poses(60, 0), kGaze + gaze(-2.0) + gaze(0.5));
+  EXPECT_EQ(gaze_first.report.shift_ns, 2'000'000'000);
+  EXPECT_EQ(gaze_first.poses[0].stamp_ns, 2'000'000'000);
+  EXPECT_EQ(gaze_first.gaze[0].stamp_ns, 0);
+}
+
+// A wild stamp below zero moves nothing.
+TEST_F(ImportRows, MovesNothingForARowThatIsLeftOut) {
+  const Imported got = import(kHead + poses(20, 100) + pose(-5000) + poses(40, 100.3));
+  EXPECT_EQ(got.report.shift_ns, 0);
+  EXPECT_EQ(fates(got.report.poses), "wild_stamp 1@22");
+}
+
+// 40 pairs 0.091 ms apart, 33.333333 ms from pair to pair.
+TEST_F(ImportRows, KeepsOnePoseOfEachPairOfCameras) {
+  std::string head = kHead;
+  for (int i = 0; i < 40; ++i) {
+    const std::string second = std::to_string(60000 + i * 33333333LL / 1000000000);
+    const auto stamp = [&](long long ns) {
+      const std::string digits = std::to_string(1000000000 + ns % 1000000000);
+      return second + "." + digits.substr(1) + ",0." + std::to_string(100 + i) + ",1.6,0,0,0,0,1\n";
+    };
+    head += stamp(i * 33333333LL) + stamp(i * 33333333LL + 91000);
+  }
+  const Imported got = import(head);
+  ASSERT_EQ(got.poses.size(), 40u);
+  EXPECT_EQ(got.poses[1].stamp_ns, 60'000'033'333'333);
+  EXPECT_EQ(fates(got.report.poses), "thinned 40@3");
+  EXPECT_EQ(got.report.poses.lost_share(), 0);
+  EXPECT_NEAR(got.report.poses.rate_hz(), 30, 0.3);
+  EXPECT_EQ(all(got.report.remarks),
+            "poses at the stamps of 2 cameras in one table: of stamps 0.091 ms apart the first was kept");
+}
+
+TEST_F(ImportRows, CountsRowsWithoutNumbersAsLostTracking) {
+  const Imported got =
+      import(kHead + poses(10) + "1.111111,nan,nan,nan,nan,nan,nan,nan\n" + poses(10, 1.122222));
+  EXPECT_EQ(got.poses.size(), 20u);
+  EXPECT_EQ(fates(got.report.poses), "lost_tracking 1@12");
+  EXPECT_EQ(got.report.poses.lost_share(), 0);
+}
+
+TEST_F(ImportRows, ThrowsOrCountsBadRows) {
+  const std::string head = kHead + poses(10) + "1.111111,abc,1.6,0,0,0,0,1\n" + "oops,0,1.6,0,0,0,0,1\n" +
+                           "1.133333,0,1.6\n" + poses(10, 1.144444);
+  EXPECT_INPUT_ERROR(import(head), "head.csv:12: ");
+  const Imported got = import(head, "", [](ImportRequest& request) { request.keep_going = true; });
+  EXPECT_EQ(got.poses.size(), 20u);
+  EXPECT_EQ(fates(got.report.poses), "bad 3@12");
+  EXPECT_EQ(got.report.poses.rows_read, 23);
+  EXPECT_EQ(got.report.warnings.size(), 3u);
+  EXPECT_NEAR(got.report.poses.lost_share(), 3.0 / 23, 1e-12);
+}
+
+TEST_F(ImportRows, WarnsAHundredTimesAtMost) {
+  std::string head = kHead + poses(300);
+  for (int i = 0; i < 150; ++i) head += pose(4.4 + i * 0.01) + pose(4.4 + i * 0.01);
+  const Imported got = import(head);
+  EXPECT_EQ(got.report.poses.fates[RowFate::repeated_stamp], 150);
+  ASSERT_EQ(got.report.warnings.size(), 100u);
+  EXPECT_EQ(got.report.warnings.back(), "further warnings are only counted");
+}
+
+TEST_F(ImportRows, RefusesAStreamWithoutRows) {
+  EXPECT_INPUT_ERROR(import(kHead), "head.csv: holds no rows: only a header line");
+  EXPECT_INPUT_ERROR(import(kHead + poses(3), kGaze), "gaze.csv: holds no rows: only a header line");
+  EXPECT_INPUT_ERROR(import(kHead + "1,nan,nan,nan,nan,nan,nan,nan\n2,nan,nan,nan,nan,nan,nan,nan\n"),
+                     "tracking was lost in all 2 rows");
+  EXPECT_INPUT_ERROR(import(kHead + "a,0,0,0,0,0,0,1\nb,0,0,0,0,0,0,1\n", "",
+                            [](ImportRequest& request) { request.keep_going = true; }),
+                     "has no usable row among 2");
+}
+
+TEST_F(ImportRows, StopsAfterSoManyRows) {
+  const Imported got = import(kHead + poses(90), kGaze + gaze(1) + gaze(1.1) + gaze(1.2),
+                              [](ImportRequest& request) { request.most_rows = 2; });
+  EXPECT_EQ(got.poses.size(), 2u);
+  EXPECT_EQ(got.gaze.size(), 2u);
+}
+
+TEST_F(ImportRows, LetsTheHeadOrTheGazeStandStill) {
+  const Imported head = import("", kGaze + gaze(1, "0.6,0,-0.8") + gaze(1.1),
+                               [](ImportRequest& request) { request.still.head = true; });
+  ASSERT_EQ(head.poses.size(), 2u);
+  EXPECT_EQ(head.poses[1].stamp_ns, 1'100'000'000);
+  EXPECT_EQ(head.poses[1].world_from_head.position, glm::dvec3(0));
+  EXPECT_EQ(head.poses[1].world_from_head.orientation, glm::dquat(1, 0, 0, 0));
+  EXPECT_EQ(head.gaze.size(), 2u);
+  EXPECT_EQ(head.report.poses.rows, 2);
+  EXPECT_TRUE(holds(all(head.report.assumed), "the head stands still at the origin"));
+
+  const Imported gaze =
+      import(kHead + poses(20), "", [](ImportRequest& request) { request.still.gaze = true; });
+  ASSERT_EQ(gaze.gaze.size(), 20u);
+  EXPECT_EQ(gaze.gaze[3].stamp_ns, gaze.poses[3].stamp_ns);
+  EXPECT_EQ(gaze.gaze[3].head_direction[1], glm::dvec3(0, 0, -1));
+  EXPECT_TRUE(gaze.gaze[3].valid[0] && gaze.gaze[3].valid[1]);
+  EXPECT_TRUE(gaze.report.has_gaze && gaze.report.gaze_combined);
+  EXPECT_EQ(gaze.report.poses.rows, 20);
+  EXPECT_TRUE(holds(all(gaze.report.assumed), "the gaze looks straight ahead"));
+}
+
+TEST_F(ImportRows, NamesAnIdThatChanges) {
+  use_map(R"(, "part": "id")");
+  std::string head = "id,t,x,y,z,qx,qy,qz,qw\n";
+  for (int i = 0; i < 30; ++i) head += std::string(i < 12 ? "a" : "b") + "," + pose(1 + i * 0.01);
+  const Imported got = import(head);
+  EXPECT_EQ(got.poses.size(), 30u);
+  EXPECT_EQ(all(got.report.remarks), "the id in column 'id' changes at line 14: another recording begins");
+}
+
+// The map's y points up. Gravity along -y agrees; along -z, up is z; within 20 degrees it may be tilted.
+TEST_F(ImportRows, LetsGravitySayWhatIsUp) {
+  use_map(R"(, "gravity": ["ax", "ay", "az"])");
+  const auto with = [&](const std::string& gravity) {
+    std::string head = "ax,ay,az,t,x,y,z,qx,qy,qz,qw\n";
+    for (int i = 0; i < 10; ++i) head += gravity + "," + pose(1 + i * 0.01);
+    return import(head).poses.size();
+  };
+  EXPECT_EQ(with("0,-9.81,0"), 10u);
+  EXPECT_EQ(with("1,-9.7,1"), 10u) << "8 degrees";
+  EXPECT_EQ(with("0,0,0"), 10u);
+  EXPECT_EQ(with("nan,nan,nan"), 10u);
+  EXPECT_INPUT_ERROR(with("0,0,-9.81"), "gravity says that the file's z points up, the map says y");
+  EXPECT_INPUT_ERROR(with("9.81,0,0"), "gravity says that the file's -x points up, the map says y");
+  EXPECT_INPUT_ERROR(with("5,-8.5,0"), "up is 30 degrees from the file's y");
+}
+
+TEST_F(ImportRows, NamesConfidenceThatNeverChanges) {
+  use_map("", R"(, "confidence": "c")");
+  const auto remarks = [&](int rows, int other) {
+    std::string text = "c,t,gx,gy,gz\n";
+    for (int i = 0; i < rows; ++i) text += (i == other ? "0.5," : "1.0,") + gaze(1 + i * 0.01);
+    return all(import(kHead + poses(90), text).report.remarks);
+  };
+  EXPECT_EQ(remarks(100, -1), "the gaze's confidence is '1.0' in all 100 valid rows: it was not measured");
+  EXPECT_EQ(remarks(100, 99), "");
+  EXPECT_EQ(remarks(99, -1), "") << "too few rows to say so";
+}
+
+// The head turns about y by 20 degrees from 1.00 to 1.02 s. Gaze straight along the world's -z at 1.01 s,
+// half way, is in the head 10 degrees to the right of ahead: the head has turned to the left.
+TEST_F(ImportRows, TurnsGazeInTheWorldIntoTheHead) {
+  use_map("", "", R"(, "space": "world")");
+  const auto turned = [](double t, double deg) {
+    const double half = glm::radians(deg / 2);
+    return fixed_text(t, 6) + ",0,1.6,0,0," + fixed_text(std::sin(half), 15) + ",0," +
+           fixed_text(std::cos(half), 15) + "\n";
+  };
+  const std::string head = kHead + turned(1, 0) + turned(1.02, 20) + turned(1.04, 20) + turned(1.06, 20);
+  const Imported got = import(head, kGaze + gaze(0.99) + gaze(1.0) + gaze(1.01) + gaze(1.04) + gaze(1.07));
+  ASSERT_EQ(got.gaze.size(), 5u);
+  EXPECT_FALSE(got.gaze[0].valid[0]) << "before the first pose";
+  EXPECT_FALSE(got.gaze[4].valid[0]) << "behind the last";
+  EXPECT_EQ(fates(got.report.gaze), "lost_tracking 2@2");
+  const double right_deg[] = {0, 10, 20};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a = glm::radians(right_deg[i]);
+    ASSERT_TRUE(got.gaze[i + 1].valid[0]);
+    EXPECT_LT(glm::distance(got.gaze[i + 1].head_direction[0], glm::dvec3(std::sin(a), 0, -std::cos(a))),
+              1e-9)
+        << i;
+  }
+}
+
+// Poses half a second apart and more are no span to interpolate over.
+TEST_F(ImportRows, DoesNotGuessTheHeadOverAGap) {
+  use_map("", "", R"(, "space": "world")");
+  const Imported got = import(kHead + poses(20, 1) + poses(20, 3), kGaze + gaze(1.1) + gaze(2) + gaze(3.1));
+  ASSERT_EQ(got.gaze.size(), 3u);
+  EXPECT_TRUE(got.gaze[0].valid[0]);
+  EXPECT_FALSE(got.gaze[1].valid[0]);
+  EXPECT_TRUE(got.gaze[2].valid[0]);
+}
+
+TEST_F(ImportRows, FindsTheHeadForGazeThatComesLate) {
+  use_map("", "", R"(, "space": "world")");
+  const Imported got = import(kHead + poses(60), kGaze + gaze(1.1) + gaze(1.3) + gaze(1.2) + gaze(1.4),
+                              [](ImportRequest& request) { request.sort_rows = 2; });
+  ASSERT_EQ(got.gaze.size(), 4u);
+  for (const GazeRow& row : got.gaze) EXPECT_TRUE(row.valid[0]) << row.stamp_ns;
+}
+
+// Pose and gaze in one row: the row's own pose counts, also where its neighbours would say something else.
+TEST_F(ImportRows, TakesTheHeadOfTheVeryRow) {
+  use_map("", "", R"(, "space": "world", "in_head_file": true)");
+  std::string table = "t,x,y,z,qx,qy,qz,qw,gx,gy,gz\n";
+  for (int i = 0; i < 20; ++i)
+    table += fixed_text(1 + i * 0.01, 2) + (i % 2 == 0 ? ",0,0,0,0,0,0,1" : ",0,0,0,0,1,0,0") + ",0,0,-1\n";
+  table += "1.20,nan,nan,nan,nan,nan,nan,nan,0,0,-1\n";
+  const Imported got =
+      import(table, "", [&](ImportRequest& request) { request.columns.gaze = &map_.gaze.front(); });
+  ASSERT_EQ(got.gaze.size(), 21u);
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(got.gaze[i].head_direction[0].z, i % 2 == 0 ? -1 : 1) << i;
+  EXPECT_FALSE(got.gaze[20].valid[0]) << "the head was lost";
+}
+
+TEST_F(ImportRows, SaysThatStampsWereNotRecorded) {
+  std::string json = kMap;
+  for (const char* word : {"HEAD", "GAZE", "MORE"}) json.replace(json.find(word), 4, "");
+  const std::string time = R"({"column": "t", "unit": "s"})";
+  json.replace(json.find(time), time.size(), R"({"rate_hz": 50})");
+  map_ = parse_column_map(json, "plain.json");
+  const Imported got = import(kHead + poses(10));
+  ASSERT_EQ(got.poses.size(), 10u);
+  EXPECT_EQ(got.poses[3].stamp_ns, 60'000'000) << "3 / 50 s";
+  EXPECT_EQ(all(got.report.assumed), "stamps were not recorded: 50 rows a second");
+}
+
+}  // namespace
+}  // namespace herr::test
