@@ -9,7 +9,7 @@
 namespace herr {
 
 // Sorts, drops all but the first of equal stamps, counts pictures that have none, adds the remarks.
-// `lacks`: of a picture without a stamp: "are not named in frames.csv". Throws InputError when none is left.
+// `lacks`: of a picture without a stamp: "have no stamp in frames.csv". Throws InputError when none is left.
 void put_in_order(StampedPictures& stamped, const CameraPictures& pictures, const std::string& lacks);
 
 // Whole seconds of several pictures a second are no stamps: throws InputError that says where they are from

@@ -44,6 +44,25 @@ std::vector<EpochNumber> epoch_numbers(std::string_view stem) {
   return numbers;
 }
 
+// `text` with {*} for each run of digits, of a counter for instance.
+std::string with_any_numbers(std::string_view text) {
+  std::string pattern;
+  bool digits = false;
+  for (const char c : text) {
+    const bool digit = c >= '0' && c <= '9';
+    if (!digit) pattern += c;
+    if (digit && !digits) pattern += "{*}";
+    digits = digit;
+  }
+  return pattern;
+}
+
+bool has_few_wildcards(std::string_view pattern) {
+  std::size_t count = 0;
+  for (const char c : pattern) count += c == '*';
+  return count <= 2;
+}
+
 // Every name fits, and their stamps grow.
 bool fits_all(const CameraPictures& pictures, const std::string& text) {
   const NamePattern pattern(text, folder_of(pictures));
@@ -119,10 +138,12 @@ StampedPictures stamps_from_exif(const CameraPictures& pictures, std::optional<i
 
 std::optional<std::string> stamp_pattern_of(const CameraPictures& pictures) {
   const std::string first = pictures.files.front().stem().string();
-  if (first.find_first_of("{}") != std::string::npos) return std::nullopt;
+  if (first.find_first_of("{}*") != std::string::npos) return std::nullopt;
   for (const EpochNumber& number : epoch_numbers(first)) {
-    const std::string pattern = first.substr(0, number.begin) + number.unit + first.substr(number.end);
-    if (pattern.size() <= 255 && fits_all(pictures, pattern)) return pattern;
+    const std::string before = first.substr(0, number.begin), after = first.substr(number.end);
+    for (const std::string& pattern :
+         {before + number.unit + after, with_any_numbers(before) + number.unit + with_any_numbers(after)})
+      if (pattern.size() <= 255 && has_few_wildcards(pattern) && fits_all(pictures, pattern)) return pattern;
   }
   return std::nullopt;
 }

@@ -41,7 +41,8 @@ StampedPictures stamps_from_names(const CameraPictures& pictures, const std::str
 StampedPictures stamps_from_exif(const CameraPictures& pictures, std::optional<int> zone_minutes);
 
 // A pattern for stamps_from_names where the names of all pictures are the same but for one growing number of
-// 13 digits (ms), 16 (us), 19 (ns), or 10 with a fraction (s): time since 1970.
+// 13 digits (ms), 16 (us), 19 (ns), or 10 with a fraction (s), time since 1970, and for other numbers beside
+// it.
 std::optional<std::string> stamp_pattern_of(const CameraPictures& pictures);
 
 }  // namespace herr

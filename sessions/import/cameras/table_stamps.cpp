@@ -39,9 +39,12 @@ StampTable read_stamp_table(const CameraPictures& pictures, const std::filesyste
   const FilterReader valid(*rows, columns.valid);
   const PictureFinder finder(pictures, table);
   const std::size_t file = columns.file ? rows->place(*columns.file) : 0;
+  const bool dated = columns.time.kind != TimeColumns::Kind::rate;
+  const std::size_t stamp = dated ? rows->place(columns.time.column) : 0;
   StampTable read;
   while (rows->next()) {
     if (!valid.passes(*rows)) continue;
+    if (dated && columns.file && rows->absent(stamp)) continue;  // the picture has no stamp
     StampRow row{time.read(*rows), {}};
     if (columns.file) {
       row.picture = finder.find(rows->text(file), rows->line());
@@ -119,7 +122,7 @@ StampedPictures stamps_from_table(const CameraPictures& pictures, const std::fil
     if (row.picture) ++repeated;
   }
   remark_unused_rows(read, repeated, stamped, name);
-  put_in_order(stamped, pictures, "are not named in " + name);
+  put_in_order(stamped, pictures, "have no stamp in " + name);
   return stamped;
 }
 

@@ -45,7 +45,10 @@ void parse_yaml_lens(const JsonObject& entry, const YamlNames& names, CameraMode
   if (!(model.fx >= 1 && model.fy >= 1))
     entry.fail("intrinsics", "have a focal length below a pixel", "write fx, fy, cx, cy in pixels");
   if (kind == "none") return;
-  const std::vector<double> k = entry.numbers(names.distortion, 4, -1000, 1000);
+  // k1 k2 p1 p2, with k3 where there are five.
+  const nlohmann::json& list = entry.value(names.distortion);
+  const bool five = model.kind == CameraModelKind::pinhole && list.is_array() && list.size() == 5;
+  const std::vector<double> k = entry.numbers(names.distortion, five ? 5 : 4, -1000, 1000);
   std::copy(k.begin(), k.end(), model.distortion.begin());
 }
 

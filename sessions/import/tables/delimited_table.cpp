@@ -58,9 +58,14 @@ DelimitedTable::DelimitedTable(const std::filesystem::path& file, const TableFor
     : RowSource(file, '.'),
       format_(format),
       wanted_(wanted.begin(), wanted.end()),
-      sample_(read_table_sample(file, format)),
+      sample_(read_table_sample(file, format, kSampleLines)),
       layout_(choose_layout(sample_, format, wanted)),
       reader_(file, kMostLineBytes) {
+  // Before tracking begins, rows may be whole numbers only.
+  if (layout_.decimal_open && !sample_.whole_file) {
+    sample_ = read_table_sample(file, format, kLongSampleLines);
+    layout_ = choose_layout(sample_, format, wanted);
+  }
   decimal_ = layout_.decimal;
   names_ = layout_.names;
   counts_.repeated_headers = layout_.word_lines;

@@ -175,7 +175,10 @@ TableLayout choose_layout(const TableSample& sample, const TableFormat& format,
     for (const char decimal : decimals) {
       // One column more outweighs all numbers of the sample.
       const std::int64_t score = there * 10'000'000 + number_score(layout, wanted, rows, decimal);
-      if (best && score <= best_score) continue;
+      if (best && score <= best_score) {
+        best->decimal_open |= score == best_score && best->separator == separator;
+        continue;
+      }
       layout.decimal = decimal;
       best = layout;
       best_score = score;

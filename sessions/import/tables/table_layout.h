@@ -25,6 +25,7 @@ struct TableLayout {
   std::size_t columns = 0;      // without empty ones at the end
   std::size_t most_fields = 0;  // with them
   bool any_rows = false;
+  bool decimal_open = false;  // both decimal signs fit the sampled rows as well
 
   // Counted from 0. By name: as it stands, or without the # or % before the first one. None: it is not there,
   // or named twice.

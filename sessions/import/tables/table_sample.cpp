@@ -9,8 +9,6 @@
 namespace herr {
 namespace {
 
-constexpr std::size_t kMostSampleLines = 64;
-
 // What no first line of a table holds.
 void refuse_other_files(const TableSample& sample, const TextLine& line) {
   if (const auto nuls = std::count(line.text.begin(), line.text.end(), '\0'); nuls > 0) {
@@ -33,14 +31,15 @@ void refuse_other_files(const TableSample& sample, const TextLine& line) {
 
 }  // namespace
 
-TableSample read_table_sample(const std::filesystem::path& file, const TableFormat& format) {
+TableSample read_table_sample(const std::filesystem::path& file, const TableFormat& format,
+                              std::size_t lines) {
   TableSample sample{file, {}, false, 0};
   LineReader reader(file, kMostLineBytes);
   if (reader.empty()) throw InputError(file, 0, "is empty", "name a recording");
   TextLine line;
   const auto headers =
       static_cast<std::int64_t>(format.header && format.header_lines > 1 ? format.header_lines : 0);
-  while (sample.lines.size() < kMostSampleLines) {
+  while (sample.lines.size() < lines + static_cast<std::size_t>(headers)) {
     if (!reader.next(line)) {
       sample.whole_file = true;
       break;

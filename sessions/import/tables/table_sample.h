@@ -27,7 +27,10 @@ struct TableSample {
   std::int64_t cut_off_line = 0;  // the file ends within this line
 };
 
-// Some 64 lines with text. Throws InputError: what cannot be a table at all.
-TableSample read_table_sample(const std::filesystem::path& file, const TableFormat& format);
+constexpr std::size_t kSampleLines = 64, kLongSampleLines = 4096;
+
+// Up to so many lines with text below the header lines. Throws InputError: what cannot be a table at all.
+TableSample read_table_sample(const std::filesystem::path& file, const TableFormat& format,
+                              std::size_t lines);
 
 }  // namespace herr

@@ -14,7 +14,7 @@
 
 #include "sessions/import/cameras/aria_calibration.h"
 #include "sessions/import/presets/built_in_maps.h"
-#include "sessions/import/tables/foreign_table.h"
+#include "sessions/import/tables/row_source.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/session.h"
@@ -78,12 +78,12 @@ class ImportedRecordings : public ::testing::Test {
 
 // Where the recorded gaze ray hit the room, in our axes; none where it hit nothing.
 std::vector<std::optional<glm::dvec3>> hit_points(const fs::path& gaze_csv) {
-  ForeignTable table(gaze_csv, {});
-  const std::size_t x = table.place({"gaze_x", 0}), y = table.place({"gaze_y", 0}),
-                    z = table.place({"gaze_z", 0});
+  const std::vector<ColumnRef> wanted{{"gaze_x", 0}, {"gaze_y", 0}, {"gaze_z", 0}};
+  const auto table = open_rows(gaze_csv, {}, wanted);
+  const std::size_t x = table->place(wanted[0]), y = table->place(wanted[1]), z = table->place(wanted[2]);
   std::vector<std::optional<glm::dvec3>> hits;
-  while (table.next()) {
-    const glm::dvec3 hit(table.number(x), table.number(y), -table.number(z));
+  while (table->next()) {
+    const glm::dvec3 hit(table->number(x), table->number(y), -table->number(z));
     hits.push_back(hit.x == -99999 ? std::nullopt : std::optional<glm::dvec3>(hit));
   }
   return hits;

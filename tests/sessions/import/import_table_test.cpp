@@ -104,24 +104,6 @@ TEST_F(ImportedTable, WithoutAColumnOfTheMapNamesIt) {
   EXPECT_INPUT_ERROR(import(map, folder_ / "head.csv"), "head.csv:1: has no column 'z'");
 }
 
-TEST(ColumnMaps, WithAFaultNameTheField) {
-  const auto error = [](const std::string& json) {
-    return error_of([&] { (void)parse_column_map(json, "lab.json"); });
-  };
-  EXPECT_EQ(error(map_json(kHead)), "no error");
-  EXPECT_PRED2(holds, error(map_json(kHead + R"(, "handednes": "left")")), "handedness");
-  EXPECT_PRED2(holds, error(map_json(kHead + R"(, "handedness": "left")")), "axes say otherwise");
-  EXPECT_PRED2(holds, error(map_json(kHead + R"(, "separator": "|")")), "head[0].separator");
-  EXPECT_PRED2(holds, error(R"({"format_version": 1, "name": "n", "head": []})"), "head");
-  EXPECT_PRED2(holds, error(R"({"format_version": 2, "name": "n"})"), "format_version");
-  std::string wrong = map_json(kHead);
-  wrong.replace(wrong.find("\"ms\""), 4, "\"hr\"");
-  EXPECT_PRED2(holds, error(wrong), "head[0].time.unit is 'hr'");
-  wrong = map_json(kHead);
-  wrong.replace(wrong.rfind("back"), 4, "forward");
-  EXPECT_PRED2(holds, error(wrong), "not of the same handedness");
-}
-
 TEST(ColumnMaps, ThatComeWithTheProgramAreSound) {
   ASSERT_GE(built_in_maps().size(), 7u);
   for (const BuiltInMap& map : built_in_maps())

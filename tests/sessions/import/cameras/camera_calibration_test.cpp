@@ -110,6 +110,12 @@ TEST(CameraCalibration, KalibrGivesTheInverseOfItsPose) {
   EXPECT_NEAR(std::abs(camera.head_from_camera.orientation.w), 1, 1e-12);
 }
 
+TEST(CameraCalibration, AFifthCoefficientIsK3AndNoneIsAnIdealPinhole) {
+  EXPECT_EQ(read(with(kEuroc, "1.76187114e-05]", "1.76187114e-05, 0.25]"), {752, 480}).model.distortion[4],
+            0.25);
+  EXPECT_EQ(read(with(kEuroc, "radial-tangential", "none"), {752, 480}).model.distortion[0], 0);
+}
+
 TEST(CameraCalibration, ACameraIsChosenByLabelOrPlace) {
   EXPECT_EQ(read(kKalibr, {512, 512}, {"cam0", 1}).model.cx, 254.93170605935475);
   EXPECT_INPUT_ERROR(read(kKalibr, {512, 512}, {"", 1}), "cam1.T_cam_imu");

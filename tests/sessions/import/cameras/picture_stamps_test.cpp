@@ -100,6 +100,16 @@ TEST(PictureStamps, PatternsOfAllUnitsAreReadAndProposed) {
   }
 }
 
+TEST(PictureStamps, ACounterBesideTheStampIsAnyNumber) {
+  const RecordedFolder folder;
+  const CameraPictures pictures = pictures_named(
+      folder,
+      {"rgb_8_1750000000350_left.png", "rgb_9_1750000000383_left.png", "rgb_10_1750000001416_left.png"});
+  EXPECT_EQ(stamp_pattern_of(pictures), "rgb_{*}_{ms}_left");
+  EXPECT_EQ(stamps_of(stamps_from_names(pictures, "rgb_{*}_{ms}_left")),
+            (std::vector<TimeNs>{kFiveMs[0] * kMs, kFiveMs[1] * kMs, kFiveMs[3] * kMs}));
+}
+
 TEST(PictureStamps, NoPatternIsProposedForNumbersThatAreNoTimes) {
   for (const std::vector<std::string>& names : {std::vector<std::string>{"1.png", "2.png"},
                                                 {"000000001234.png"},

@@ -1,6 +1,8 @@
 // Stamps and lenses from tables, as EuRoC, ARKit loggers and Stray Scanner write them.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -94,7 +96,7 @@ TEST(TableStamps, EurocsTableIsOne) {
 TEST(TableStamps, WhatHasNoPartnerIsLeftOutAndSaid) {
   const RecordedFolder folder;
   const CameraPictures pictures = numbered(folder, 4);
-  folder.write("t.csv", "ms,file\n10,1.png\n20,7.png\n30,2.png\n30,3.png\n40,1.png\n");
+  folder.write("t.csv", "ms,file\n10,1.png\n20,7.png\n30,2.png\n30,3.png\n40,1.png\n,4.png\n");
   const StampedPictures stamped = stamps_from_table(pictures, folder / "t.csv", milliseconds_and_file());
   EXPECT_EQ(stems_in(stamped), (std::vector<std::string>{"1", "2"}));
   EXPECT_EQ(stamped.without_stamp, 1);
@@ -106,7 +108,7 @@ TEST(TableStamps, WhatHasNoPartnerIsLeftOutAndSaid) {
           "1 of 5 rows of t.csv name no picture of the folder and are left out (the first is '7.png', line "
           "3)",
           "1 of 5 rows of t.csv name a picture that an earlier row names and are left out",
-          "1 of 4 pictures are not named in t.csv and are left out (the first is '4.png')",
+          "1 of 4 pictures have no stamp in t.csv and are left out (the first is '4.png')",
           "1 of 4 pictures repeat the stamp of another and are left out ('3.png' has that of '2.png')"}));
 }
 
@@ -134,6 +136,29 @@ TEST(TableStamps, RowsOfOtherCamerasAreOfNoConcern) {
   const StampedPictures stamped = stamps_from_table(pictures, folder / "t.csv", columns);
   EXPECT_EQ(stamps_in(stamped), (std::vector<TimeNs>{10 * kMs, 20 * kMs}));
   EXPECT_EQ(stamped.rows_without_picture, 0);
+}
+
+// The colour pictures of Aria glasses: names and table tell the same times, the names to a microsecond.
+TEST(TableStamps, NamesAndTableOfARealRecordingAgree) {
+  if (test::real_data().empty()) GTEST_SKIP() << "no real recordings";
+  const std::filesystem::path from = test::real_data() / "frames" / "aria_aea";
+  const RecordedFolder folder;
+  std::filesystem::create_directories(folder / "cam");
+  for (const auto& entry : std::filesystem::directory_iterator(from))
+    if (entry.path().filename().string().starts_with("214-1_"))
+      std::filesystem::copy_file(entry.path(), folder / "cam" / entry.path().filename());
+  const CameraPictures pictures = find_camera_pictures(folder / "cam");
+  CameraColumns columns;
+  columns.time.column = {"vrs_timestamp_s", 0};
+  columns.time.unit = TimeUnit::s;
+  columns.file = ColumnRef{"file", 0};
+  columns.valid.all = {{{"stream_id", 0}, RowCondition::Kind::is, {"214-1"}, 0, 0}};
+  const std::vector<TimeNs> table = stamps_in(stamps_from_table(pictures, from / "frames.csv", columns));
+  const std::vector<TimeNs> names = stamps_in(stamps_from_names(pictures, "214-1_{s}"));
+  ASSERT_EQ(table.size(), 8u);
+  EXPECT_EQ(table[0], 86385246037);  // the first row of the table
+  ASSERT_EQ(names.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_LE(std::abs(table[i] - names[i]), 500) << i;
 }
 
 CameraColumns lens_columns() {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sessions/files/input_file.h"
 #include "sessions/import/map/column_map.h"
 #include "tests/paths.h"
 #include "tests/sessions/import/map/map_text.h"
@@ -40,6 +41,15 @@ TEST(ColumnMapText, OfEveryBuiltInMapReadsBackAsTheSame) {
     SCOPED_TRACE(file.filename());
     expect_same_map_again(read_column_map(file));
   }
+}
+
+TEST(ColumnMapText, OfTheExampleInTheReadmeReadsBackAsTheSame) {
+  const auto readme = std::filesystem::path(source_dir()) / "sessions/import/map/README.md";
+  const std::string text = read_whole_file(readme, 1 << 20), fence = "```json\n";
+  const std::size_t begin = text.find(fence) + fence.size();
+  const ColumnMap map = parse_column_map(text.substr(begin, text.find("```", begin) - begin), "README.md");
+  EXPECT_EQ(map.layouts.size(), 1u);
+  expect_same_map_again(map);
 }
 
 TEST(ColumnMapText, OfEveryKeyReadsBackAsTheSame) {

@@ -108,6 +108,15 @@ TEST_F(DelimitedRows, AreReadWithTheSeparatorThatFits) {
   EXPECT_EQ(vector.decimal, ',');
 }
 
+TEST_F(DelimitedRows, FindTheDecimalSignAfterManyWholeNumbers) {
+  TableFormat format = separated_by(';');
+  format.decimal = 0;
+  std::string file = "t;x\n";
+  for (int row = 0; row < 500; ++row) file += "1;0\n";
+  EXPECT_EQ(read(file + "2;0,5\n", format, named({"t", "x"})).decimal, ',');
+  EXPECT_EQ(read(file + "2;0.5\n", format, named({"t", "x"})).decimal, '.');
+}
+
 TEST_F(DelimitedRows, WithDecimalCommasBetweenCommasAreRefused) {
   // Three columns; 1,5 is one and a half. Read as six whole numbers, all would be shifted.
   const std::string expected = "decimal commas in fields that commas separate";
