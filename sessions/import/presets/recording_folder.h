@@ -24,6 +24,6 @@ struct FoundRecording {
 // `preset` empty: every built-in layout is tried, the one with the most files counts. `map`: a map of the
 // user's, or null. Throws InputError that says what such folders hold, or which files fit when several do.
 FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset,
-                              const ColumnMap* map);
+                              const ColumnMap* map = nullptr);
 
 }  // namespace herr

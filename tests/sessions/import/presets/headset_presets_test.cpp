@@ -121,6 +121,8 @@ TEST_F(HeadsetPresets, OfVarjoBaseStandStillWhereNoHeadWasRecorded) {
   folder_.write("varjo_gaze_output.csv", table);
   const PresetImport got = import("varjo-base", "varjo_gaze_output.csv");
   ASSERT_EQ(got.poses.size(), 120u);
+  ASSERT_EQ(got.report.assumed.size(), 1u);
+  EXPECT_PRED2(holds, got.report.assumed[0], "stands still at the origin");
   EXPECT_EQ(got.valid(0), 111);
   EXPECT_EQ(got.valid(1), 111);
   for (const std::size_t i : {0u, 119u}) {
