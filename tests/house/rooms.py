@@ -3,7 +3,7 @@ A file includes only its own room and rooms below it; the root of a module is it
 
 ROOMS = {
     "sessions": ("files/system", "files", "text", "pictures", "pictures/openimageio", "camera", "format", "streams",
-                 "check", "inspect", "record", "import/text", "import/map", "import/tables", "import/rows",
+                 "check", "inspect/meters", "inspect", "record", "import/text", "import/map", "import/tables", "import/rows",
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check"),
     "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
@@ -33,7 +33,8 @@ FACE = {
         "sessions/import/cameras/aria_calibration.h", "sessions/import/presets/built_in_maps.h", "sessions/import/cameras/camera_calibration.h", "sessions/import/cameras/camera_pictures.h", "sessions/import/cameras/column_lens.h",
         "sessions/import/cameras/picture_stamps.h",
         "sessions/import/import_report.h", "sessions/import/import_rows.h",
-        "sessions/inspect/findings.h", "sessions/inspect/number_words.h", "sessions/inspect/session_inspection.h",
+        "sessions/inspect/findings.h", "sessions/inspect/number_words.h", "sessions/inspect/plausibility.h",
+        "sessions/inspect/session_inspection.h",
         "sessions/inspect/time_profile.h",
         "sessions/pictures/header_bytes.h", "sessions/pictures/image_size.h", "sessions/pictures/jpeg_header.h",
         "sessions/pictures/loaded_module.h", "sessions/pictures/picture_reader.h", "sessions/pictures/png_chunks.h",
