@@ -21,8 +21,10 @@ struct FoundRecording {
   std::string preset;  // whose layout it is
 };
 
-// `preset` empty: every built-in layout is tried. Throws InputError that says what such folders hold, or which
-// layouts fit when several do.
+// `preset` empty: every built-in layout is tried. Of a preset's layouts whose head and gaze are there, one
+// with gaze comes first, then the one with the most cameras, then the first; cameras that are not there are
+// left out. Throws InputError that says what such folders hold, or which presets' layouts fit when several
+// do.
 FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset);
 
 }  // namespace herr
