@@ -71,6 +71,11 @@ class RowsImport {
       if (stream->time != nullptr && stream->time->kind == TimeColumns::Kind::rate)
         report_.assumed.push_back("stamps were not recorded: " + plain_number_text(stream->time->rate_hz) +
                                   " rows a second");
+    if (has_head() && request_.columns.head->rotation_kind == RotationKind::fixed)
+      report_.assumed.push_back(
+          request_.columns.head->position
+              ? "the head does not turn: its orientation was not recorded"
+              : "the head stands still at the origin, level: its pose was not recorded");
     if (lowest_ns == 0) return;
     const TimeNs seconds = (-lowest_ns + kSecondNs - 1) / kSecondNs;
     report_.shift_ns = seconds * kSecondNs;
