@@ -118,6 +118,39 @@ Json head_json(const SessionInspection& session) {
   return json;
 }
 
+Json share_json(const std::optional<double>& share) {
+  return share ? Json(*share) : Json();
+}
+
+Json plausibility_json(const PlausibilityMeter& meter) {
+  const PlausibilityFigures figures = meter.figures();
+  return {{"words", meter.words()},
+          {"level_share", share_json(figures.level_share)},
+          {"median_tilt_deg", figures.median_tilt_deg},
+          {"median_roll_deg", figures.median_roll_deg},
+          {"median_pitch_deg", figures.median_pitch_deg},
+          {"up_spread_deg", figures.up_spread_deg},
+          {"right_spread_deg", figures.right_spread_deg},
+          {"forward_spread_deg", figures.forward_spread_deg},
+          {"mean_up", vector_json(figures.mean_up)},
+          {"mean_right", vector_json(figures.mean_right)},
+          {"mean_forward", vector_json(figures.mean_forward)},
+          {"head_turns", figures.head_turns},
+          {"head_moves", figures.head_moves},
+          {"forwards_share", share_json(figures.forwards_share)},
+          {"gaze_words", meter.gaze_words()},
+          {"diverging_share", share_json(figures.diverging_share)},
+          {"same_ray_share", share_json(figures.same_ray_share)},
+          {"off_axis_share", share_json(figures.off_axis_share)},
+          {"median_gaze_deg", figures.median_gaze_deg},
+          {"countering_sideways_share", share_json(figures.countering_x)},
+          {"countering_up_and_down_share", share_json(figures.countering_y)},
+          {"countering_windows", figures.countering_windows},
+          {"countering_sideways_evidence", figures.evidence_x},
+          {"countering_up_and_down_evidence", figures.evidence_y},
+          {"gaze_axes_evidence", figures.evidence_not_exchanged}};
+}
+
 Json eyes_json(const SessionInspection& session) {
   const GazeMeter& eyes = session.eyes;
   Json json{{"eccentricity_deg", quantiles_json(eyes.eccentricity_deg())},

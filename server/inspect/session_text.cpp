@@ -139,10 +139,12 @@ std::string motion_text(const SessionInspection& session) {
                      fixed_text(move.quantile(0.95), 2) + " (p95), " + fixed_text(move.max(), 2) +
                      " (max)\n      " + fixed_text(head.path_m(), 2) + " m of way within " +
                      fixed_text(box.x, 2) + " x " + fixed_text(box.y, 2) + " x " + fixed_text(box.z, 2) +
-                     " m, " + fixed_text(head.turned_deg(), 0) + " degrees of turns\n";
+                     " m, " + fixed_text(head.turned_deg(), 0) + " degrees of turns\n      " +
+                     session.plausibility.words() + "\n";
   const GazeMeter& eyes = session.eyes;
   if (eyes.rows() == 0) return text;
   const LinearHistogram& off = eyes.eccentricity_deg();
+  const std::string gaze_words = session.plausibility.gaze_words();
   return text + "gaze: " + fixed_text(off.quantile(0.5), 1) + " deg off the head's axis (p50), " +
          fixed_text(off.quantile(0.95), 1) + " (p95), " + fixed_text(off.max(), 1) +
          " (max)\n      lost in " + percentage(eyes.lost_rows(), eyes.rows()) + " of the rows (left eye " +
@@ -150,7 +152,8 @@ std::string motion_text(const SessionInspection& session) {
          percentage(eyes.lost_rows_of(1), eyes.rows()) + ", one or both " +
          percentage(eyes.either_lost_rows(), eyes.rows()) + "):\n      " +
          counted(eyes.blinks(), "blink", "blinks") + ", " + counted(eyes.losses(), "loss", "losses") +
-         " of more than 600 ms, the longest span " + milliseconds(eyes.longest_loss_ns()) + "\n";
+         " of more than 600 ms, the longest span " + milliseconds(eyes.longest_loss_ns()) + "\n" +
+         (gaze_words.empty() ? "" : "      " + gaze_words + "\n");
 }
 
 std::string plots_text(const SessionInspection& session) {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "sessions/inspect/findings.h"
-#include "sessions/inspect/linear_histogram.h"
+#include "sessions/inspect/meters/linear_histogram.h"
 #include "sessions/inspect/time_profile.h"
 #include "sessions/streams/stream_rows.h"
 

@@ -58,6 +58,7 @@ class InspectingVisitor : public SessionVisitor {
     poses.count(row.stamp_ns, rows.line(), repeats);
     poses.ages->sample(row.stamp_ns, parsed_.end_ns);
     inspection_.head.add(row, norm_of(rows), rows.line());
+    inspection_.plausibility.add(row);
   }
 
   void gaze(const GazeRow& row, const CsvRows& rows) override {
@@ -71,6 +72,7 @@ class InspectingVisitor : public SessionVisitor {
       gaze.ages.emplace(inspection_.span->start_ns, display_hz_, kGazeCentredNs);
     if (gaze.ages && seen) gaze.ages->sample(row.stamp_ns, inspection_.span->end_ns);
     inspection_.eyes.add(row, rows);
+    inspection_.plausibility.add(row, !parsed_.header.gaze_combined);
   }
 
   void camera(std::size_t index, const CameraRow& row, const CsvRows& rows) override {
@@ -139,6 +141,13 @@ void name_streams(const SessionFiles& files, const SessionHeader& header, Sessio
   }
 }
 
+// A head or a gaze that stands still is no fault where the recording says so: `herr synth` and `herr convert` write it.
+void expect_what_was_meant(const SessionHeader& header, PlausibilityMeter& plausibility) {
+  const auto says = [&](const char* words) { return header.provenance.find(words) != std::string::npos; };
+  if (says("head still")) plausibility.expect_still_head();
+  if (says("gaze still")) plausibility.expect_still_gaze();
+}
+
 template <typename Action>
 void for_each_other_stream(SessionInspection& inspection, const Action& action) {
   if (inspection.gaze && inspection.gaze->rows > 0) action(*inspection.gaze);
@@ -152,6 +161,7 @@ void judge_all(const SessionFiles& files, SessionInspection& inspection) {
   judge_stream(poses, poses, findings);
   inspection.head.judge(poses.file, findings);
   inspection.eyes.judge(files.gaze(), findings);
+  inspection.plausibility.judge(poses.file, files.gaze(), findings);
   for_each_other_stream(inspection, [&](const StreamSummary& stream) {
     judge_stream(poses, stream, findings);
     if (poses.rows > 0) judge_offset(poses, stream, findings);
@@ -189,6 +199,8 @@ SessionInspection inspect_session(const InspectionRequest& request) {
   visitor.add_late_errors();
   inspection.event_rows = visited.event_rows;
   inspection.eyes.finish();
+  expect_what_was_meant(parsed.header, inspection.plausibility);
+  inspection.plausibility.finish();
   if (!visited.has_gaze) inspection.gaze.reset();
   if (inspection.span) {
     inspection.poses.ages->finish(inspection.span->end_ns);

@@ -14,6 +14,7 @@
 #include "sessions/inspect/findings.h"
 #include "sessions/inspect/gaze_meter.h"
 #include "sessions/inspect/head_meter.h"
+#include "sessions/inspect/plausibility.h"
 #include "sessions/inspect/stream_summary.h"
 #include "sessions/streams/session_options.h"
 
@@ -35,6 +36,7 @@ struct SessionInspection {
   std::array<std::optional<StreamSummary>, 2> cameras;  // none where the header names no such camera
   HeadMeter head;
   GazeMeter eyes;
+  PlausibilityMeter plausibility;
   std::int64_t event_rows = 0;
   std::int64_t decoded_pictures = 0, sanitised_values = 0;  // decode
   bool truncated = false;

@@ -48,6 +48,10 @@ void judge_gaps(const StreamSummary& poses, const StreamSummary& stream, Finding
   findings.add(std::move(finding));
 }
 
+double fresh_hz(const StreamSummary& stream) {
+  return static_cast<double>(stream.rows - 1 - stream.repeated_values) / stream.span_s();
+}
+
 }  // namespace
 
 void StreamSummary::count(TimeNs stamp_ns, std::int64_t line, bool repeats) {
@@ -86,11 +90,14 @@ void judge_stream(const StreamSummary& poses, const StreamSummary& stream, Findi
   const double share =
       stream.rows > 1 ? static_cast<double>(stream.repeated_values) / static_cast<double>(stream.rows - 1)
                       : 0;
-  if (share > kManyRepeats)
+  // All of them: what stands still is another finding, that of its meter.
+  if (share > kManyRepeats && share < 1)
     findings.add(Severity::note,
                  InputError(stream.file, 0,
                             percentage(stream.repeated_values, stream.rows - 1) +
-                                " of the rows say the same as the row before",
+                                " of the rows say the same as the row before: about " +
+                                fixed_text(fresh_hz(stream), 1) + " new ones a second in " +
+                                fixed_text(stream.mean_hz(), 1) + " rows a second",
                             "its sensor is slower than its rows: ages are larger than they seem"));
   const double off =
       stream.nominal_hz > 0 && stream.median_hz() > 0 ? stream.median_hz() / stream.nominal_hz - 1 : 0;

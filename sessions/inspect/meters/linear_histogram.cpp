@@ -1,4 +1,4 @@
-#include "sessions/inspect/linear_histogram.h"
+#include "sessions/inspect/meters/linear_histogram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ LinearHistogram::LinearHistogram(double width, int steps)
 
 void LinearHistogram::add(double value) {
   const double last = static_cast<double>(counts_.size() - 1);
-  ++counts_[static_cast<std::size_t>(std::clamp(std::floor(value / width_), 0.0, last))];
+  ++counts_[static_cast<std::size_t>(std::clamp(value / width_, 0.0, last))];
   ++count_;
   max_ = std::max(max_, value);
 }
