@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
 
@@ -31,13 +32,13 @@ std::vector<fs::path> paths_of(const fs::path& folder, const std::string& patter
     const std::string wanted = part.string();
     std::vector<fs::path> deeper;
     for (const fs::path& at : found) {
-      std::error_code error;
       if (wanted.find('*') == std::string::npos) {
-        if (fs::exists(at / part, error)) deeper.push_back(at / part);
+        if (path_exists(at / part)) deeper.push_back(at / part);
         continue;
       }
-      for (fs::directory_iterator entry(at, error), end; !error && entry != end; entry.increment(error))
-        if (fits_pattern(entry->path().filename().string(), wanted)) deeper.push_back(entry->path());
+      std::error_code error;  // a folder that cannot be listed holds no recording
+      for (const std::string& name : list_folder(at, error))
+        if (fits_pattern(name, wanted)) deeper.push_back(at / name);
     }
     found = std::move(deeper);
   }
