@@ -195,6 +195,7 @@ Json session_json(const InspectReport& report) {
   json["streams"] = streams_json(session);
   json["head"] = head_json(session);
   if (session.gaze) json["eyes"] = eyes_json(session);
+  if (session.poses.rows > 0) json["plausibility"] = plausibility_json(session.plausibility);
   return json;
 }
 

@@ -8,7 +8,7 @@
 namespace herr {
 namespace {
 
-constexpr std::int64_t kFewestRows = 20, kFewestWindows = 10;
+constexpr std::int64_t kFewestWindows = 10;
 constexpr double kLeastWayM = 1;
 
 std::optional<double> share_of(std::int64_t part, std::int64_t all, std::int64_t fewest) {
@@ -48,7 +48,9 @@ void PlausibilityMeter::add(const GazeRow& row, bool per_eye) {
   if (last_gaze_ && last_gaze_->valid[eye] && row.stamp_ns > last_gaze_->stamp_ns) {
     const TimeNs interval_ns = row.stamp_ns - last_gaze_->stamp_ns;
     const double per_second = 1e9 / static_cast<double>(interval_ns);
-    gaze_turn_.add((row.head_direction[eye] - last_gaze_->head_direction[eye]) * per_second, interval_ns);
+    const glm::dvec3 velocity = (row.head_direction[eye] - last_gaze_->head_direction[eye]) * per_second;
+    gaze_turn_.add(velocity, interval_ns);
+    jumps_.add(velocity, interval_ns);
   }
   last_gaze_ = row;
 }
@@ -82,6 +84,7 @@ PlausibilityFigures PlausibilityMeter::figures() const {
   figures.countering_windows = x.telling() + y.telling();
   figures.evidence_x = x.evidence();
   figures.evidence_y = y.evidence();
+  figures.stop_share = jumps_.stop_share();
   figures.evidence_not_exchanged = countering_.evidence_not_exchanged();
   return figures;
 }
@@ -90,7 +93,7 @@ std::string PlausibilityMeter::words() const {
   if (attitude_.rows() == 0) return "";
   const std::string degrees = " (" + whole(attitude_.tilt_deg().quantile(0.5)) + " degrees of tilt and " +
                               whole(attitude_.roll_deg().quantile(0.5)) + " of roll in the median)";
-  return "looks " + where_it_looks(attitude_) + "; " + which_way_is_up(attitude_) + degrees;
+  return "the head looks " + where_it_looks(attitude_) + "; it is " + which_way_is_up(attitude_) + degrees;
 }
 
 std::string PlausibilityMeter::gaze_words() const {

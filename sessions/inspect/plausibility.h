@@ -15,6 +15,7 @@
 #include "sessions/inspect/meters/attitude_meter.h"
 #include "sessions/inspect/meters/eye_pair_meter.h"
 #include "sessions/inspect/meters/gaze_countering.h"
+#include "sessions/inspect/meters/gaze_jumps.h"
 #include "sessions/inspect/meters/stream_steadiness.h"
 #include "sessions/streams/stream_rows.h"
 
@@ -45,6 +46,8 @@ struct PlausibilityFigures {
   // enough; below -3.5 it is reversed. To be compared between readings of one file: the true axes have the
   // largest sum.
   double evidence_x = 0, evidence_y = 0;
+  std::optional<double>
+      stop_share;  // of fast turns of the eyes, those that stop within a row: filters blur them
   // Below -3 the turns fit better with the two axes of the gaze exchanged; people's: above 3 where there is
   // enough.
   double evidence_not_exchanged = 0;
@@ -52,6 +55,8 @@ struct PlausibilityFigures {
 
 class PlausibilityMeter {
  public:
+  static constexpr std::int64_t kFewestRows = 20;  // of which anything is judged
+
   void add(const PoseRow& row);
   // `per_eye`: the rays are those of each eye.
   void add(const GazeRow& row, bool per_eye);
@@ -79,8 +84,8 @@ class PlausibilityMeter {
   AttitudeMeter attitude_;
   EyePairMeter eyes_;
   GazeCountering countering_;
-  StreamSteadiness way_{StreamSteadiness::Watch::lines}, turn_{StreamSteadiness::Watch::lines};
-  StreamSteadiness gaze_turn_{StreamSteadiness::Watch::lines_and_noise};
+  StreamSteadiness way_, turn_, gaze_turn_;
+  GazeJumps jumps_;
   std::optional<PoseRow> last_pose_;
   std::optional<GazeRow> last_gaze_;
   bool still_head_meant_ = false, still_gaze_meant_ = false;

@@ -10,15 +10,12 @@
 namespace herr {
 namespace {
 
-constexpr std::int64_t kFewestRows = 20;
 constexpr double kMostRows = 0.5;
 // People look down at what they do for minutes, but hardly ever up for half of the time.
 constexpr double kHighestLookDeg = 40;
 // A person's eyes rest in the head while it turns only where something turns along with the head.
 constexpr std::int64_t kFewestTurns = 50;
 constexpr double kAlwaysResting = 0.9;
-// Gaze trackers leave noise of 1.2 and more of a step from row to row, filters of 5 Hz 0.6 or less.
-constexpr double kSmoothed = 0.65;
 constexpr double kWalksBackwards = 0.2, kLongWayM = 5;
 
 const std::string kCorrectAxes = "correct head_axes or world_axes of the column map and convert again";
@@ -156,9 +153,10 @@ void PlausibilityMeter::judge_steadiness(const std::filesystem::path& pose_file,
   const std::optional<double> way_hz = way_.knots_hz();
   tell_lines(pose_file, way_hz ? way_hz : turn_.knots_hz());
   if (tell_lines(gaze_file, gaze_turn_.knots_hz())) return;
-  if (gaze_turn_.median_change() && *gaze_turn_.median_change() < kSmoothed)
-    tell(Severity::note, gaze_file, "the gaze runs on without the noise of a tracker",
-         "it was filtered, which dulls its jumps, or was made", findings);
+  if (jumps_.dulled())
+    tell(Severity::note, gaze_file,
+         "the eyes do not stop abruptly after jumps, as eyes do, but slow down over many rows",
+         "the gaze was smoothed: it lags behind and its jumps are dulled", findings);
 }
 
 }  // namespace herr

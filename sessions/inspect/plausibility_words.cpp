@@ -75,6 +75,7 @@ std::string likely_wrong_axis(const AttitudeMeter& head) {
   const char* true_up = axis_that_is_up(head);
   if (up < kSteadyDeg && up < kSteadier * std::min(right, forward) && up_axis)
     return std::string("its up is steady, but along the world's ") + up_axis + ": world axes?";
+  if (head.upside_share() >= kMost) return "its down is what points up: head or world axes?";
   if (true_up && up > right && up > forward)
     return std::string("the head's ") + true_up + " is what points up: head axes?";
   if (true_up) return std::string("the head's ") + true_up + " is what points up: head or world axes?";

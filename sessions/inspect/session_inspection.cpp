@@ -141,7 +141,8 @@ void name_streams(const SessionFiles& files, const SessionHeader& header, Sessio
   }
 }
 
-// A head or a gaze that stands still is no fault where the recording says so: `herr synth` and `herr convert` write it.
+// A head or a gaze that stands still is no fault where the recording says so: `herr synth` and `herr convert`
+// write it.
 void expect_what_was_meant(const SessionHeader& header, PlausibilityMeter& plausibility) {
   const auto says = [&](const char* words) { return header.provenance.find(words) != std::string::npos; };
   if (says("head still")) plausibility.expect_still_head();

@@ -7,7 +7,7 @@ namespace herr {
 namespace {
 
 // Angles are taken this far apart: fast logs would count the same gaze over and over.
-constexpr TimeNs kAngleSpacingNs = 4'000'000;
+constexpr TimeNs kGazeSpacingNs = 4'000'000;
 const double kTrustedCos = std::cos(glm::radians(EyePairMeter::kTrustedDeg));
 const double kDivergingSin = std::sin(glm::radians(EyePairMeter::kDivergingDeg));
 
@@ -30,7 +30,7 @@ void EyePairMeter::add(const GazeRow& row, bool per_eye) {
     if (!has_direction(first_[eye])) first_[eye] = row.head_direction[eye];
   if (!changes_) changes_ = (sees_left && first_[0] != left) || (sees_right && first_[1] != right);
   if (!row.valid[0] && !row.valid[1]) ++off_axis_rows_;
-  if (rows_with_gaze_ == 1 || row.stamp_ns - measured_ns_ >= kAngleSpacingNs) {
+  if (rows_with_gaze_ == 1 || row.stamp_ns - measured_ns_ >= kGazeSpacingNs) {
     measured_ns_ = row.stamp_ns;
     off_axis_deg_.add(glm::degrees(std::atan2(std::sqrt(mean.x * mean.x + mean.y * mean.y), -mean.z)));
   }

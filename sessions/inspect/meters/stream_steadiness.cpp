@@ -9,14 +9,10 @@ namespace {
 
 constexpr double kStraight = 1e-3;
 constexpr double kStraightShare = 0.4, kAlikeShare = 0.8;
-constexpr std::int64_t kFewestRuns = 12, kFewestChanges = 100;
-constexpr TimeNs kLongestIntervalNs = 200'000'000, kLongestStepNs = 25'000'000;
+constexpr std::int64_t kFewestRuns = 12;
+constexpr TimeNs kLongestIntervalNs = 200'000'000;
 
 }  // namespace
-
-StreamSteadiness::StreamSteadiness(Watch watch) {
-  if (watch == Watch::lines_and_noise) changes_.emplace(0.02, 101);
-}
 
 void StreamSteadiness::add(const glm::dvec3& velocity, TimeNs interval_ns) {
   const double size = glm::dot(velocity, velocity);
@@ -28,10 +24,6 @@ void StreamSteadiness::add(const glm::dvec3& velocity, TimeNs interval_ns) {
   }
   const glm::dvec3 change = velocity - *last_;
   const double change_squared = glm::dot(change, change);
-  if (changes_ && interval_ns <= kLongestStepNs) {
-    const double mean = 0.5 * (std::sqrt(size) + glm::length(*last_));
-    changes_->add(std::sqrt(change_squared) / mean);
-  }
   last_ = velocity;
   span_ns_ += interval_ns;
   if (change_squared < kStraight * kStraight * size) {
@@ -58,11 +50,6 @@ std::optional<double> StreamSteadiness::knots_hz() const {
       static_cast<double>(straight_) < kStraightShare * all)
     return std::nullopt;
   return static_cast<double>(bends_) / (static_cast<double>(span_ns_) * kSecondsPerNs);
-}
-
-std::optional<double> StreamSteadiness::median_change() const {
-  if (!changes_ || changes_->count() < kFewestChanges) return std::nullopt;
-  return changes_->quantile(0.5);
 }
 
 }  // namespace herr

@@ -10,14 +10,11 @@
 #include <optional>
 
 #include "sessions/format/pose.h"
-#include "sessions/inspect/meters/linear_histogram.h"
 
 namespace herr {
 
 class StreamSteadiness {
  public:
-  enum class Watch { lines, lines_and_noise };
-  explicit StreamSteadiness(Watch watch);
   // `velocity` from the row before to this one, `interval_ns` later. Zero: the row repeats the one before.
   void add(const glm::dvec3& velocity, TimeNs interval_ns);
 
@@ -26,9 +23,6 @@ class StreamSteadiness {
   // hold 40 % of the rows. Velocities of a head that moves freely differ by 1e-2 and more of their size even
   // at 1 kHz.
   std::optional<double> knots_hz() const;
-  // Median change of velocity from row to row, in its own size: near 1.4 where noise rules, 0 on smooth
-  // curves. None where there were fewer than 100 steps between rows at most 25 ms apart.
-  std::optional<double> median_change() const;
 
  private:
   static constexpr std::size_t kLongest = 256;
@@ -37,7 +31,6 @@ class StreamSteadiness {
   bool inside_ = false;  // a line whose beginning was seen
   TimeNs span_ns_ = 0;   // of the rows that could be judged
   std::array<std::int32_t, kLongest> runs_of_{};
-  std::optional<LinearHistogram> changes_;  // where noise is watched
 };
 
 }  // namespace herr
