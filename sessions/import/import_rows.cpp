@@ -20,17 +20,6 @@ namespace {
 constexpr glm::dvec3 kAhead(0, 0, -1);
 constexpr TimeNs kSecondNs = 1'000'000'000;
 
-bool same_column(const ColumnRef& a, const ColumnRef& b) {
-  return a.name == b.name && a.number == b.number;
-}
-
-// Both read the same stamp from a row.
-bool same_time(const TimeColumns& a, const TimeColumns& b) {
-  return a.kind == b.kind && same_column(a.column, b.column) && same_column(a.nanoseconds, b.nanoseconds) &&
-         a.unit == b.unit && a.date_format == b.date_format && a.zone_minutes == b.zone_minutes &&
-         a.rate_hz == b.rate_hz && a.scale == b.scale && a.offset_ns == b.offset_ns;
-}
-
 class RowsImport {
  public:
   RowsImport(const ImportRequest& request, const ImportSink& sink) : request_(request), sink_(sink) {}
@@ -63,7 +52,7 @@ class RowsImport {
     if (!has_head() && !has_gaze())
       throw InputError(request_.head_file, 0, "holds neither poses of the head nor gaze by this map",
                        "check the map");
-    one_table_ = has_head() && has_gaze() && gaze_.path == head_.path && same_time(head->time, gaze->time);
+    one_table_ = has_head() && has_gaze() && gaze_.path == head_.path && head->time == gaze->time;
     if (one_table_ && gaze->space == GazeSpace::world)
       gaze_.wanted.insert(gaze_.wanted.end(), head_.wanted.begin(), head_.wanted.end());
   }

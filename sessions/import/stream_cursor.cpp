@@ -102,7 +102,7 @@ void StreamCursor::finish() {
         "");
   if (stream_.rows > 0) return;
   if (stream_.rows_read == 0)
-    throw InputError(rows_->path(), 0, "holds no rows: only a header line, or nothing at all",
+    throw InputError(rows_->path(), 0, "holds no rows",
                      "check that the recording was written to its end");
   const std::string all = std::to_string(stream_.rows_read);
   if (stream_.fates[RowFate::lost_tracking] == stream_.rows_read)

@@ -224,14 +224,10 @@ TEST_F(ImportRows, MovesNothingForARowThatIsLeftOut) {
 // 40 pairs 0.091 ms apart, 33.333333 ms from pair to pair.
 TEST_F(ImportRows, KeepsOnePoseOfEachPairOfCameras) {
   std::string head = kHead;
-  for (int i = 0; i < 40; ++i) {
-    const std::string second = std::to_string(60000 + i * 33333333LL / 1000000000);
-    const auto stamp = [&](long long ns) {
-      const std::string digits = std::to_string(1000000000 + ns % 1000000000);
-      return second + "." + digits.substr(1) + ",0." + std::to_string(100 + i) + ",1.6,0,0,0,0,1\n";
-    };
-    head += stamp(i * 33333333LL) + stamp(i * 33333333LL + 91000);
-  }
+  for (long long i = 0; i < 40; ++i)
+    for (const long long ns : {i * 33333333, i * 33333333 + 91000})
+      head += std::to_string(60000 + ns / 1000000000) + "." +
+              std::to_string(1000000000 + ns % 1000000000).substr(1) + ",0,1.6,0,0,0,0,1\n";
   const Imported got = import(head);
   ASSERT_EQ(got.poses.size(), 40u);
   EXPECT_EQ(got.poses[1].stamp_ns, 60'000'033'333'333);
@@ -272,8 +268,8 @@ TEST_F(ImportRows, WarnsAHundredTimesAtMost) {
 }
 
 TEST_F(ImportRows, RefusesAStreamWithoutRows) {
-  EXPECT_INPUT_ERROR(import(kHead), "head.csv: holds no rows: only a header line");
-  EXPECT_INPUT_ERROR(import(kHead + poses(3), kGaze), "gaze.csv: holds no rows: only a header line");
+  EXPECT_INPUT_ERROR(import(kHead), "head.csv: holds a header line and no rows");
+  EXPECT_INPUT_ERROR(import(kHead + poses(3), kGaze), "gaze.csv: holds a header line and no rows");
   EXPECT_INPUT_ERROR(import(kHead + "1,nan,nan,nan,nan,nan,nan,nan\n2,nan,nan,nan,nan,nan,nan,nan\n"),
                      "tracking was lost in all 2 rows");
   EXPECT_INPUT_ERROR(import(kHead + "a,0,0,0,0,0,0,1\nb,0,0,0,0,0,0,1\n", "",
