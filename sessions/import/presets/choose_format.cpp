@@ -1,12 +1,15 @@
 #include "sessions/import/presets/choose_format.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/presets/proven_angles.h"
+#include "sessions/import/presets/recording_folder.h"
 #include "sessions/import/presets/trial_import.h"
 
 namespace herr {
@@ -36,6 +39,11 @@ std::vector<FittingColumns> recognised(const FormatRequest& request) {
   std::size_t most = 0;
   for (const FittingColumns& one : all) most = std::max(most, one.named_columns);
   std::erase_if(all, [most](const FittingColumns& one) { return one.named_columns < most; });
+  // Of several, those that call their files so.
+  const auto by_name = [&](const FittingColumns& one) {
+    return named_in_layouts(any_file(request), *one.map);
+  };
+  if (std::any_of(all.begin(), all.end(), by_name)) std::erase_if(all, std::not_fn(by_name));
   return all;
 }
 
@@ -157,18 +165,20 @@ ChosenFormat choose(const FormatRequest& request, std::vector<Tried> tried) {
                    "give --preset, and --variant where one is named");
 }
 
-}  // namespace
-
-ImportRequest import_request(const FormatRequest& request, const ImportColumns& columns) {
-  ImportRequest import;
-  import.head_file = request.files.head;
-  import.gaze_file = request.files.gaze;
-  import.columns = columns;
-  import.still = request.still;
-  return import;
+// The same columns may hold angles by another formula, which the file itself may prove.
+void prove_angles(const FormatRequest& request, ChosenFormat& chosen) {
+  ImportColumns& columns = chosen.format.columns;
+  if (columns.gaze == nullptr) return;
+  const std::filesystem::path& file = request.files.gaze ? *request.files.gaze : request.files.head;
+  const std::vector<const GazeColumns*> all = fitting_gaze(file, *chosen.format.map, columns.gaze->variant);
+  const GazeColumns* proven = proven_angles(file, all);
+  if (proven == nullptr || proven == columns.gaze) return;
+  columns.gaze = proven;
+  chosen.remarks.push_back(
+      "the combined ray of the file proves another formula of its angles, which was taken");
 }
 
-ChosenFormat choose_format(const FormatRequest& request) {
+ChosenFormat chosen_of(const FormatRequest& request) {
   for (const std::filesystem::path& file : {request.files.head, request.files.gaze.value_or("")})
     if (!file.empty() && !path_exists(file)) throw InputError(file, 0, "does not exist", "name a recording");
   std::vector<FittingColumns> formats = all_fitting(request);
@@ -184,6 +194,23 @@ ChosenFormat choose_format(const FormatRequest& request) {
   if (tried.size() > 1) return choose(request, std::move(tried));
   // The only format that has these columns: what is wrong in it is for its import to say.
   return {tried.front().format, {tried.front().format.words() + " was recognised by its columns"}};
+}
+
+}  // namespace
+
+ImportRequest import_request(const FormatRequest& request, const ImportColumns& columns) {
+  ImportRequest import;
+  import.head_file = request.files.head;
+  import.gaze_file = request.files.gaze;
+  import.columns = columns;
+  import.still = request.still;
+  return import;
+}
+
+ChosenFormat choose_format(const FormatRequest& request) {
+  ChosenFormat chosen = chosen_of(request);
+  prove_angles(request, chosen);
+  return chosen;
 }
 
 }  // namespace herr

@@ -157,4 +157,12 @@ FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr
   return result;
 }
 
+std::vector<const GazeColumns*> fitting_gaze(const std::filesystem::path& file, const ColumnMap& map,
+                                             const std::string& variant) {
+  std::vector<const GazeColumns*> found;
+  for (const GazeColumns& gaze : map.gaze)
+    if (gaze.variant == variant && !misfit(file, gaze)) found.push_back(&gaze);
+  return found;
+}
+
 }  // namespace herr

@@ -39,4 +39,8 @@ struct FittingResult {
 FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr<const ColumnMap>& map,
                               const std::string& preset, const std::string& variant, const StillParts& still);
 
+// All gaze alternatives of `variant` (empty: of those without one) whose columns are in the file.
+std::vector<const GazeColumns*> fitting_gaze(const std::filesystem::path& file, const ColumnMap& map,
+                                             const std::string& variant);
+
 }  // namespace herr

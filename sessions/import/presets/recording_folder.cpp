@@ -152,4 +152,13 @@ FoundRecording find_recording(const fs::path& folder, const std::string& preset,
   return best;
 }
 
+bool named_in_layouts(const fs::path& file, const ColumnMap& map) {
+  const std::string name = file.filename().string();
+  return std::any_of(map.layouts.begin(), map.layouts.end(), [&](const RecordingLayout& layout) {
+    const fs::path pattern = layout.head.empty() ? layout.gaze : layout.head;
+    // "data.csv" says nothing of its own.
+    return pattern.filename() != "data.csv" && matches_part(name, pattern.filename().string());
+  });
+}
+
 }  // namespace herr

@@ -26,4 +26,7 @@ struct FoundRecording {
 FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset,
                               const ColumnMap* map = nullptr);
 
+// Whether a file of this name is the head's (or the gaze's) in one of the map's layouts.
+bool named_in_layouts(const std::filesystem::path& file, const ColumnMap& map);
+
 }  // namespace herr
