@@ -140,6 +140,7 @@ ImportReport import_into(SessionRecorder& recorder, PlausibilityMeter& meter, co
 
 void judge(const PlausibilityMeter& meter, const ConvertOptions& options, ConvertReport& report) {
   report.head_words = meter.words();
+  report.gaze_words = meter.gaze_words();
   FindingList findings;
   const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
   meter.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
@@ -172,6 +173,9 @@ int convert(const ConvertOptions& options) {
   SessionHeader header = header_for(options, folder, format, std::move(profile));
   SessionRecorder recorder(folder.path());
   PlausibilityMeter meter;
+  const HeadColumns* head = request.columns.head;
+  if (head == nullptr || head->rotation_kind == RotationKind::fixed) meter.expect_still_head();
+  if (options.still.gaze) meter.expect_still_gaze();
   report.rows = import_into(recorder, meter, request);
   judge(meter, options, report);
   for (std::size_t i = 0; i < feeds.size(); ++i) {

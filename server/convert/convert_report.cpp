@@ -168,6 +168,7 @@ std::vector<std::string> heavy_losses(const ConvertReport& report) {
 std::string convert_text(const ConvertReport& report) {
   std::string text = "session: " + shown(report.out) + "\nformat: " + printable(report.format) + "\n";
   if (!report.head_words.empty()) text += "head: " + report.head_words + "\n";
+  if (!report.gaze_words.empty()) text += "eyes: " + report.gaze_words + "\n";
   text += stream_text("poses", report.rows.poses, false);
   if (report.rows.has_gaze)
     text +=
@@ -182,7 +183,7 @@ std::string convert_text(const ConvertReport& report) {
 
 std::string convert_json(const ConvertReport& report) {
   Json json{
-      {"session", shown(report.out)}, {"format", printable(report.format)}, {"head", report.head_words}};
+      {"session", shown(report.out)}, {"format", printable(report.format)}, {"head", report.head_words}, {"eyes", report.gaze_words}};
   json["poses"] = stream_json(report.rows.poses, false);
   if (report.rows.has_gaze) {
     json["gaze"] = stream_json(report.rows.gaze, true);

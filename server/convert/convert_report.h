@@ -16,7 +16,7 @@ struct ConvertReport {
   std::string format;  // "preset euroc, variant tumvi"
   ImportReport rows;
   std::vector<FeedReport> feeds;
-  std::string head_words;             // where the head looks, how level it is
+  std::string head_words, gaze_words;  // where the head looks, how level it is; what the eyes do
   std::vector<std::string> remarks;   // how the format was chosen, what was assumed
   std::vector<std::string> warnings;  // one line each, of the user's files
 };

@@ -9,7 +9,6 @@
 #include "sessions/import/check/axis_conventions.h"
 #include "sessions/import/check/column_roles.h"
 #include "sessions/import/check/sniffed_table.h"
-#include "sessions/import/check/walking_meter.h"
 #include "sessions/import/presets/choose_format.h"
 #include "sessions/import/presets/trial_import.h"
 
@@ -17,7 +16,8 @@ namespace herr {
 namespace {
 
 constexpr double kLevel = 0.8;        // of the rows: people seldom lie on their side
-constexpr double kAhead = 0.5;        // mean cosine between way and look
+// Of the way: people walk forwards.
+constexpr double kForwards = 0.7;
 constexpr double kGazeAheadDeg = 40;  // people's eyes rest within it
 constexpr double kTallestM = 3;       // median |position| of a head in a room, roughly
 
@@ -95,7 +95,6 @@ struct Candidate {
   const AxisConvention* axes = nullptr;
   std::shared_ptr<const ColumnMap> map;
   TrialImport trial;
-  std::optional<double> ahead;  // of walking
 };
 
 Candidate try_axes(const RecordingFiles& files, ColumnMap map, const AxisConvention& axes) {
@@ -111,27 +110,19 @@ Candidate try_axes(const RecordingFiles& files, ColumnMap map, const AxisConvent
   const GazeColumns* gaze = candidate.map->gaze.empty() ? nullptr : &candidate.map->gaze.front();
   const ImportRequest import = import_request(request, {&candidate.map->head.front(), gaze});
   candidate.trial = trial_import(import);
-  if (candidate.trial.error) return candidate;
-  WalkingMeter walking;
-  ImportRequest part = import;
-  part.columns.gaze = nullptr;
-  part.keep_going = true;
-  part.most_rows = kTrialRows;
-  import_rows(part, {[&](const PoseRow& row) { walking.add(row); }, {}});
-  candidate.ahead = walking.ahead();
   return candidate;
 }
 
 bool excluded(const Candidate& candidate) {
   if (!implausible(candidate.trial).empty()) return true;
   const PlausibilityFigures& f = candidate.trial.figures;
-  return (f.level_share && *f.level_share < kLevel) || (candidate.ahead && *candidate.ahead < -kAhead);
+  return (f.level_share && *f.level_share < kLevel) || (f.forwards_share && *f.forwards_share < 1 - kForwards);
 }
 
 // What speaks for these axes beyond being level: walking ahead, eyes that rest ahead.
 int evidence(const Candidate& candidate, std::vector<std::string>& reasons) {
   int found = 0;
-  if (candidate.ahead && *candidate.ahead > kAhead) {
+  if (candidate.trial.figures.forwards_share.value_or(0) > kForwards) {
     reasons.push_back("the head looks where it walks");
     ++found;
   }
@@ -140,7 +131,7 @@ int evidence(const Candidate& candidate, std::vector<std::string>& reasons) {
     reasons.push_back("the eyes rest ahead of the head");
     ++found;
   }
-  if (f.countering_windows >= 30 && f.countering_x && *f.countering_x > 0.6) {
+  if (eye_evidence(candidate.trial) > kChanceEvidence) {
     reasons.push_back("the eyes turn against the head, as people's do");
     ++found;
   }

@@ -156,6 +156,14 @@ ChosenFormat choose(const FormatRequest& request, std::vector<Tried> tried) {
       continue;
     return {one.format, {told_apart(one, bad) + "; with the others the head's up is not steady"}};
   }
+  const auto countering = std::find_if(unlike.begin(), unlike.end(), [&](const Tried& one) {
+    return std::all_of(unlike.begin(), unlike.end(), [&](const Tried& other) {
+      return &one == &other || eye_evidence(one.trial) > eye_evidence(other.trial) + kChanceEvidence;
+    });
+  });
+  if (countering != unlike.end())
+    return {countering->format,
+            {told_apart(*countering, bad) + "; with the others the eyes counter the head less"}};
   if (only_gaze_differs(unlike))
     return {unlike.front().format,
             {unlike.front().format.words() + " was taken, and the data would also allow " +

@@ -14,9 +14,8 @@ namespace {
 // More than this share of the rows against it: the axes are wrong. People lie down and trackers fail, but not
 // for most of a recording.
 constexpr double kMost = 0.5;
-// Eyes that turn with the head in most windows are mirrored; chance gives a half.
-constexpr double kSeldom = 0.25;
-constexpr std::int64_t kFewestWindows = 30;
+// Noise of trackers makes eyes diverge in up to half of the rows; mirrored ones diverge in nearly all.
+constexpr double kNearlyAll = 0.9;
 
 class RowsHash {
  public:
@@ -86,14 +85,15 @@ std::string implausible(const TrialImport& trial) {
   if (trial.lost_share > kMost) return share_words(trial.lost_share) + " cannot be used";
   if (f.level_share && *f.level_share < kMost)
     return "the head is not level in " + share_words(1 - *f.level_share);
-  if (f.diverging_share && *f.diverging_share > kMost)
+  if (f.diverging_share && *f.diverging_share > kNearlyAll)
     return "the eyes diverge in " + share_words(*f.diverging_share);
   if (f.off_axis_share && *f.off_axis_share > kMost)
     return "the gaze is more than 60 degrees off the head's forward in " + share_words(*f.off_axis_share);
-  if (f.countering_windows >= kFewestWindows &&
-      ((f.countering_x && *f.countering_x < kSeldom) || (f.countering_y && *f.countering_y < kSeldom)))
-    return "the eyes turn with the head instead of against it";
   return "";
+}
+
+double eye_evidence(const TrialImport& trial) {
+  return trial.figures.evidence_x + trial.figures.evidence_y;
 }
 
 }  // namespace herr

@@ -24,7 +24,11 @@ struct TrialImport {
 // At most kTrialRows of each stream.
 TrialImport trial_import(ImportRequest request);
 
-// What speaks against a person's head and eyes in these axes, a sentence; empty where nothing does.
+// What excludes a person's head and eyes in these axes, a sentence; empty where nothing does.
 std::string implausible(const TrialImport& trial);
+// How much better the eyes counter the head than by chance, in standard deviations; 0 without gaze. To be compared
+// between readings of one recording: chance makes up kChanceEvidence.
+double eye_evidence(const TrialImport& trial);
+inline constexpr double kChanceEvidence = 3.5;
 
 }  // namespace herr
