@@ -1,0 +1,90 @@
+#include "sessions/import/presets/format_trial.h"
+
+#include <algorithm>
+
+#include "sessions/text/fixed_text.h"
+
+namespace herr {
+namespace {
+
+constexpr double kLevel = 0.7, kNotLevel = 0.4;  // share of rows in which the head is upright
+// The head's up is steadier under the true axes than its sides: by so much it is told from chance.
+constexpr double kSteadierTimes = 1.5, kSteadierByDeg = 1;
+constexpr double kEvidence = 4;                    // standard deviations between two readings
+constexpr double kConverge = 0.5, kDiverge = 0.8;  // share of rows in which the eyes diverge
+
+std::string percent(double share) {
+  return fixed_text(100 * share, 0) + " %";
+}
+
+std::string level_because(const PlausibilityFigures& a, const PlausibilityFigures& b) {
+  if (!a.level_share || !b.level_share) return {};
+  if (*a.level_share >= kLevel && *b.level_share <= kNotLevel)
+    return "the head is upright in " + percent(*a.level_share) + " of the rows, not in " +
+           percent(*b.level_share);
+  if (*a.level_share >= kLevel && a.head_turns &&
+      b.up_spread_deg > kSteadierTimes * a.up_spread_deg + kSteadierByDeg)
+    return "the head's up wavers by " + fixed_text(a.up_spread_deg, 1) + " degrees, not by " +
+           fixed_text(b.up_spread_deg, 1);
+  return {};
+}
+
+std::string eyes_because(const PlausibilityFigures& a, const PlausibilityFigures& b) {
+  const double evidence_a = a.evidence_x + a.evidence_y, evidence_b = b.evidence_x + b.evidence_y;
+  if (evidence_a - evidence_b > kEvidence)
+    return "the eyes counter the head's turns, by " + fixed_text(evidence_a - evidence_b, 1) +
+           " standard deviations more";
+  if (evidence_b - evidence_a > kEvidence) return {};
+  if (a.diverging_share && b.diverging_share && *a.diverging_share <= kConverge &&
+      *b.diverging_share >= kDiverge)
+    return "the eyes diverge in " + percent(*a.diverging_share) + " of the rows, not in " +
+           percent(*b.diverging_share);
+  return {};
+}
+
+}  // namespace
+
+FormatTrial try_format(const RecordingFiles& files, const FormatCandidate& candidate,
+                       std::int64_t most_rows) {
+  FormatTrial trial{candidate, {}, std::nullopt};
+  ImportRequest request = request_of(files, candidate);
+  request.keep_going = true;
+  request.most_rows = most_rows;
+  const bool per_eye = candidate.columns.gaze != nullptr && candidate.columns.gaze->rays.size() == 2;
+  PlausibilityMeter meter;
+  try {
+    const ImportReport report = import_rows(request, {[&](const PoseRow& row) { meter.add(row); },
+                                                      [&](const GazeRow& row) { meter.add(row, per_eye); }});
+    for (const ImportedStream* stream : {&report.poses, &report.gaze})
+      if (2 * stream->fates[RowFate::bad] > stream->rows_read)
+        trial.error.emplace(stream->file, 0, "most rows cannot be read", report.warnings.front());
+  } catch (const InputError& error) {
+    trial.error = error;
+    return trial;
+  }
+  meter.finish();
+  trial.figures = meter.figures();
+  return trial;
+}
+
+std::string better_because(const FormatTrial& a, const FormatTrial& b) {
+  if (a.error) return {};
+  if (b.error) return b.error->problem();
+  const std::string level = level_because(a.figures, b.figures);
+  if (!level.empty() || !level_because(b.figures, a.figures).empty()) return level;
+  return eyes_because(a.figures, b.figures);
+}
+
+const FormatTrial* best_of(const std::vector<FormatTrial>& trials) {
+  if (std::all_of(trials.begin(), trials.end(),
+                  [](const FormatTrial& trial) { return trial.error.has_value(); }))
+    throw *trials.front().error;
+  for (const FormatTrial& one : trials)
+    if (std::all_of(trials.begin(), trials.end(), [&](const FormatTrial& other) {
+          return &other == &one || !better_because(one, other).empty();
+        }))
+      return one.error ? nullptr : &one;
+  return nullptr;
+}
+
+}  // namespace herr
