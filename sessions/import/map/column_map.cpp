@@ -1,5 +1,7 @@
 #include "sessions/import/map/column_map.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "sessions/import/map/map_parts.h"
@@ -11,7 +13,8 @@ constexpr JsonLimits kMapLimits{1 << 20, 16, 10000};
 
 ColumnMap parse_map(const nlohmann::json& document, const std::filesystem::path& file) {
   const JsonObject root(document, file, "");
-  root.allow_only({"format_version", "name", "note", "head", "gaze", "camera", "layouts", "vergence_m"});
+  root.allow_only(
+      {"format_version", "name", "note", "head", "gaze", "camera", "layouts", "vergence_m", "otherwise"});
   root.integer("format_version", 1, 1);
   ColumnMap map;
   map.name = root.text("name");
@@ -23,6 +26,12 @@ ColumnMap parse_map(const nlohmann::json& document, const std::filesystem::path&
   for (const JsonObject& entry : root.objects("camera")) map.camera.push_back(parse_camera(entry));
   for (const JsonObject& entry : root.objects("layouts")) map.layouts.push_back(parse_layout(entry));
   if (root.has("vergence_m")) map.vergence_m = root.number("vergence_m", 0.05, 10000);
+  map.otherwise = root.text_or("otherwise", "");
+  if (!map.otherwise.empty() && std::none_of(map.head.begin(), map.head.end(), [&](const HeadColumns& head) {
+        return head.variant == map.otherwise;
+      }))
+    root.fail("otherwise", "is '" + printable(map.otherwise) + "', and no head is of that variant",
+              "name a variant of head");
   return map;
 }
 

@@ -194,6 +194,7 @@ struct ColumnMap {
   std::vector<CameraColumns> camera;
   std::vector<RecordingLayout> layouts;
   std::optional<double> vergence_m;
+  std::string otherwise;  // the variant that is taken where the data cannot tell; empty: none, it is an error
   bool operator==(const ColumnMap&) const = default;
 };
 

@@ -44,6 +44,7 @@ MapJson map_json(const ColumnMap& map) {
   for (const CameraColumns& camera : map.camera) root["camera"].push_back(camera_json(camera));
   for (const RecordingLayout& layout : map.layouts) root["layouts"].push_back(layout_json(layout));
   if (map.vergence_m) root["vergence_m"] = *map.vergence_m;
+  if (!map.otherwise.empty()) root["otherwise"] = map.otherwise;
   return root;
 }
 

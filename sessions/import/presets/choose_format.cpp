@@ -115,19 +115,12 @@ bool differ(const Tried& a, const Tried& b) {
   return a.trial.rows_hash != b.trial.rows_hash;
 }
 
-// How unsteady the head's up is may tell what levels alone do not: of two axes that are both level enough,
-// the true one stays much steadier while the head turns about it.
-bool steadier(const Tried& a, const Tried& b) {
-  constexpr double kTimes = 3, kDeg = 5;
-  return b.trial.figures.up_spread_deg > kDeg &&
-         a.trial.figures.up_spread_deg * kTimes < b.trial.figures.up_spread_deg;
-}
-
 std::string told_apart(const Tried& chosen, const std::vector<Tried>& others) {
   std::string text = chosen.format.words() + " was taken";
-  if (!chosen.trial.words.empty()) text += " (" + chosen.trial.words + ")";
-  for (const Tried& one : others)
-    if (!one.against.empty()) text += "; with " + one.format.words() + " " + one.against;
+  for (const Tried& one : others) {
+    const std::string why = one.against.empty() ? better_because(chosen.trial, one.trial) : one.against;
+    if (!why.empty()) text += "; with " + one.format.words() + " " + why;
+  }
   return text;
 }
 
@@ -138,39 +131,79 @@ bool only_gaze_differs(const std::vector<Tried>& tried) {
   });
 }
 
-ChosenFormat choose(const FormatRequest& request, std::vector<Tried> tried) {
-  std::vector<Tried> good, bad;
-  for (Tried& one : tried) (one.against.empty() ? good : bad).push_back(std::move(one));
-  if (good.empty())
-    throw InputError(any_file(request), 0,
-                     "looks like no person's head and eyes in any of its formats: " + list_of(bad),
-                     "give --preset and --variant to insist on one, or --map");
-  std::vector<Tried> unlike{good.front()};
-  for (const Tried& one : good)
-    if (std::all_of(unlike.begin(), unlike.end(), [&](const Tried& other) { return differ(one, other); }))
-      unlike.push_back(one);
-  if (unlike.size() == 1) return {unlike.front().format, {told_apart(unlike.front(), bad)}};
-  for (const Tried& one : unlike) {
-    if (!std::all_of(unlike.begin(), unlike.end(),
-                     [&](const Tried& other) { return &one == &other || steadier(one, other); }))
-      continue;
-    return {one.format, {told_apart(one, bad) + "; with the others the head's up is not steady"}};
+struct Contest {
+  std::vector<Tried> good, bad;  // good: those that differ in any row
+};
+
+Contest contest_of(const FormatRequest& request, const std::vector<FittingColumns>& formats,
+                   std::int64_t most_rows) {
+  Contest contest;
+  for (const FittingColumns& format : formats) {
+    Tried one{format, trial_import(import_request(request, format.columns), most_rows), {}};
+    one.against = implausible(one.trial);
+    if (!one.against.empty())
+      contest.bad.push_back(std::move(one));
+    else if (std::all_of(contest.good.begin(), contest.good.end(),
+                         [&](const Tried& other) { return differ(one, other); }))
+      contest.good.push_back(std::move(one));
   }
-  const auto countering = std::find_if(unlike.begin(), unlike.end(), [&](const Tried& one) {
-    return std::all_of(unlike.begin(), unlike.end(), [&](const Tried& other) {
-      return &one == &other || eye_evidence(one.trial) > eye_evidence(other.trial) + kChanceEvidence;
-    });
+  return contest;
+}
+
+// The one that is more plausible than all others, or nothing.
+std::optional<ChosenFormat> winner(const Contest& contest) {
+  for (const Tried& one : contest.good) {
+    if (!std::all_of(contest.good.begin(), contest.good.end(), [&](const Tried& other) {
+          return &one == &other || !better_because(one.trial, other.trial).empty();
+        }))
+      continue;
+    std::vector<Tried> others = contest.bad;
+    for (const Tried& other : contest.good)
+      if (&other != &one) others.push_back(other);
+    return ChosenFormat{one.format, {told_apart(one, others)}};
+  }
+  return std::nullopt;
+}
+
+// The user named the format: what fits it best is taken, and warnings follow.
+ChosenFormat insisted(const FormatRequest& request, const Contest& contest) {
+  const std::string remark =
+      "looks like no person's head and eyes in any of its formats: " + list_of(contest.bad);
+  const auto legible = std::find_if(contest.bad.begin(), contest.bad.end(), [&](const Tried& one) {
+    return !one.trial.error &&
+           (one.format.map->otherwise.empty() || one.format.variant() == one.format.map->otherwise);
   });
-  if (countering != unlike.end())
-    return {countering->format,
-            {told_apart(*countering, bad) + "; with the others the eyes counter the head less"}};
-  if (only_gaze_differs(unlike))
-    return {unlike.front().format,
-            {unlike.front().format.words() + " was taken, and the data would also allow " +
-             unlike[1].format.words() + ": give --variant where that is meant"}};
+  const bool named = request.map || !request.preset.empty();
+  if (named && legible != contest.bad.end())
+    return {legible->format, {"the recording " + remark + "; " + legible->format.words() + " was taken"}};
+  throw InputError(any_file(request), 0, remark, "give --preset and --variant to insist on one, or --map");
+}
+
+ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
+  if (contest.good.empty()) return insisted(request, contest);
+  const Tried& first = contest.good.front();
+  if (only_gaze_differs(contest.good))
+    return {first.format,
+            {first.format.words() + " was taken, and the data would also allow " +
+             contest.good[1].format.words() + ": give --variant where that is meant"}};
+  const bool one_map = std::all_of(contest.good.begin(), contest.good.end(),
+                                   [&](const Tried& one) { return one.format.map == first.format.map; });
+  for (const Tried& one : contest.good)
+    if (one_map && !one.format.variant().empty() && one.format.variant() == one.format.map->otherwise)
+      return {one.format,
+              {one.format.words() + " was taken, as the data cannot tell: " + list_of(contest.good) +
+               " fit alike; give --variant where another is meant"}};
   throw InputError(any_file(request), 0,
-                   "fits several formats, and its data cannot tell which: " + list_of(unlike),
+                   "fits several formats, and its data cannot tell which: " + list_of(contest.good),
                    "give --preset, and --variant where one is named");
+}
+
+ChosenFormat choose(const FormatRequest& request, const std::vector<FittingColumns>& formats) {
+  Contest contest = contest_of(request, formats, kTrialRows);
+  if (auto chosen = winner(contest)) return std::move(*chosen);
+  if (contest.good.size() > 1) contest = contest_of(request, formats, 0);  // the whole of it may tell
+  if (auto chosen = winner(contest)) return std::move(*chosen);
+  return undecided(request, contest);
 }
 
 // The same columns may hold angles by another formula, which the file itself may prove.
@@ -192,16 +225,9 @@ ChosenFormat chosen_of(const FormatRequest& request) {
   std::vector<FittingColumns> formats = all_fitting(request);
   const bool recognised_itself = !request.map && request.preset.empty();
   if (formats.size() == 1 && !recognised_itself) return {std::move(formats.front()), {}};
-  std::vector<Tried> tried;
-  for (FittingColumns& format : formats) {
-    Tried one{std::move(format), {}, {}};
-    one.trial = trial_import(import_request(request, one.format.columns));
-    one.against = implausible(one.trial);
-    tried.push_back(std::move(one));
-  }
-  if (tried.size() > 1) return choose(request, std::move(tried));
+  if (formats.size() > 1) return choose(request, formats);
   // The only format that has these columns: what is wrong in it is for its import to say.
-  return {tried.front().format, {tried.front().format.words() + " was recognised by its columns"}};
+  return {formats.front(), {formats.front().words() + " was recognised by its columns"}};
 }
 
 }  // namespace

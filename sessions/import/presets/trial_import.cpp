@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sessions/files/input_error.h"
-#include "sessions/inspect/number_words.h"
+#include "sessions/text/fixed_text.h"
 
 namespace herr {
 namespace {
@@ -16,6 +16,10 @@ namespace {
 constexpr double kMost = 0.5;
 // Noise of trackers makes eyes diverge in up to half of the rows; mirrored ones diverge in nearly all.
 constexpr double kNearlyAll = 0.9;
+
+// Under the true axes the head's up is steadier than its sides: by so much it is told from chance.
+constexpr double kSteadierTimes = 1.5, kSteadierByDeg = 1;
+constexpr double kLevel = 0.7;  // of the rows
 
 class RowsHash {
  public:
@@ -51,9 +55,9 @@ std::string share_words(double share) {
 
 }  // namespace
 
-TrialImport trial_import(ImportRequest request) {
+TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   request.keep_going = true;
-  request.most_rows = kTrialRows;
+  request.most_rows = most_rows;
   TrialImport trial;
   PlausibilityMeter meter;
   RowsHash hash;
@@ -89,6 +93,18 @@ std::string implausible(const TrialImport& trial) {
     return "the eyes diverge in " + share_words(*f.diverging_share);
   if (f.off_axis_share && *f.off_axis_share > kMost)
     return "the gaze is more than 60 degrees off the head's forward in " + share_words(*f.off_axis_share);
+  return "";
+}
+
+std::string better_because(const TrialImport& a, const TrialImport& b) {
+  const PlausibilityFigures &x = a.figures, &y = b.figures;
+  if (x.level_share && y.level_share && *x.level_share >= kLevel && x.head_turns &&
+      y.up_spread_deg > kSteadierTimes * x.up_spread_deg + kSteadierByDeg)
+    return "the head's up wavers by " + fixed_text(y.up_spread_deg, 1) + " degrees instead of " +
+           fixed_text(x.up_spread_deg, 1);
+  const double more = eye_evidence(a) - eye_evidence(b);
+  if (more > kChanceEvidence)
+    return "the eyes counter the turns of the head less, by " + fixed_text(more, 1) + " standard deviations";
   return "";
 }
 

@@ -21,14 +21,15 @@ struct TrialImport {
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
 
-// At most kTrialRows of each stream.
-TrialImport trial_import(ImportRequest request);
+// At most `most_rows` of each stream; 0: all.
+TrialImport trial_import(ImportRequest request, std::int64_t most_rows = kTrialRows);
 
 // What excludes a person's head and eyes in these axes, a sentence; empty where nothing does.
 std::string implausible(const TrialImport& trial);
-// How much better the eyes counter the head than by chance, in standard deviations; 0 without gaze. To be compared
-// between readings of one recording: chance makes up kChanceEvidence.
+// Why one of two readings of a recording is clearly the more plausible, a sentence; empty where it is not.
+std::string better_because(const TrialImport& a, const TrialImport& b);
+// How much better the eyes counter the head than by chance, in standard deviations; 0 without gaze.
 double eye_evidence(const TrialImport& trial);
-inline constexpr double kChanceEvidence = 3.5;
+inline constexpr double kChanceEvidence = 4;
 
 }  // namespace herr
