@@ -10,10 +10,13 @@
 #include "sessions/import/presets/proven_angles.h"
 #include "sessions/import/rows/gaze_reader.h"
 #include "sessions/import/rows/head_reader.h"
+#include "sessions/import/rows/time_reader.h"
 #include "sessions/import/tables/row_source.h"
 
 namespace herr {
 namespace {
+
+constexpr int kSampleRows = 20;
 
 // How many of its columns a file lacks; none where the file is no such table at all.
 template <typename Columns>
@@ -64,6 +67,26 @@ template <typename Columns>
                    "take another preset, or write a map");
 }
 
+// Most of the first rows hold what the columns should.
+bool reads_first_rows(const std::filesystem::path& file, const HeadColumns& columns) {
+  const std::unique_ptr<RowSource> rows = open_rows(file, columns.table, columns_of(columns));
+  TimeReader time(*rows, columns.time);
+  const HeadReader reader(*rows, columns);
+  ReadingCounts counts;
+  int good = 0;
+  for (int i = 0; i < kSampleRows; ++i) {
+    try {
+      if (!rows->next()) return 2 * good > i;
+      (void)time.read(*rows);
+      (void)reader.read(*rows, counts);
+      ++good;
+    } catch (const InputError&) {
+      continue;  // counted by what is missing from good
+    }
+  }
+  return 2 * good > kSampleRows;
+}
+
 bool of_variant(const std::string& own, const std::string& wanted) {
   return own.empty() || wanted.empty() || own == wanted;
 }
@@ -104,8 +127,7 @@ class MapFit {
   // None where head or gaze does not fit.
   std::optional<FormatCandidate> candidate(const std::string& variant) const {
     FormatCandidate found{map_, {}, variant, {}, still_};
-    for (const HeadColumns* head : heads_)
-      if (found.columns.head == nullptr && of_variant(head->variant, variant)) found.columns.head = head;
+    found.columns.head = head_of(variant);
     std::vector<const GazeColumns*> gazes;
     for (const GazeColumns* gaze : gazes_)
       if (of_variant(gaze->variant, variant)) gazes.push_back(gaze);
@@ -124,6 +146,17 @@ class MapFit {
   }
 
  private:
+  // The first one; columns that go by number are in many files, so that then the first rows decide.
+  const HeadColumns* head_of(const std::string& variant) const {
+    std::vector<const HeadColumns*> heads;
+    for (const HeadColumns* head : heads_)
+      if (of_variant(head->variant, variant)) heads.push_back(head);
+    if (heads.size() > 1)
+      for (const HeadColumns* head : heads)
+        if (reads_first_rows(files_.head, *head)) return head;
+    return heads.empty() ? nullptr : heads.front();
+  }
+
   const RecordingFiles& files_;
   std::shared_ptr<const ColumnMap> map_;
   StillParts still_;

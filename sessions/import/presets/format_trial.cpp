@@ -11,7 +11,9 @@ constexpr double kLevel = 0.7, kNotLevel = 0.4;  // share of rows in which the h
 // The head's up is steadier under the true axes than its sides: by so much it is told from chance.
 constexpr double kSteadierTimes = 1.5, kSteadierByDeg = 1;
 constexpr double kEvidence = 4;                    // standard deviations between two readings
-constexpr double kConverge = 0.5, kDiverge = 0.8;  // share of rows in which the eyes diverge
+constexpr double kConverge = 0.2, kDiverge = 0.8;  // share of rows in which the eyes diverge
+constexpr double kMostLost = 0.5;                  // share of rows; and the highest rate of any recording:
+constexpr double kHighestHz = 20000;
 
 std::string percent(double share) {
   return fixed_text(100 * share, 0) + " %";
@@ -29,17 +31,32 @@ std::string level_because(const PlausibilityFigures& a, const PlausibilityFigure
   return {};
 }
 
+// Eyes that diverge in nearly every row cannot be; what they do under head motion is a matter of chance.
 std::string eyes_because(const PlausibilityFigures& a, const PlausibilityFigures& b) {
-  const double evidence_a = a.evidence_x + a.evidence_y, evidence_b = b.evidence_x + b.evidence_y;
-  if (evidence_a - evidence_b > kEvidence)
-    return "the eyes counter the head's turns, by " + fixed_text(evidence_a - evidence_b, 1) +
-           " standard deviations more";
-  if (evidence_b - evidence_a > kEvidence) return {};
-  if (a.diverging_share && b.diverging_share && *a.diverging_share <= kConverge &&
-      *b.diverging_share >= kDiverge)
+  const auto converges = [](const PlausibilityFigures& one, const PlausibilityFigures& other) {
+    return one.diverging_share && other.diverging_share && *one.diverging_share <= kConverge &&
+           *other.diverging_share >= kDiverge;
+  };
+  if (converges(a, b))
     return "the eyes diverge in " + percent(*a.diverging_share) + " of the rows, not in " +
            percent(*b.diverging_share);
-  return {};
+  if (converges(b, a)) return {};
+  const double more = a.evidence_x + a.evidence_y - b.evidence_x - b.evidence_y;
+  if (more <= kEvidence) return {};
+  return "the eyes counter the head's turns, by " + fixed_text(more, 1) + " standard deviations more";
+}
+
+// What no recording is.
+std::optional<InputError> unlikely(const ImportReport& report) {
+  for (const ImportedStream* stream : {&report.poses, &report.gaze}) {
+    if (stream->lost_share() > kMostLost)
+      return InputError(stream->file, 0, "most rows are lost", "check the unit of time and the columns");
+    if (stream->rate_hz() > kHighestHz)
+      return InputError(stream->file, 0,
+                        "stamps are " + fixed_text(stream->intervals.median_ns(), 0) + " ns apart",
+                        "check the unit of time");
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -55,9 +72,7 @@ FormatTrial try_format(const RecordingFiles& files, const FormatCandidate& candi
   try {
     const ImportReport report = import_rows(request, {[&](const PoseRow& row) { meter.add(row); },
                                                       [&](const GazeRow& row) { meter.add(row, per_eye); }});
-    for (const ImportedStream* stream : {&report.poses, &report.gaze})
-      if (2 * stream->fates[RowFate::bad] > stream->rows_read)
-        trial.error.emplace(stream->file, 0, "most rows cannot be read", report.warnings.front());
+    trial.error = unlikely(report);
   } catch (const InputError& error) {
     trial.error = error;
     return trial;
