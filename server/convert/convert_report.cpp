@@ -174,10 +174,10 @@ std::string convert_text(const ConvertReport& report) {
     text +=
         stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze, true);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) text += feed_text(i, report.feeds[i]);
-  for (const std::string& sentence : report.rows.assumed) text += "assumed: " + printable(sentence) + "\n";
+  for (const std::string& sentence : report.rows.assumed) text += "assumed: " + sentence + "\n";
   for (const auto* sentences :
        {&report.remarks, &report.rows.remarks, &report.rows.warnings, &report.warnings})
-    for (const std::string& sentence : *sentences) text += "note: " + printable(sentence) + "\n";
+    for (const std::string& sentence : *sentences) text += "note: " + sentence + "\n";
   return text;
 }
 
