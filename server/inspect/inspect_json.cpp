@@ -8,6 +8,7 @@
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/plausibility.h"
 
 namespace herr {
 namespace {

@@ -43,7 +43,7 @@ struct PlausibilityFigures {
   std::optional<double> countering_x, countering_y;
   std::int64_t countering_windows = 0;
   // The same as evidence: standard deviations from chance. People's: above 0, and above 3 where there is
-  // enough; below -3.5 it is reversed. To be compared between readings of one file: the true axes have the
+  // enough; below -3 it is reversed. To be compared between readings of one file: the true axes have the
   // largest sum.
   double evidence_x = 0, evidence_y = 0;
   std::optional<double>

@@ -159,6 +159,8 @@ void for_each_other_stream(SessionInspection& inspection, const Action& action) 
 void judge_all(const SessionFiles& files, SessionInspection& inspection) {
   FindingList& findings = inspection.findings;
   const StreamSummary& poses = inspection.poses;
+  for (StreamSummary* stream : {&inspection.poses, inspection.gaze ? &*inspection.gaze : nullptr})
+    if (stream && stream->rows >= PlausibilityMeter::kFewestRows) stream->stillness_told = true;
   judge_stream(poses, poses, findings);
   inspection.head.judge(poses.file, findings);
   inspection.eyes.judge(files.gaze(), findings);

@@ -90,8 +90,7 @@ void judge_stream(const StreamSummary& poses, const StreamSummary& stream, Findi
   const double share =
       stream.rows > 1 ? static_cast<double>(stream.repeated_values) / static_cast<double>(stream.rows - 1)
                       : 0;
-  // All of them: what stands still is another finding, that of its meter.
-  if (share > kManyRepeats && share < 1)
+  if (share > kManyRepeats && !(share == 1 && stream.stillness_told))
     findings.add(Severity::note,
                  InputError(stream.file, 0,
                             percentage(stream.repeated_values, stream.rows - 1) +

@@ -30,6 +30,7 @@ struct StreamSummary {
   TimeNs first_ns = 0, last_ns = 0;
   IntervalCensus intervals;
   std::int64_t repeated_values = 0;  // rows that say the same as the row before
+  bool stillness_told = false;       // another finding tells it where all rows say the same
   std::optional<FrameAges> ages;     // none where the span of the poses is not known
 
   // A good row; stamps grow.

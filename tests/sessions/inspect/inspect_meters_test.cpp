@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/import_rows.h"
+#include "sessions/import/presets/built_in_maps.h"
 #include "sessions/inspect/time_profile.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/streams/interval_census.h"
