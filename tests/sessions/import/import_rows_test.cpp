@@ -228,5 +228,21 @@ TEST_F(ImportRows, SaysThatStampsWereNotRecorded) {
   EXPECT_EQ(all(got.report.assumed), "stamps were not recorded: 50 rows a second");
 }
 
+// 1481664073 s since 1970 is 2016-12-13 21:21:13 in UTC, and 13:21:13 UTC is 21:21:13 eight hours east.
+TEST_F(ImportRows, SaysThatDatesNameNoZone) {
+  std::string json = kMap;
+  for (const char* word : {"HEAD", "GAZE", "MORE"}) json.replace(json.find(word), 4, "");
+  const std::string time = R"({"column": "t", "unit": "s"})";
+  json.replace(json.find(time), time.size(), R"({"column": "t", "date": ""})");
+  map_ = parse_column_map(json, "plain.json");
+  const std::string rest = ",0,1.6,0,0,0,0,1\n";
+  const Imported local = import(kHead + "2016-12-13 21:21:13.000" + rest + "2016-12-13 21:21:13.011" + rest);
+  EXPECT_EQ(local.poses[1].stamp_ns, 1'481'664'073'011'000'000);
+  EXPECT_EQ(all(local.report.assumed), "dates name no zone: they were taken as UTC");
+  const Imported zoned = import(kHead + "2016-12-13 21:21:13.000+08:00" + rest);
+  EXPECT_EQ(zoned.poses[0].stamp_ns, 1'481'635'273'000'000'000);
+  EXPECT_EQ(all(zoned.report.assumed), "");
+}
+
 }  // namespace
 }  // namespace herr::test
