@@ -71,6 +71,8 @@ class RowsImport {
       if (stream->time != nullptr && stream->time->kind == TimeColumns::Kind::rate)
         report_.assumed.push_back("stamps were not recorded: " + plain_number_text(stream->time->rate_hz) +
                                   " rows a second");
+    if ((has_head() && assumes_utc(head_)) || (has_gaze() && assumes_utc(gaze_)))
+      report_.assumed.push_back("dates name no zone: they were taken as UTC");
     if (has_head() && request_.columns.head->rotation_kind == RotationKind::fixed)
       report_.assumed.push_back(
           request_.columns.head->position

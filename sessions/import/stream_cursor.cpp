@@ -1,5 +1,7 @@
 #include "sessions/import/stream_cursor.h"
 
+#include <string_view>
+
 namespace herr {
 namespace {
 
@@ -18,7 +20,28 @@ std::string what_of(RowFate fate) {
   }
 }
 
+// "Z", "+08", "+0800" or "+08:00" at the end.
+bool ends_with_zone(std::string_view text) {
+  if (text.ends_with('Z') || text.ends_with('z')) return true;
+  const std::size_t sign = text.find_last_of("+-");
+  const std::size_t time = text.find(':');
+  return sign != std::string_view::npos && time != std::string_view::npos && sign > time;
+}
+
 }  // namespace
+
+bool assumes_utc(const StreamFile& file) {
+  const TimeColumns& time = *file.time;
+  if (time.kind != TimeColumns::Kind::date || time.zone_minutes) return false;
+  if (!time.date_format.empty()) return time.date_format.find("%z") == std::string::npos;
+  const std::unique_ptr<RowSource> rows = open_rows(file.path, *file.table, file.wanted);
+  const std::size_t place = rows->place(time.column);
+  try {
+    return rows->next() && !ends_with_zone(rows->text(place));
+  } catch (const InputError&) {
+    return true;
+  }
+}
 
 void Warnings::add(const InputError& error, const std::string& then) {
   if (texts_.size() >= kMostWarnings) return;
@@ -102,8 +125,7 @@ void StreamCursor::finish() {
         "");
   if (stream_.rows > 0) return;
   if (stream_.rows_read == 0)
-    throw InputError(rows_->path(), 0, "holds no rows",
-                     "check that the recording was written to its end");
+    throw InputError(rows_->path(), 0, "holds no rows", "check that the recording was written to its end");
   const std::string all = std::to_string(stream_.rows_read);
   if (stream_.fates[RowFate::lost_tracking] == stream_.rows_read)
     throw InputError(rows_->path(), 0, "has no usable row: tracking was lost in all " + all + " rows",

@@ -30,6 +30,9 @@ struct StreamFile {
 // Reads the file's stamps. Throws InputError where all of them are equal.
 StampSurvey survey_file(const StreamFile& file, const ImportRequest& request);
 
+// Dates of which neither the map nor the first row names a zone are taken as UTC.
+bool assumes_utc(const StreamFile& file);
+
 // One line each, at most a hundred.
 class Warnings {
  public:

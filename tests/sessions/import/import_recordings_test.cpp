@@ -8,14 +8,13 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "sessions/import/cameras/aria_calibration.h"
-#include "sessions/import/presets/built_in_maps.h"
-#include "sessions/import/tables/row_source.h"
 #include "sessions/import/import_rows.h"
+#include "sessions/import/presets/choose_format.h"
+#include "sessions/import/tables/row_source.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/session.h"
 #include "tests/sessions/recorded_folder.h"
@@ -24,12 +23,6 @@ namespace herr::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-ColumnMap built_in(const std::string& name) {
-  for (const BuiltInMap& map : built_in_maps())
-    if (map.name == name) return parse_column_map(map.json, name);
-  throw std::logic_error("no such map");
-}
 
 struct Recording {
   std::vector<PoseRow> poses;
@@ -47,16 +40,20 @@ class ImportedRecordings : public ::testing::Test {
   Recording import(const std::string& map_name, const fs::path& head,
                    const std::optional<fs::path>& gaze = {}) {
     Recording recording;
-    const ColumnMap map = built_in(map_name);
+    const ChosenFormat format = choose_format({head, gaze}, map_name, nullptr, "", {});
+    ImportRequest request;
+    request.head_file = head;
+    request.gaze_file = gaze;
+    request.columns = format.columns;
     SessionRecorder recorder(out_ / "session");
-    recording.report = import_rows({head, gaze, &map, false}, {[&](const PoseRow& row) {
-                                                                 recording.poses.push_back(row);
-                                                                 recorder.add_pose(row);
-                                                               },
-                                                               [&](const GazeRow& row) {
-                                                                 recording.gaze.push_back(row);
-                                                                 recorder.add_gaze(row);
-                                                               }});
+    recording.report = import_rows(request, {[&](const PoseRow& row) {
+                                               recording.poses.push_back(row);
+                                               recorder.add_pose(row);
+                                             },
+                                             [&](const GazeRow& row) {
+                                               recording.gaze.push_back(row);
+                                               recorder.add_gaze(row);
+                                             }});
     SessionHeader header;
     header.name = map_name;
     header.profile = xr1_profile();
@@ -136,7 +133,7 @@ TEST_F(ImportedRecordings, OfTheViveCountHitchesAndLostPupils) {
                                 folder / "office_object_8_S004_T011_gaze.csv");
   // Rows with both pupils at -1 (455), and those where the tracker wrote straight ahead instead of a ray
   // though one pupil (3 + 17) or both (2) were there: counted in the file by hand.
-  EXPECT_EQ(lost.report.gaze.lost_rows, 477);
+  EXPECT_EQ(lost.report.gaze.fates[RowFate::lost_tracking], 477);
   // Of 1139 rows 180 have both pupils; in two of them the tracker wrote straight ahead.
   EXPECT_EQ(lost.report.gaze.one_eye_rows, 1139 - 477 - 178);
 }
@@ -199,25 +196,27 @@ TEST_F(ImportedRecordings, OfViveProAndPicoOpen) {
   const fs::path folder = sessions() / "eyedentify3d";
   const Recording vive = import("vive-pro", folder / "HTC_Vive_Pro" / "TESTNA01_360VR_Fist3.csv");
   EXPECT_EQ(vive.poses.size(), 1665u);
-  EXPECT_EQ(vive.report.poses.blank_lines, 1);
+  EXPECT_EQ(vive.report.poses.source.blank_lines, 1);
   // 1632 rows have both eyes at 31, one has one eye.
-  EXPECT_EQ(vive.report.gaze.lost_rows, 32);
+  EXPECT_EQ(vive.report.gaze.fates[RowFate::lost_tracking], 32);
   EXPECT_EQ(vive.report.gaze.one_eye_rows, 1);
   // Raw x is to the left: +0.0600 of the first row is to our left.
   EXPECT_NEAR(vive.gaze.front().head_direction[0].x, -0.05995178, 1e-6);
   const Recording pico = import("pico-neo", folder / "Pico_Neo_3_Pro" / "boxing_VR.csv");
   EXPECT_EQ(pico.poses.size(), 492u);
-  EXPECT_EQ(pico.report.gaze.lost_rows, 6);
+  EXPECT_EQ(pico.report.gaze.fates[RowFate::lost_tracking], 6);
   EXPECT_NEAR(pico.report.poses.rate_hz(), 90, 0.1);
 }
 
 // The colour camera of Gen 1 sits right of the left SLAM camera on the left temple, looks ahead and a little
 // down, and is mounted turned by 90 degrees: the picture's right is the wearer's down.
 TEST_F(ImportedRecordings, OfAriaHaveTheirCameraWhereTheGlassesDo) {
-  const ColumnMap map = built_in("aria-mps");
+  const fs::path folder = sessions() / "aria_mps_gen1";
+  const ChosenFormat format = choose_format({folder / "trajectory" / "closed_loop_trajectory.csv", {}},
+                                            "aria-mps", nullptr, "gen1", {});
   const fs::path calibration = real_data() / "frames" / "aria_aea" / "calib.json";
   const SessionHeader::Camera rgb =
-      read_aria_camera(calibration, "camera-rgb", {1408, 1408}, map.head.front());
+      read_aria_camera(calibration, "camera-rgb", {1408, 1408}, *format.columns.head);
   EXPECT_EQ(rgb.model.kind, CameraModelKind::fisheye624);
   // (1469.535869576514 - 32 + 0.5) / 2 - 0.5
   EXPECT_NEAR(rgb.model.cx, 718.517934788257, 1e-9);
@@ -228,14 +227,15 @@ TEST_F(ImportedRecordings, OfAriaHaveTheirCameraWhereTheGlassesDo) {
   EXPECT_LT(picture_right.y, -std::cos(glm::radians(15.0)));
   // The CAD puts it 56 mm to the left of the middle, 7 mm up and 13 mm ahead; glasses bend by millimetres.
   EXPECT_LT(glm::distance(rgb.head_from_camera.position, glm::dvec3(-0.056, 0.007, -0.013)), 0.006);
-  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-rgb", {640, 480}, map.head.front()),
+  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-rgb", {640, 480}, *format.columns.head),
                      "for pictures of another size");
-  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-slam-left", {512, 384}, map.head.front()),
-                     "for pictures of another size");
-  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-red", {640, 480}, map.head.front()),
-                     "its cameras are: camera-slam-left");
-  const fs::path online = sessions() / "aria_mps_gen1" / "trajectory" / "online_calibration.jsonl";
-  EXPECT_GT(read_aria_camera(online, "camera-slam-left", {640, 480}, map.head.front()).model.fx, 240);
+  EXPECT_INPUT_ERROR(
+      (void)read_aria_camera(calibration, "camera-slam-left", {512, 384}, *format.columns.head),
+      "for pictures of another size");
+  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-red", {640, 480}, *format.columns.head),
+                     "give --camera-label with one of: camera-slam-left");
+  const fs::path online = folder / "trajectory" / "online_calibration.jsonl";
+  EXPECT_GT(read_aria_camera(online, "camera-slam-left", {640, 480}, *format.columns.head).model.fx, 240);
 }
 
 }  // namespace

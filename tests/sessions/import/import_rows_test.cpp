@@ -3,106 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
+#include <cstddef>
 #include <string>
 #include <vector>
 
-#include "sessions/text/fixed_text.h"
-#include "tests/sessions/recorded_folder.h"
+#include "tests/sessions/import/plain_import.h"
 
 namespace herr::test {
 namespace {
 
-// Seconds, metres, quaternion, all in our axes; gaze as vectors in a file of its own.
-constexpr const char* kMap = R"({
-  "format_version": 1, "name": "plain", "note": "",
-  "head": [{
-    "time": {"column": "t", "unit": "s"},
-    "position": {"columns": ["x", "y", "z"], "unit": "m"},
-    "orientation": {"quaternion_xyzw": ["qx", "qy", "qz", "qw"]},
-    "world_axes": ["right", "up", "back"], "head_axes": ["right", "up", "back"]HEAD
-  }],
-  "gaze": [{
-    "time": {"column": "t", "unit": "s"}, "axes": ["right", "up", "back"],
-    "combined": {"vector": ["gx", "gy", "gz"]GAZE}MORE
-  }]
-})";
-
-struct Imported {
-  std::vector<PoseRow> poses;
-  std::vector<GazeRow> gaze;
-  ImportReport report;
-};
-
-const std::string kHead = "t,x,y,z,qx,qy,qz,qw\n";
-const std::string kGaze = "t,gx,gy,gz\n";
-
-std::string pose(double t, double x = 0) {
-  return fixed_text(t, 6) + "," + fixed_text(x, 6) + ",1.6,0,0,0,0,1\n";
-}
-std::string gaze(double t, const std::string& direction = "0,0,-1") {
-  return fixed_text(t, 6) + "," + direction + "\n";
-}
-std::string poses(int count, double first = 1, double step = 1.0 / 90) {
-  std::string text;
-  for (int i = 0; i < count; ++i) text += pose(first + i * step, 0.001 * i);
-  return text;
-}
-
-class ImportRows : public ::testing::Test {
- protected:
-  // The map with further fields of the head, of the ray and of the gaze.
-  void use_map(const std::string& head, const std::string& ray = "", const std::string& more = "") {
-    std::string json = kMap;
-    for (const auto& [word, text] :
-         {std::pair<std::string, std::string>{"HEAD", head}, {"GAZE", ray}, {"MORE", more}})
-      json.replace(json.find(word), word.size(), text);
-    map_ = parse_column_map(json, "plain.json");
-  }
-  void SetUp() override { use_map(""); }
-
-  Imported import(const std::string& head, const std::string& gaze = "",
-                  const std::function<void(ImportRequest&)>& change = {}) {
-    ImportRequest request;
-    request.columns.head = &map_.head.front();
-    if (!head.empty()) {
-      folder_.write("head.csv", head);
-      request.head_file = folder_ / "head.csv";
-    }
-    if (!gaze.empty()) {
-      folder_.write("gaze.csv", gaze);
-      request.gaze_file = folder_ / "gaze.csv";
-      request.columns.gaze = &map_.gaze.front();
-    }
-    if (change) change(request);
-    Imported got;
-    got.report = import_rows(request, {[&](const PoseRow& row) { got.poses.push_back(row); },
-                                       [&](const GazeRow& row) { got.gaze.push_back(row); }});
-    return got;
-  }
-
-  RecordedFolder folder_;
-  ColumnMap map_;
-};
-
-// "KEY ROWS@FIRST LINE" of each fate that rows had.
-std::string fates(const ImportedStream& stream) {
-  std::string text;
-  for (std::size_t i = 0; i < kRowFates; ++i)
-    if (stream.fates.rows[i] > 0)
-      text += (text.empty() ? "" : ", ") + std::string(row_fate_texts()[i].key) + " " +
-              std::to_string(stream.fates.rows[i]) + "@" + std::to_string(stream.fates.first_line[i]);
-  return text;
-}
-
-std::string all(const std::vector<std::string>& texts) {
-  std::string together;
-  for (const std::string& text : texts) together += (together.empty() ? "" : "\n") + text;
-  return together;
-}
+using ImportRows = PlainImport;
 
 TEST_F(ImportRows, CarriesGoodRowsOver) {
   const Imported got = import(kHead + poses(90), kGaze + gaze(1) + gaze(1.01, "0.6,0,-0.8"));
@@ -306,101 +216,6 @@ TEST_F(ImportRows, LetsTheHeadOrTheGazeStandStill) {
   EXPECT_TRUE(holds(all(gaze.report.assumed), "the gaze looks straight ahead"));
 }
 
-TEST_F(ImportRows, NamesAnIdThatChanges) {
-  use_map(R"(, "part": "id")");
-  std::string head = "id,t,x,y,z,qx,qy,qz,qw\n";
-  for (int i = 0; i < 30; ++i) head += std::string(i < 12 ? "a" : "b") + "," + pose(1 + i * 0.01);
-  const Imported got = import(head);
-  EXPECT_EQ(got.poses.size(), 30u);
-  EXPECT_EQ(all(got.report.remarks), "the id in column 'id' changes at line 14: another recording begins");
-}
-
-// The map's y points up. Gravity along -y agrees; along -z, up is z; within 20 degrees it may be tilted.
-TEST_F(ImportRows, LetsGravitySayWhatIsUp) {
-  use_map(R"(, "gravity": ["ax", "ay", "az"])");
-  const auto with = [&](const std::string& gravity) {
-    std::string head = "ax,ay,az,t,x,y,z,qx,qy,qz,qw\n";
-    for (int i = 0; i < 10; ++i) head += gravity + "," + pose(1 + i * 0.01);
-    return import(head).poses.size();
-  };
-  EXPECT_EQ(with("0,-9.81,0"), 10u);
-  EXPECT_EQ(with("1,-9.7,1"), 10u) << "8 degrees";
-  EXPECT_EQ(with("0,0,0"), 10u);
-  EXPECT_EQ(with("nan,nan,nan"), 10u);
-  EXPECT_INPUT_ERROR(with("0,0,-9.81"), "gravity says that the file's z points up, the map says y");
-  EXPECT_INPUT_ERROR(with("9.81,0,0"), "gravity says that the file's -x points up, the map says y");
-  EXPECT_INPUT_ERROR(with("5,-8.5,0"), "up is 30 degrees from the file's y");
-}
-
-TEST_F(ImportRows, NamesConfidenceThatNeverChanges) {
-  use_map("", R"(, "confidence": "c")");
-  const auto remarks = [&](int rows, int other) {
-    std::string text = "c,t,gx,gy,gz\n";
-    for (int i = 0; i < rows; ++i) text += (i == other ? "0.5," : "1.0,") + gaze(1 + i * 0.01);
-    return all(import(kHead + poses(90), text).report.remarks);
-  };
-  EXPECT_EQ(remarks(100, -1), "the gaze's confidence is '1.0' in all 100 valid rows: it was not measured");
-  EXPECT_EQ(remarks(100, 99), "");
-  EXPECT_EQ(remarks(99, -1), "") << "too few rows to say so";
-}
-
-// The head turns about y by 20 degrees from 1.00 to 1.02 s. Gaze straight along the world's -z at 1.01 s,
-// half way, is in the head 10 degrees to the right of ahead: the head has turned to the left.
-TEST_F(ImportRows, TurnsGazeInTheWorldIntoTheHead) {
-  use_map("", "", R"(, "space": "world")");
-  const auto turned = [](double t, double deg) {
-    const double half = glm::radians(deg / 2);
-    return fixed_text(t, 6) + ",0,1.6,0,0," + fixed_text(std::sin(half), 15) + ",0," +
-           fixed_text(std::cos(half), 15) + "\n";
-  };
-  const std::string head = kHead + turned(1, 0) + turned(1.02, 20) + turned(1.04, 20) + turned(1.06, 20);
-  const Imported got = import(head, kGaze + gaze(0.99) + gaze(1.0) + gaze(1.01) + gaze(1.04) + gaze(1.07));
-  ASSERT_EQ(got.gaze.size(), 5u);
-  EXPECT_FALSE(got.gaze[0].valid[0]) << "before the first pose";
-  EXPECT_FALSE(got.gaze[4].valid[0]) << "behind the last";
-  EXPECT_EQ(fates(got.report.gaze), "lost_tracking 2@2");
-  const double right_deg[] = {0, 10, 20};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double a = glm::radians(right_deg[i]);
-    ASSERT_TRUE(got.gaze[i + 1].valid[0]);
-    EXPECT_LT(glm::distance(got.gaze[i + 1].head_direction[0], glm::dvec3(std::sin(a), 0, -std::cos(a))),
-              1e-9)
-        << i;
-  }
-}
-
-// Poses half a second apart and more are no span to interpolate over.
-TEST_F(ImportRows, DoesNotGuessTheHeadOverAGap) {
-  use_map("", "", R"(, "space": "world")");
-  const Imported got = import(kHead + poses(20, 1) + poses(20, 3), kGaze + gaze(1.1) + gaze(2) + gaze(3.1));
-  ASSERT_EQ(got.gaze.size(), 3u);
-  EXPECT_TRUE(got.gaze[0].valid[0]);
-  EXPECT_FALSE(got.gaze[1].valid[0]);
-  EXPECT_TRUE(got.gaze[2].valid[0]);
-}
-
-TEST_F(ImportRows, FindsTheHeadForGazeThatComesLate) {
-  use_map("", "", R"(, "space": "world")");
-  const Imported got = import(kHead + poses(60), kGaze + gaze(1.1) + gaze(1.3) + gaze(1.2) + gaze(1.4),
-                              [](ImportRequest& request) { request.sort_rows = 2; });
-  ASSERT_EQ(got.gaze.size(), 4u);
-  for (const GazeRow& row : got.gaze) EXPECT_TRUE(row.valid[0]) << row.stamp_ns;
-}
-
-// Pose and gaze in one row: the row's own pose counts, also where its neighbours would say something else.
-TEST_F(ImportRows, TakesTheHeadOfTheVeryRow) {
-  use_map("", "", R"(, "space": "world", "in_head_file": true)");
-  std::string table = "t,x,y,z,qx,qy,qz,qw,gx,gy,gz\n";
-  for (int i = 0; i < 20; ++i)
-    table += fixed_text(1 + i * 0.01, 2) + (i % 2 == 0 ? ",0,0,0,0,0,0,1" : ",0,0,0,0,1,0,0") + ",0,0,-1\n";
-  table += "1.20,nan,nan,nan,nan,nan,nan,nan,0,0,-1\n";
-  const Imported got =
-      import(table, "", [&](ImportRequest& request) { request.columns.gaze = &map_.gaze.front(); });
-  ASSERT_EQ(got.gaze.size(), 21u);
-  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(got.gaze[i].head_direction[0].z, i % 2 == 0 ? -1 : 1) << i;
-  EXPECT_FALSE(got.gaze[20].valid[0]) << "the head was lost";
-}
-
 TEST_F(ImportRows, SaysThatStampsWereNotRecorded) {
   std::string json = kMap;
   for (const char* word : {"HEAD", "GAZE", "MORE"}) json.replace(json.find(word), 4, "");
@@ -411,6 +226,22 @@ TEST_F(ImportRows, SaysThatStampsWereNotRecorded) {
   ASSERT_EQ(got.poses.size(), 10u);
   EXPECT_EQ(got.poses[3].stamp_ns, 60'000'000) << "3 / 50 s";
   EXPECT_EQ(all(got.report.assumed), "stamps were not recorded: 50 rows a second");
+}
+
+// 1481664073 s since 1970 is 2016-12-13 21:21:13 in UTC, and 13:21:13 UTC is 21:21:13 eight hours east.
+TEST_F(ImportRows, SaysThatDatesNameNoZone) {
+  std::string json = kMap;
+  for (const char* word : {"HEAD", "GAZE", "MORE"}) json.replace(json.find(word), 4, "");
+  const std::string time = R"({"column": "t", "unit": "s"})";
+  json.replace(json.find(time), time.size(), R"({"column": "t", "date": ""})");
+  map_ = parse_column_map(json, "plain.json");
+  const std::string rest = ",0,1.6,0,0,0,0,1\n";
+  const Imported local = import(kHead + "2016-12-13 21:21:13.000" + rest + "2016-12-13 21:21:13.011" + rest);
+  EXPECT_EQ(local.poses[1].stamp_ns, 1'481'664'073'011'000'000);
+  EXPECT_EQ(all(local.report.assumed), "dates name no zone: they were taken as UTC");
+  const Imported zoned = import(kHead + "2016-12-13 21:21:13.000+08:00" + rest);
+  EXPECT_EQ(zoned.poses[0].stamp_ns, 1'481'635'273'000'000'000);
+  EXPECT_EQ(all(zoned.report.assumed), "");
 }
 
 }  // namespace

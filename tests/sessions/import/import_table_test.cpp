@@ -1,13 +1,14 @@
 // Column maps and the rows that they read: repairs are counted, faults are named with their line.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <optional>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/import_rows.h"
+#include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/presets/choose_format.h"
 #include "tests/sessions/recorded_folder.h"
 
 namespace herr::test {
@@ -28,20 +29,28 @@ struct Imported {
   ImportReport report;
 };
 
-Imported import(const ColumnMap& map, const std::filesystem::path& head,
-                const std::optional<std::filesystem::path>& gaze = {}, bool keep_going = false) {
+Imported import(const std::shared_ptr<const ColumnMap>& map, const std::string& preset,
+                const std::filesystem::path& head, bool keep_going = false) {
+  const ChosenFormat format = choose_format({head, {}}, preset, map, "", {});
+  ImportRequest request;
+  request.head_file = head;
+  request.columns = format.columns;
+  request.keep_going = keep_going;
   Imported result;
-  result.report =
-      import_rows({head, gaze, &map, keep_going}, {[&](const PoseRow& row) { result.poses.push_back(row); },
-                                                   [&](const GazeRow& row) { result.gaze.push_back(row); }});
+  result.report = import_rows(request, {[&](const PoseRow& row) { result.poses.push_back(row); },
+                                        [&](const GazeRow& row) { result.gaze.push_back(row); }});
   return result;
+}
+
+std::shared_ptr<const ColumnMap> lab() {
+  return std::make_shared<ColumnMap>(parse_column_map(map_json(kHead), "lab.json"));
 }
 
 class ImportedTable : public ::testing::Test {
  protected:
   Imported import_lab(const std::string& rows, bool keep_going = false) {
     folder_.write("head.csv", "t,x,y,z,q,more\n" + rows);
-    return import(parse_column_map(map_json(kHead), "lab.json"), folder_ / "head.csv", {}, keep_going);
+    return import(lab(), "", folder_ / "head.csv", keep_going);
   }
   RecordedFolder folder_;
 };
@@ -62,9 +71,9 @@ TEST_F(ImportedTable, IsRepairedAndSaysSo) {
   EXPECT_EQ(got.poses.size(), 5u);
   const ImportedStream& stream = got.report.poses;
   EXPECT_EQ(stream.rows, 5);
-  EXPECT_EQ(stream.repeated_stamps, 1);
-  EXPECT_EQ(stream.backward_stamps, 1);
-  EXPECT_EQ(stream.blank_lines, 1);
+  EXPECT_EQ(stream.fates[RowFate::repeated_stamp], 1);
+  EXPECT_EQ(stream.fates[RowFate::backward_stamp], 1);
+  EXPECT_EQ(stream.source.blank_lines, 1);
   EXPECT_EQ(stream.repeated_values, 4);
   EXPECT_EQ(stream.intervals.hitches(), 1);
   EXPECT_EQ(stream.intervals.widest_ns(), 50'000'000);
@@ -80,28 +89,26 @@ TEST_F(ImportedTable, WithAFaultIsRefusedWithItsLine) {
   const std::string good = "10,0,0,0,(0 0 0 1),\n";
   const std::vector<std::pair<std::string, std::string>> faults{
       {"20,O,0,0,(0 0 0 1),\n", "head.csv:3: column 'x' is 'O', not a finite number"},
-      {"20,0,nan,0,(0 0 0 1),\n", "column 'y' is 'nan'"},
       {"20,0,0,1e999,(0 0 0 1),\n", "column 'z' is '1e999'"},
       {"20,0,0,0,(0 0 1),\n", "column 'q' is '(0 0 1)', not 4 numbers"},
-      {"20,0,0,0,(0 0 0 0),\n", "the quaternion has the length 0.0"},
+      {"20,0,0,0,(0 0 0 0),\n", "the quaternion has the length 0, not 1"},
       {"20,0,0,0,(0 0 0 1.2),\n", "the quaternion has the length 1.2"},
-      {"20,0,0,0\n", "head.csv:3: the line has 4 fields where the first one has 6"},
-      {"-1,0,0,0,(0 0 0 1),\n", "column 't' is '-1', no time stamp in range"},
+      {"20,0,0,0\n", "head.csv:3: the line has 4 fields where the header line names 6"},
+      {"soon,0,0,0,(0 0 0 1),\n", "column 't' is 'soon'"},
       {"20,1e13,0,0,(0 0 0 1),\n", "1e9 m or more"},
       {std::string("20,0\0,0,0,(0 0 0 1),\n", 21), "holds NUL bytes"}};
   for (const auto& [row, message] : faults) {
     EXPECT_INPUT_ERROR(import_lab(good + row), message);
     const Imported kept = import_lab(good + row + "30,0,0,0,(0 0 0 1),\n", true);
     EXPECT_EQ(kept.poses.size(), 2u) << row;
-    EXPECT_EQ(kept.report.poses.bad_rows, 1) << row;
+    EXPECT_EQ(kept.report.poses.fates[RowFate::bad], 1) << row;
   }
-  EXPECT_INPUT_ERROR(import_lab(""), "has no usable rows");
+  EXPECT_INPUT_ERROR(import_lab(""), "holds a header line and no rows");
 }
 
 TEST_F(ImportedTable, WithoutAColumnOfTheMapNamesIt) {
   folder_.write("head.csv", "t,x,y,w,q\n1,0,0,0,(0 0 0 1)\n");
-  const ColumnMap map = parse_column_map(map_json(kHead), "lab.json");
-  EXPECT_INPUT_ERROR(import(map, folder_ / "head.csv"), "head.csv:1: has no column 'z'");
+  EXPECT_INPUT_ERROR(import(lab(), "", folder_ / "head.csv"), "head.csv:1: has no column 'z'");
 }
 
 TEST(ColumnMaps, ThatComeWithTheProgramAreSound) {
@@ -121,11 +128,7 @@ TEST_F(ImportedTable, OfVarjoHoldsHeadAndGaze) {
       "2;5005000000;1;(0.100, 1.600, 0.200);(0.000, 0.707, 0.000, 0.707);INVALID;INVALID;;VALID;"
       "(0.000, 0.000, 1.000)\n"
       "3;5010000000;1;(0.100, 1.600, 0.200);(0.000, 0.707, 0.000, 0.707);INVALID;INVALID;;INVALID;\n");
-  const auto& maps = built_in_maps();
-  const auto varjo =
-      std::find_if(maps.begin(), maps.end(), [](const auto& map) { return map.name == "varjo"; });
-  ASSERT_NE(varjo, maps.end());
-  const Imported got = import(parse_column_map(varjo->json, "varjo"), folder_ / "varjo.csv");
+  const Imported got = import(nullptr, "varjo", folder_ / "varjo.csv");
   ASSERT_EQ(got.poses.size(), 3u);
   EXPECT_EQ(got.poses[0].world_from_head.position, glm::dvec3(0.1, 1.6, -0.2));
   // Unity turns clockwise seen from above: 90 degrees about +y look to the right, +x. 1e-12: only the
@@ -140,7 +143,7 @@ TEST_F(ImportedTable, OfVarjoHoldsHeadAndGaze) {
   EXPECT_FALSE(got.gaze[1].valid[0]);
   EXPECT_TRUE(got.gaze[1].valid[1]);
   EXPECT_EQ(got.report.gaze.one_eye_rows, 1);
-  EXPECT_EQ(got.report.gaze.lost_rows, 1);
+  EXPECT_EQ(got.report.gaze.fates[RowFate::lost_tracking], 1);
 }
 
 }  // namespace
