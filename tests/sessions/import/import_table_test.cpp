@@ -31,10 +31,10 @@ struct Imported {
 
 Imported import(const std::shared_ptr<const ColumnMap>& map, const std::string& preset,
                 const std::filesystem::path& head, bool keep_going = false) {
-  const ChosenFormat format = choose_format({head, {}}, preset, map, "", {});
+  const ChosenFormat format = choose_format({{head, {}}, preset, map, "", {}});
   ImportRequest request;
   request.head_file = head;
-  request.columns = format.columns;
+  request.columns = format.format.columns;
   request.keep_going = keep_going;
   Imported result;
   result.report = import_rows(request, {[&](const PoseRow& row) { result.poses.push_back(row); },

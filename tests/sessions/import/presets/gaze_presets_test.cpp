@@ -56,7 +56,7 @@ TEST_F(GazePresets, OfSRanipalTellMirroredGazeByTheEyesConvergence) {
     const PresetImport got = import("vive-pro", log.name);
     ASSERT_EQ(got.poses.size(), 240u);
     ASSERT_EQ(got.gaze.size(), 240u);
-    EXPECT_EQ(got.format.variant, log.variant);
+    EXPECT_EQ(got.format.format.variant(), log.variant);
     expect_near(got.gaze[0].head_direction[0], glm::normalize(glm::dvec3(0.032, -0.05, -1)), 1e-8);
     expect_near(got.gaze[0].head_direction[1], glm::normalize(glm::dvec3(-0.032, -0.05, -1)), 1e-8);
     expect_near(got.position(0), {0, 1.5, -0.3}, 1e-12);
@@ -74,7 +74,7 @@ TEST_F(GazePresets, OfSRanipalReadTheRealRecordingsAsTheyAre) {
   for (const char* name : {"TESTNA01_360VR_Fist3.csv", "TESTNA05_360VR_Spread7.csv"}) {
     SCOPED_TRACE(name);
     const std::filesystem::path file = real_data() / "sessions" / "eyedentify3d" / "HTC_Vive_Pro" / name;
-    EXPECT_EQ(choose_format({file, {}}, "vive-pro", nullptr, "", {}).variant, "raw");
+    EXPECT_EQ(choose_format({{file, {}}, "vive-pro", nullptr, "", {}}).format.variant(), "raw");
   }
 }
 
@@ -160,7 +160,7 @@ TEST_F(GazePresets, OfTobiiXrAreReadFromXmlWithEitherRotation) {
     SCOPED_TRACE(name);
     folder_.write(name, tobii_log(euler));
     const PresetImport got = import("tobii-xr", name);
-    EXPECT_EQ(got.format.variant, euler ? "euler" : "quaternion");
+    EXPECT_EQ(got.format.format.variant(), euler ? "euler" : "quaternion");
     ASSERT_EQ(got.poses.size(), 60u);
     ASSERT_EQ(got.gaze.size(), 60u);
     EXPECT_EQ(got.valid(0), 60);
