@@ -182,8 +182,10 @@ std::string convert_text(const ConvertReport& report) {
 }
 
 std::string convert_json(const ConvertReport& report) {
-  Json json{
-      {"session", shown(report.out)}, {"format", printable(report.format)}, {"head", report.head_words}, {"eyes", report.gaze_words}};
+  Json json{{"session", shown(report.out)},
+            {"format", printable(report.format)},
+            {"head", report.head_words},
+            {"eyes", report.gaze_words}};
   json["poses"] = stream_json(report.rows.poses, false);
   if (report.rows.has_gaze) {
     json["gaze"] = stream_json(report.rows.gaze, true);
