@@ -7,12 +7,14 @@
 #include "server/cli/flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
 
 namespace herr {
 namespace {
 
-constexpr double kLongestOffsetMs = 1e12;
+constexpr double kLongestOffsetMs = 4e12;  // what a session can hold
 constexpr int kWidestZoneHours = 14;
 
 // "+01:00", "-0530", "Z": minutes east of Greenwich.
@@ -32,8 +34,13 @@ int parse_zone(const std::string& flag, const std::string& text) {
 
 double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
   const bool minus = text.starts_with("-");
-  const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
-  return minus ? -value : value;
+  try {
+    const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
+    return minus ? -value : value;
+  } catch (const UsageError&) {
+    throw UsageError(flag + ": '" + printable(text) + "' is no number from -" + shortest_text(highest) + " to " +
+                     shortest_text(highest));
+  }
 }
 
 // Given once for each camera.
@@ -153,8 +160,12 @@ void check_convert_flags(const ConvertOptions& options) {
   if (options.head.empty()) throw UsageError("HEAD: missing; give the recording");
   if (!options.write_map.empty() && !options.check) throw UsageError("--write-map: give --check too");
   if (options.check && !options.out.empty()) throw UsageError("OUT: --check converts nothing; leave it out");
-  if (options.check && (!options.preset.empty() || !options.map.empty()))
-    throw UsageError("--check: proposes a format; leave --preset and --map out");
+  if (options.check && (!options.preset.empty() || !options.map.empty() || !options.variant.empty()))
+    throw UsageError("--check: proposes a format; leave --preset, --variant and --map out");
+  if (options.check && (options.still.head || options.still.gaze))
+    throw UsageError("--check: finds out what was not recorded; leave --still-head and --still-gaze out");
+  if (options.check && !options.feed.pictures.empty())
+    throw UsageError("--check: looks at head and gaze alone; leave --camera out");
   if (!options.check && options.out.empty())
     throw UsageError("OUT: missing; give the folder of the new session");
 }

@@ -65,8 +65,9 @@ class RowsImport {
       lowest_ns = std::min(lowest_ns, survey->lowest_ns);
       last_ns = std::max(last_ns, survey->last_ns);
     }
-    add_remarks(head_survey_, has_head() && has_gaze() && !one_table_ ? "poses: " : "");
-    if (!one_table_) add_remarks(gaze_survey_, has_head() ? "gaze: " : "");
+    report_.poses.remarks = head_survey_.remarks;
+    report_.gaze.remarks = gaze_survey_.remarks;
+    report_.gaze.keeps_lost_tracking = true;
     for (const StreamFile* stream : {&head_, &gaze_})
       if (stream->time != nullptr && stream->time->kind == TimeColumns::Kind::rate)
         report_.assumed.push_back("stamps were not recorded: " + plain_number_text(stream->time->rate_hz) +
@@ -88,10 +89,6 @@ class RowsImport {
                        "check the time unit of the map");
     report_.assumed.push_back("stamps are negative: " + std::to_string(seconds) +
                               " s was added to every stamp");
-  }
-
-  void add_remarks(const StampSurvey& survey, const std::string& whose) {
-    for (const std::string& remark : survey.remarks) report_.remarks.push_back(whose + remark);
   }
 
   // Calls take(row) for each pose of the file.

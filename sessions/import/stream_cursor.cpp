@@ -1,24 +1,12 @@
 #include "sessions/import/stream_cursor.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace herr {
 namespace {
 
 constexpr std::size_t kMostWarnings = 100;
-
-std::string what_of(RowFate fate) {
-  switch (fate) {
-    case RowFate::backward_stamp:
-      return "the time stamp goes backwards";
-    case RowFate::repeated_stamp:
-      return "the time stamp repeats the one before";
-    case RowFate::wild_stamp:
-      return "the time stamp is far from its neighbours";
-    default:
-      return {};  // told by the remarks, or no row for a warning
-  }
-}
 
 // "Z", "+08", "+0800" or "+08:00" at the end.
 bool ends_with_zone(std::string_view text) {
@@ -45,7 +33,10 @@ bool assumes_utc(const StreamFile& file) {
 
 void Warnings::add(const InputError& error, const std::string& then) {
   if (texts_.size() >= kMostWarnings) return;
-  texts_.push_back(error.what() + then);
+  std::string text = error.what() + then;
+  // Head and gaze of one file meet the same.
+  if (std::find(texts_.begin(), texts_.end(), text) != texts_.end()) return;
+  texts_.push_back(std::move(text));
   if (texts_.size() == kMostWarnings - 1) texts_.push_back("further warnings are only counted");
 }
 
@@ -105,8 +96,6 @@ const RowFate* StreamCursor::fate() {
 
 void StreamCursor::leave_out(RowFate fate, std::int64_t line) {
   stream_.fates.count(fate, line);
-  const std::string what = what_of(fate);
-  if (!what.empty()) warnings_.add(InputError(rows_->path(), line, what, "the row was left out"), "");
 }
 
 void StreamCursor::bad(const InputError& error) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -28,13 +29,20 @@ FittingResult fitting(const FormatRequest& request, const std::shared_ptr<const 
   return fitting_columns(request.files, map, preset, request.variant, request.still);
 }
 
-// Of all built-in maps, those that ask for the most columns by name: a table of bare numbers fits any map
-// that counts columns.
-std::vector<FittingColumns> recognised(const FormatRequest& request) {
-  std::vector<FittingColumns> all;
+struct Recognition {
+  std::vector<FittingColumns> formats;
+  std::vector<std::pair<std::string, MissingColumns>> misfits;  // by preset
+};
+
+// Of all built-in maps, those that ask for the most columns by name: a table of bare numbers fits any map that
+// counts columns.
+Recognition recognised(const FormatRequest& request) {
+  Recognition found;
+  std::vector<FittingColumns>& all = found.formats;
   for (const BuiltInMap& map : built_in_maps()) {
     FittingResult result = fitting(request, parsed(map), std::string(map.name));
     std::move(result.fitting.begin(), result.fitting.end(), std::back_inserter(all));
+    if (result.missing) found.misfits.emplace_back(map.name, *result.missing);
   }
   std::size_t most = 0;
   for (const FittingColumns& one : all) most = std::max(most, one.named_columns);
@@ -44,7 +52,27 @@ std::vector<FittingColumns> recognised(const FormatRequest& request) {
     return named_in_layouts(any_file(request), *one.map);
   };
   if (std::any_of(all.begin(), all.end(), by_name)) std::erase_if(all, std::not_fn(by_name));
-  return all;
+  return found;
+}
+
+const char* const kProposal = "try 'herr convert --check FILE', which proposes a map, or give --preset or --map";
+
+// Nothing fits: what is wrong with the file by itself, or what the nearest format lacks.
+[[noreturn]] void fail_unknown(const FormatRequest& request, const Recognition& found) {
+  std::map<std::string, std::size_t> times;  // how many formats stumbled over the same
+  const MissingColumns* nearest = nullptr;
+  std::string nearest_preset;
+  for (const auto& [preset, missing] : found.misfits) {
+    if (!missing.opened && 3 * ++times[missing.error.problem()] > found.misfits.size()) throw InputError(missing.error);
+    const bool near = missing.opened && 2 * missing.missing < missing.wanted;
+    if (!near || (nearest != nullptr && missing.missing * nearest->wanted >= nearest->missing * missing.wanted)) continue;
+    nearest = &missing;
+    nearest_preset = preset;
+  }
+  if (nearest == nullptr) throw InputError(any_file(request), 0, "has the columns of no preset", kProposal);
+  throw InputError(nearest->error.file(), nearest->error.line(),
+                   "is nearest to preset " + nearest_preset + ", and " + nearest->error.problem(),
+                   "correct that, or " + std::string(kProposal));
 }
 
 // The presets of a list, each once: "euroc, tum".
@@ -63,7 +91,7 @@ std::string presets_in(const std::vector<FittingColumns>& formats) {
 [[noreturn]] void fail_misfit(const FormatRequest& request, const InputError& missing) {
   FormatRequest any = request;
   any.variant.clear();
-  const std::vector<FittingColumns> others = recognised(any);
+  const std::vector<FittingColumns> others = recognised(any).formats;
   std::string remedy = missing.remedy();
   if (!others.empty() && others.front().named_columns > 0)
     remedy = "its columns are those of preset " + presets_in(others) + ", not of " +
@@ -71,13 +99,21 @@ std::string presets_in(const std::vector<FittingColumns>& formats) {
   throw InputError(missing.file(), missing.line(), missing.problem(), remedy);
 }
 
+void check_variant(const FormatRequest& request, const ColumnMap& map) {
+  const std::vector<std::string> known = variants_of(map);
+  if (request.variant.empty() || std::find(known.begin(), known.end(), request.variant) != known.end()) return;
+  std::string names;
+  for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+  throw InputError(any_file(request), 0,
+                   "cannot be read as variant '" + printable(request.variant) + "' of " + map.name,
+                   known.empty() ? "leave --variant out: there are no variants" : "its variants are: " + names);
+}
+
 std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
   if (!request.map && request.preset.empty()) {
-    std::vector<FittingColumns> formats = recognised(request);
-    if (formats.empty())
-      throw InputError(any_file(request), 0, "has the columns of no preset",
-                       "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
-    return formats;
+    Recognition found = recognised(request);
+    if (found.formats.empty()) fail_unknown(request, found);
+    return std::move(found.formats);
   }
   std::shared_ptr<const ColumnMap> map = request.map;
   if (!map) {
@@ -86,15 +122,12 @@ std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
                                     [&](const BuiltInMap& one) { return one.name == request.preset; });
     map = parsed(*found);
   }
+  check_variant(request, *map);
   FittingResult result = fitting(request, map, request.preset);
-  if (result.fitting.empty()) {
-    if (result.missing) fail_misfit(request, *result.missing);
-    throw InputError(any_file(request), 0,
-                     "fits no part of map '" + map->name + "'" +
-                         (request.variant.empty() ? "" : " that is of variant '" + request.variant + "'"),
-                     "check --variant and --map");
-  }
-  return std::move(result.fitting);
+  if (!result.fitting.empty()) return std::move(result.fitting);
+  if (result.missing) fail_misfit(request, result.missing->error);
+  throw InputError(any_file(request), 0, "holds nothing that map '" + map->name + "' reads",
+                   "check --preset, --map and --gaze");
 }
 
 struct Tried {
@@ -118,6 +151,7 @@ bool differ(const Tried& a, const Tried& b) {
 std::string told_apart(const Tried& chosen, const std::vector<Tried>& others) {
   std::string text = chosen.format.words() + " was taken";
   for (const Tried& one : others) {
+    if (one.trial.error && one.format.preset != chosen.format.preset) continue;  // fits by its columns alone
     const std::string why = one.against.empty() ? better_because(chosen.trial, one.trial) : one.against;
     if (!why.empty()) text += "; with " + one.format.words() + " " + why;
   }
@@ -167,6 +201,8 @@ std::optional<ChosenFormat> winner(const Contest& contest) {
 
 // The user named the format: what fits it best is taken, and warnings follow.
 ChosenFormat insisted(const FormatRequest& request, const Contest& contest) {
+  if (std::all_of(contest.bad.begin(), contest.bad.end(), [](const Tried& one) { return one.trial.error.has_value(); }))
+    throw InputError(*contest.bad.front().trial.error);
   const std::string remark =
       "looks like no person's head and eyes in any of its formats: " + list_of(contest.bad);
   const auto legible = std::find_if(contest.bad.begin(), contest.bad.end(), [&](const Tried& one) {

@@ -30,14 +30,24 @@ struct FittingColumns {
   std::string words() const;  // "preset euroc, variant tumvi"
 };
 
+// What the nearest alternative lacks.
+struct MissingColumns {
+  InputError error;
+  std::size_t missing = 0, wanted = 0;  // columns
+  bool opened = true;                   // false: the file is no table of this kind at all
+};
+
 struct FittingResult {
   std::vector<FittingColumns> fitting;
-  std::optional<InputError> missing;  // what the nearest alternative lacks, where nothing fits
+  std::optional<MissingColumns> missing;  // where nothing fits
 };
 
 // `variant` empty: all.
 FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr<const ColumnMap>& map,
                               const std::string& preset, const std::string& variant, const StillParts& still);
+
+// Names of the siblings of head and gaze; empty: there are none.
+std::vector<std::string> variants_of(const ColumnMap& map);
 
 // All gaze alternatives of `variant` (empty: of those without one) whose columns are in the file.
 std::vector<const GazeColumns*> fitting_gaze(const std::filesystem::path& file, const ColumnMap& map,

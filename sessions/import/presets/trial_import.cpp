@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sessions/files/input_error.h"
+#include "sessions/inspect/head_meter.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {
@@ -60,11 +60,13 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   request.most_rows = most_rows;
   TrialImport trial;
   PlausibilityMeter meter;
+  HeadMeter head;
   RowsHash hash;
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   try {
     const ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                         meter.add(row);
+                                                        head.add(row, 1, 0);
                                                         hash.add(row);
                                                       },
                                                       [&](const GazeRow& row) {
@@ -73,11 +75,12 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
                                                       }});
     trial.lost_share = std::max(report.poses.lost_share(), report.has_gaze ? report.gaze.lost_share() : 0);
   } catch (const InputError& error) {
-    trial.error = error.what();
+    trial.error = error;
     return trial;
   }
   meter.finish();
   trial.figures = meter.figures();
+  trial.unit_fault = head.unit_fault();
   trial.words = meter.words();
   trial.rows_hash = hash.value();
   return trial;
@@ -85,7 +88,8 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
 
 std::string implausible(const TrialImport& trial) {
   const PlausibilityFigures& f = trial.figures;
-  if (trial.error) return *trial.error;
+  if (trial.error) return "its rows cannot be read";
+  if (!trial.unit_fault.empty()) return trial.unit_fault;
   if (trial.lost_share > kMost) return share_words(trial.lost_share) + " cannot be used";
   if (f.level_share && *f.level_share < kMost)
     return "the head is not level in " + share_words(1 - *f.level_share);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "sessions/files/input_error.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/inspect/plausibility.h"
 
@@ -15,9 +16,10 @@ namespace herr {
 inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 100000;
 
 struct TrialImport {
-  std::optional<std::string> error;  // what reading threw
+  std::optional<InputError> error;  // what reading threw
   PlausibilityFigures figures;
   std::string words;            // of the head
+  std::string unit_fault;  // that its rate or its speed is nobody's: a unit is wrong
   double lost_share = 0;        // of the poses or the gaze, the larger
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
