@@ -43,7 +43,7 @@ std::vector<CountedRemark> remarks_of(const ImportedStream& stream, bool is_gaze
   add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows, 0);
   add("normalised_rows", "rows normalised: the length was off by more than rounding",
       stream.reading.normalised, 0);
-  add("repeated_headers", "lines name the columns again and were passed over", stream.source.repeated_headers,
+  add("repeated_headers", "lines of words (headers, units) were passed over", stream.source.repeated_headers,
       0);
   add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows, 0);
   add("blank_lines", "blank lines", stream.source.blank_lines, 0);
@@ -119,10 +119,11 @@ std::string loss_sentence(const ImportedStream& stream, const std::vector<std::s
   std::int64_t lost = 0;
   std::string causes;
   for (std::size_t i = 0; i < kRowFates; ++i) {
-    if (!row_fate_texts()[i].loss || stream.fates.rows[i] == 0) continue;
-    lost += stream.fates.rows[i];
-    causes += (causes.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +
-              std::string(row_fate_texts()[i].sentence);
+    const std::int64_t rows = stream.lost(static_cast<RowFate>(i));
+    if (rows == 0) continue;
+    lost += rows;
+    causes +=
+        (causes.empty() ? "" : "; ") + std::to_string(rows) + " " + std::string(row_fate_texts()[i].sentence);
   }
   for (const std::string& remark : remarks)
     if (remark.find(std::to_string(stream.rows_read) + " rows") != std::string::npos)

@@ -19,6 +19,7 @@ namespace herr {
 struct ImportedStream {
   std::filesystem::path file;
   std::int64_t rows_read = 0, rows = 0;  // rows: written
+  bool lost_rows_stay = false;           // gaze: a row without tracking is written as not valid, no loss
   TimeNs first_ns = 0, last_ns = 0;
   IntervalCensus intervals;
 
@@ -30,7 +31,9 @@ struct ImportedStream {
   RowSourceCounts source;
 
   double rate_hz() const { return intervals.median_ns() > 0 ? 1e9 / intervals.median_ns() : 0; }
-  // Share of the rows read that are lost (RowFateText::loss), 0 to 1.
+  // How many rows that met this fate are not in the session, and are no second view of what is.
+  std::int64_t lost(RowFate fate) const;
+  // Share of the rows read that are lost, 0 to 1.
   double lost_share() const;
 };
 

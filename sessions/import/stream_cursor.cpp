@@ -1,6 +1,8 @@
 #include "sessions/import/stream_cursor.h"
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace herr {
 namespace {
@@ -45,7 +47,10 @@ bool assumes_utc(const StreamFile& file) {
 
 void Warnings::add(const InputError& error, const std::string& then) {
   if (texts_.size() >= kMostWarnings) return;
-  texts_.push_back(error.what() + then);
+  std::string text = error.what() + then;
+  // Poses and gaze of one file meet the same line.
+  if (std::find(texts_.begin(), texts_.end(), text) != texts_.end()) return;
+  texts_.push_back(std::move(text));
   if (texts_.size() == kMostWarnings - 1) texts_.push_back("further warnings are only counted");
 }
 
@@ -106,11 +111,18 @@ const RowFate* StreamCursor::fate() {
 void StreamCursor::leave_out(RowFate fate, std::int64_t line) {
   stream_.fates.count(fate, line);
   const std::string what = what_of(fate);
-  if (!what.empty()) warnings_.add(InputError(rows_->path(), line, what, "the row was left out"), "");
+  const char* late =
+      fate == RowFate::backward_stamp ? " (--sort puts rows that come a little late in place)" : "";
+  if (!what.empty())
+    warnings_.add(InputError(rows_->path(), line, what, std::string("the row was left out") + late), "");
 }
 
 void StreamCursor::bad(const InputError& error) {
-  if (!keep_going_) throw error;
+  if (!keep_going_) {
+    if (stream_.rows == 0) throw error;  // they may all be so
+    throw InputError(error.file(), error.line(), error.problem(),
+                     error.remedy() + ", or leave out such rows with --keep-going");
+  }
   stream_.fates.count(RowFate::bad, error.line());
   warnings_.add(error, " (left out)");
 }

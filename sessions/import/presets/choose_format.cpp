@@ -1,8 +1,10 @@
 #include "sessions/import/presets/choose_format.h"
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "sessions/files/folders.h"
@@ -68,15 +70,65 @@ std::string presets_in(const std::vector<FittingColumns>& formats) {
   if (!others.empty() && others.front().named_columns > 0)
     remedy = "its columns are those of preset " + presets_in(others) + ", not of " +
              (request.preset.empty() ? "this map" : request.preset);
+  else if (!others.empty() && !request.preset.empty())
+    remedy = "its rows can be read by preset " + presets_in(others) + ", not by " + request.preset;
   throw InputError(missing.file(), missing.line(), missing.problem(), remedy);
+}
+
+bool looks_like_xml(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string first(64, ' ');
+  stream.read(first.data(), static_cast<std::streamsize>(first.size()));
+  const std::size_t at = first.find_first_not_of(std::string_view("\xef\xbb\xbf\xff\xfe\0 \t\r\n", 10));
+  return at != std::string::npos && first[at] == '<';
+}
+
+// What is wrong with a file that cannot be opened as anything: it is empty, of another encoding, no whole
+// XML.
+std::optional<InputError> fault_of_file(const FormatRequest& request) {
+  const bool xml = looks_like_xml(any_file(request));
+  std::optional<InputError> fault;
+  for (const BuiltInMap& built_in : built_in_maps()) {
+    const auto map = parsed(built_in);
+    if (map->head.empty() || map->head.front().table.xml_row.empty() == xml) continue;
+    const FittingResult result = fitting(request, map, std::string(built_in.name));
+    if (!result.unreadable) return std::nullopt;
+    if (!fault) fault = result.missing;
+  }
+  return fault;
+}
+
+bool by_names(const std::vector<FittingColumns>& formats) {
+  return !formats.empty() && formats.front().named_columns > 0;
+}
+
+[[noreturn]] void fail_unrecognised(const FormatRequest& request) {
+  if (const auto fault = fault_of_file(request)) throw *fault;
+  FormatRequest other = request;
+  if (request.files.gaze && !request.files.head.empty()) {
+    std::swap(other.files.head, *other.files.gaze);
+    if (const auto formats = recognised(other); by_names(formats))
+      throw InputError(request.files.head, 0,
+                       "holds the gaze and " + printable(request.files.gaze->string()) +
+                           " the head (preset " + presets_in(formats) + ")",
+                       "give the files the other way around");
+  } else if (!request.still.head) {
+    other.files.gaze = request.files.head;
+    other.files.head.clear();
+    other.still.head = true;
+    if (const auto formats = recognised(other); by_names(formats))
+      throw InputError(request.files.head, 0,
+                       "holds the gaze of preset " + presets_in(formats) + " and no head",
+                       "give the head's file as HEAD and this one with --gaze, or --still-head");
+  }
+  throw InputError(any_file(request), 0, "has the columns of no preset",
+                   "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
 }
 
 std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
   if (!request.map && request.preset.empty()) {
     std::vector<FittingColumns> formats = recognised(request);
-    if (formats.empty())
-      throw InputError(any_file(request), 0, "has the columns of no preset",
-                       "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
+    if (formats.empty()) fail_unrecognised(request);
     return formats;
   }
   std::shared_ptr<const ColumnMap> map = request.map;
@@ -105,9 +157,12 @@ struct Tried {
 
 std::string list_of(const std::vector<Tried>& tried) {
   std::string text;
+  const bool any_read =
+      std::any_of(tried.begin(), tried.end(), [](const Tried& one) { return !one.trial.error; });
   for (const Tried& one : tried)
-    text += (text.empty() ? "" : "; ") + one.format.words() +
-            (one.against.empty() ? "" : " (" + one.against + ")");
+    if (!any_read || !one.trial.error)
+      text += (text.empty() ? "" : "; ") + one.format.words() +
+              (one.against.empty() ? "" : " (" + one.against + ")");
   return text;
 }
 
@@ -118,6 +173,8 @@ bool differ(const Tried& a, const Tried& b) {
 std::string told_apart(const Tried& chosen, const std::vector<Tried>& others) {
   std::string text = chosen.format.words() + " was taken";
   for (const Tried& one : others) {
+    const bool stranger = one.format.map != chosen.format.map && !one.against.empty();
+    if (stranger || one.trial.error) continue;  // other formats of as many numbers
     const std::string why = one.against.empty() ? better_because(chosen.trial, one.trial) : one.against;
     if (!why.empty()) text += "; with " + one.format.words() + " " + why;
   }

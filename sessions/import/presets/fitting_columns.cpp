@@ -15,6 +15,7 @@ namespace {
 struct Misfit {
   InputError error;
   std::size_t missing_columns = 0;
+  bool unreadable = false;  // no column was looked for
 };
 
 constexpr int kFirstRows = 20;
@@ -72,7 +73,7 @@ std::optional<Misfit> misfit(const std::filesystem::path& file, const Columns& c
     }
     return found ? found : illegible(file, columns);
   } catch (const InputError& error) {
-    return Misfit{error, wanted.size()};
+    return Misfit{error, wanted.size(), true};
   }
 }
 
@@ -189,10 +190,10 @@ FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr
       result.fitting.push_back(std::move(fitting));
     }
   if (!result.fitting.empty()) return result;
-  if (heads.nearest)
-    result.missing = heads.nearest->error;
-  else if (gazes.nearest)
-    result.missing = gazes.nearest->error;
+  if (const auto& nearest = heads.nearest ? heads.nearest : gazes.nearest) {
+    result.missing = nearest->error;
+    result.unreadable = nearest->unreadable;
+  }
   return result;
 }
 

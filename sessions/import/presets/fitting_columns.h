@@ -33,6 +33,7 @@ struct FittingColumns {
 struct FittingResult {
   std::vector<FittingColumns> fitting;
   std::optional<InputError> missing;  // what the nearest alternative lacks, where nothing fits
+  bool unreadable = false;  // `missing`: the file cannot even be opened as a table or XML of that kind
 };
 
 // `variant` empty: all.

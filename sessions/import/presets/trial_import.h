@@ -18,7 +18,7 @@ struct TrialImport {
   std::optional<std::string> error;  // what reading threw
   PlausibilityFigures figures;
   std::string words;            // of the head
-  double lost_share = 0;        // of the poses or the gaze, the larger
+  double unusable_share = 0;    // of the poses or the gaze, the larger; without lost tracking
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
 

@@ -5,7 +5,7 @@ namespace {
 
 // In the order of RowFate.
 constexpr std::array<RowFateText, kRowFates> kTexts{{
-    {"lost_tracking", "rows without tracking", false},
+    {"lost_tracking", "rows without tracking", true},
     {"wild_stamp", "rows left out: the stamp is far from its neighbours", true},
     {"other_clock", "rows left out: before the newest stamp, the clock was reset", true},
     {"backward_stamp", "rows left out: the stamp goes backwards", true},

@@ -153,7 +153,7 @@ TEST_F(ImportRows, CountsRowsWithoutNumbersAsLostTracking) {
       import(kHead + poses(10) + "1.111111,nan,nan,nan,nan,nan,nan,nan\n" + poses(10, 1.122222));
   EXPECT_EQ(got.poses.size(), 20u);
   EXPECT_EQ(fates(got.report.poses), "lost_tracking 1@12");
-  EXPECT_EQ(got.report.poses.lost_share(), 0);
+  EXPECT_NEAR(got.report.poses.lost_share(), 1.0 / 21, 1e-12);
 }
 
 TEST_F(ImportRows, ThrowsOrCountsBadRows) {
