@@ -1,129 +1,18 @@
 #include "sessions/import/presets/choose_format.h"
 
 #include <algorithm>
-#include <fstream>
-#include <functional>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/proven_angles.h"
-#include "sessions/import/presets/recording_folder.h"
+#include "sessions/import/presets/recognised_formats.h"
 #include "sessions/import/presets/trial_import.h"
 
 namespace herr {
 namespace {
-
-std::shared_ptr<const ColumnMap> parsed(const BuiltInMap& map) {
-  return std::make_shared<const ColumnMap>(parse_column_map(map.json, std::string(map.name) + ".json"));
-}
-
-const std::filesystem::path& any_file(const FormatRequest& request) {
-  return request.files.head.empty() ? *request.files.gaze : request.files.head;
-}
-
-FittingResult fitting(const FormatRequest& request, const std::shared_ptr<const ColumnMap>& map,
-                      const std::string& preset) {
-  return fitting_columns(request.files, map, preset, request.variant, request.still);
-}
-
-// Of all built-in maps, those that ask for the most columns by name: a table of bare numbers fits any map
-// that counts columns.
-std::vector<FittingColumns> recognised(const FormatRequest& request) {
-  std::vector<FittingColumns> all;
-  for (const BuiltInMap& map : built_in_maps()) {
-    FittingResult result = fitting(request, parsed(map), std::string(map.name));
-    std::move(result.fitting.begin(), result.fitting.end(), std::back_inserter(all));
-  }
-  std::size_t most = 0;
-  for (const FittingColumns& one : all) most = std::max(most, one.named_columns);
-  std::erase_if(all, [most](const FittingColumns& one) { return one.named_columns < most; });
-  // Of several, those that call their files so.
-  const auto by_name = [&](const FittingColumns& one) {
-    return named_in_layouts(any_file(request), *one.map);
-  };
-  if (std::any_of(all.begin(), all.end(), by_name)) std::erase_if(all, std::not_fn(by_name));
-  return all;
-}
-
-// The presets of a list, each once: "euroc, tum".
-std::string presets_in(const std::vector<FittingColumns>& formats) {
-  std::string names;
-  std::string last;
-  for (const FittingColumns& one : formats) {
-    if (one.preset == last) continue;
-    names += (names.empty() ? "" : ", ") + one.preset;
-    last = one.preset;
-  }
-  return names;
-}
-
-// What a preset or map that does not fit lacks, and the preset that fits instead.
-[[noreturn]] void fail_misfit(const FormatRequest& request, const InputError& missing) {
-  FormatRequest any = request;
-  any.variant.clear();
-  const std::vector<FittingColumns> others = recognised(any);
-  std::string remedy = missing.remedy();
-  if (!others.empty() && others.front().named_columns > 0)
-    remedy = "its columns are those of preset " + presets_in(others) + ", not of " +
-             (request.preset.empty() ? "this map" : request.preset);
-  else if (!others.empty() && !request.preset.empty())
-    remedy = "its rows can be read by preset " + presets_in(others) + ", not by " + request.preset;
-  throw InputError(missing.file(), missing.line(), missing.problem(), remedy);
-}
-
-bool looks_like_xml(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string first(64, ' ');
-  stream.read(first.data(), static_cast<std::streamsize>(first.size()));
-  const std::size_t at = first.find_first_not_of(std::string_view("\xef\xbb\xbf\xff\xfe\0 \t\r\n", 10));
-  return at != std::string::npos && first[at] == '<';
-}
-
-// What is wrong with a file that cannot be opened as anything: it is empty, of another encoding, no whole
-// XML.
-std::optional<InputError> fault_of_file(const FormatRequest& request) {
-  const bool xml = looks_like_xml(any_file(request));
-  std::optional<InputError> fault;
-  for (const BuiltInMap& built_in : built_in_maps()) {
-    const auto map = parsed(built_in);
-    if (map->head.empty() || map->head.front().table.xml_row.empty() == xml) continue;
-    const FittingResult result = fitting(request, map, std::string(built_in.name));
-    if (!result.unreadable) return std::nullopt;
-    if (!fault) fault = result.missing;
-  }
-  return fault;
-}
-
-bool by_names(const std::vector<FittingColumns>& formats) {
-  return !formats.empty() && formats.front().named_columns > 0;
-}
-
-[[noreturn]] void fail_unrecognised(const FormatRequest& request) {
-  if (const auto fault = fault_of_file(request)) throw *fault;
-  FormatRequest other = request;
-  if (request.files.gaze && !request.files.head.empty()) {
-    std::swap(other.files.head, *other.files.gaze);
-    if (const auto formats = recognised(other); by_names(formats))
-      throw InputError(request.files.head, 0,
-                       "holds the gaze and " + printable(request.files.gaze->string()) +
-                           " the head (preset " + presets_in(formats) + ")",
-                       "give the files the other way around");
-  } else if (!request.still.head) {
-    other.files.gaze = request.files.head;
-    other.files.head.clear();
-    other.still.head = true;
-    if (const auto formats = recognised(other); by_names(formats))
-      throw InputError(request.files.head, 0,
-                       "holds the gaze of preset " + presets_in(formats) + " and no head",
-                       "give the head's file as HEAD and this one with --gaze, or --still-head");
-  }
-  throw InputError(any_file(request), 0, "has the columns of no preset",
-                   "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
-}
 
 std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
   if (!request.map && request.preset.empty()) {
@@ -155,14 +44,27 @@ struct Tried {
   std::string against;  // what makes it implausible, or empty
 };
 
+// "preset euroc, variant tumvi (why); preset tum, variant robot, camera (why)".
 std::string list_of(const std::vector<Tried>& tried) {
-  std::string text;
   const bool any_read =
       std::any_of(tried.begin(), tried.end(), [](const Tried& one) { return !one.trial.error; });
-  for (const Tried& one : tried)
-    if (!any_read || !one.trial.error)
-      text += (text.empty() ? "" : "; ") + one.format.words() +
-              (one.against.empty() ? "" : " (" + one.against + ")");
+  std::string text;
+  const Tried* last = nullptr;
+  const auto close = [&] {
+    text += last != nullptr && !last->against.empty() ? " (" + last->against + ")" : "";
+  };
+  for (const Tried& one : tried) {
+    if (any_read && one.trial.error) continue;
+    if (last != nullptr && last->format.map == one.format.map && last->against == one.against &&
+        !one.format.variant().empty()) {
+      text += ", " + one.format.variant();
+      continue;
+    }
+    close();
+    text += (text.empty() ? "" : "; ") + one.format.words();
+    last = &one;
+  }
+  close();
   return text;
 }
 
@@ -222,8 +124,25 @@ std::optional<ChosenFormat> winner(const Contest& contest) {
   return std::nullopt;
 }
 
+// A preset that reads rows like any other of as many numbers, and only makes no sense of them.
+void refuse_wrong_preset(const FormatRequest& request, const Contest& contest) {
+  FormatRequest any = request;
+  any.preset.clear();
+  const std::vector<FittingColumns> all = recognised(any);
+  const Contest others = contest_of(any, all, kTrialRows);
+  std::vector<FittingColumns> good;
+  for (const Tried& one : others.good)
+    if (one.format.preset != request.preset) good.push_back(one.format);
+  if (good.empty()) return;
+  throw InputError(any_file(request), 0, "looks like no person's head and eyes as " + list_of(contest.bad),
+                   "it does as preset " + presets_in(good) + "; give --variant or --map to insist");
+}
+
 // The user named the format: what fits it best is taken, and warnings follow.
 ChosenFormat insisted(const FormatRequest& request, const Contest& contest) {
+  if (!request.map && !request.preset.empty() && request.variant.empty() &&
+      contest.bad.front().format.named_columns == 0)
+    refuse_wrong_preset(request, contest);
   const std::string remark =
       "looks like no person's head and eyes in any of its formats: " + list_of(contest.bad);
   const auto legible = std::find_if(contest.bad.begin(), contest.bad.end(), [&](const Tried& one) {
@@ -257,6 +176,7 @@ ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
 
 ChosenFormat choose(const FormatRequest& request, const std::vector<FittingColumns>& formats) {
   Contest contest = contest_of(request, formats, kTrialRows);
+  if (formats.size() == 1 && contest.bad.empty()) return {formats.front(), {}};
   if (auto chosen = winner(contest)) return std::move(*chosen);
   if (contest.good.size() > 1) contest = contest_of(request, formats, kLongTrialRows);  // more of it may tell
   if (auto chosen = winner(contest)) return std::move(*chosen);
@@ -281,8 +201,10 @@ ChosenFormat chosen_of(const FormatRequest& request) {
     if (!file.empty() && !path_exists(file)) throw InputError(file, 0, "does not exist", "name a recording");
   std::vector<FittingColumns> formats = all_fitting(request);
   const bool recognised_itself = !request.map && request.preset.empty();
-  if (formats.size() == 1 && !recognised_itself) return {std::move(formats.front()), {}};
-  if (formats.size() > 1) return choose(request, formats);
+  const bool counted = !recognised_itself && !request.map && formats.front().named_columns == 0;
+  if (counted) refuse_named_columns(request);
+  if (formats.size() > 1 || (counted && request.variant.empty())) return choose(request, formats);
+  if (!recognised_itself) return {std::move(formats.front()), {}};
   // The only format that has these columns: what is wrong in it is for its import to say.
   return {formats.front(), {formats.front().words() + " was recognised by its columns"}};
 }
