@@ -41,7 +41,7 @@ std::vector<CountedRemark> remarks_of(const ImportedStream& stream) {
   std::vector<CountedRemark> found;
   for (std::size_t i = 0; i < kRowFates; ++i) {
     if (stream.fates.rows[i] == 0) continue;
-    const bool lost_gaze = stream.keeps_lost_tracking && static_cast<RowFate>(i) == RowFate::lost_tracking;
+    const bool lost_gaze = stream.lost_rows_stay && static_cast<RowFate>(i) == RowFate::lost_tracking;
     found.push_back({std::string(row_fate_texts()[i].key),
                      lost_gaze ? "rows without gaze (blinks, lost pupils), written as not valid"
                                : std::string(row_fate_texts()[i].sentence),
@@ -54,7 +54,7 @@ std::vector<CountedRemark> remarks_of(const ImportedStream& stream) {
   add("repeated_values", "rows repeat the one before", stream.repeated_values);
   add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows);
   add("normalised_rows", "rows normalised: the length was off by more than rounding", stream.reading.normalised);
-  add("repeated_headers", "lines of names among the rows, passed over", stream.source.repeated_headers);
+  add("repeated_headers", "lines of words (headers, units) were passed over", stream.source.repeated_headers);
   add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows);
   add("blank_lines", "blank lines", stream.source.blank_lines);
   return found;
@@ -115,7 +115,7 @@ double lost_share(const FeedReport& feed) {
 
 void add_left_out(const std::string& name, const ImportedStream& stream, SessionConversion& record) {
   for (std::size_t i = 0; i < kRowFates && record.left_out.size() < kMostRecorded; ++i) {
-    const bool kept = stream.keeps_lost_tracking && static_cast<RowFate>(i) == RowFate::lost_tracking;
+    const bool kept = stream.lost_rows_stay && static_cast<RowFate>(i) == RowFate::lost_tracking;
     if (stream.fates.rows[i] == 0 || kept) continue;
     record.left_out.push_back(
         {name, stream.fates.rows[i], stream.rows_read, std::string(row_fate_texts()[i].sentence)});
@@ -142,8 +142,8 @@ std::string loss_sentence(const ImportedStream& stream) {
   std::string words;
   for (std::size_t i = 0; i < kRowFates; ++i) {
     const auto fate = static_cast<RowFate>(i);
-    if (!stream.loses(fate) || stream.fates.rows[i] == 0) continue;
-    lost += stream.fates.rows[i];
+    if (stream.lost(fate) == 0) continue;
+    lost += stream.lost(fate);
     ++causes;
     clock_causes += fate == RowFate::other_clock || fate == RowFate::repeated_stamp ? 1 : 0;
     words += (words.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +

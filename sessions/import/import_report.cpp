@@ -2,17 +2,16 @@
 
 namespace herr {
 
-bool ImportedStream::loses(RowFate fate) const {
-  if (fate == RowFate::lost_tracking && keeps_lost_tracking) return false;
-  return row_fate_texts()[static_cast<std::size_t>(fate)].loss;
+std::int64_t ImportedStream::lost(RowFate fate) const {
+  if (fate == RowFate::lost_tracking && lost_rows_stay) return 0;
+  return row_fate_texts()[static_cast<std::size_t>(fate)].loss ? fates[fate] : 0;
 }
 
 double ImportedStream::lost_share() const {
   if (rows_read == 0) return 0;
-  std::int64_t lost = 0;
-  for (std::size_t fate = 0; fate < kRowFates; ++fate)
-    if (loses(static_cast<RowFate>(fate))) lost += fates.rows[fate];
-  return static_cast<double>(lost) / static_cast<double>(rows_read);
+  std::int64_t all = 0;
+  for (std::size_t fate = 0; fate < kRowFates; ++fate) all += lost(static_cast<RowFate>(fate));
+  return static_cast<double>(all) / static_cast<double>(rows_read);
 }
 
 }  // namespace herr

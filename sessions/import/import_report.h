@@ -19,11 +19,11 @@ namespace herr {
 struct ImportedStream {
   std::filesystem::path file;
   std::int64_t rows_read = 0, rows = 0;  // rows: written
+  bool lost_rows_stay = false;           // gaze: a row without tracking is written as not valid, no loss
   TimeNs first_ns = 0, last_ns = 0;
   IntervalCensus intervals;
 
   RowFateCounts fates;
-  bool keeps_lost_tracking = false;  // gaze: rows without it are written, as not valid
   std::vector<std::string> remarks;  // what the clock did: whole sentences
   std::int64_t sorted_rows = 0;      // put where they belong
   std::int64_t one_eye_rows = 0;     // gaze of one eye only
@@ -32,7 +32,8 @@ struct ImportedStream {
   RowSourceCounts source;
 
   double rate_hz() const { return intervals.median_ns() > 0 ? 1e9 / intervals.median_ns() : 0; }
-  bool loses(RowFate fate) const;
+  // How many rows that met this fate are not in the session, and are no second view of what is.
+  std::int64_t lost(RowFate fate) const;
   // Share of the rows read that are lost, 0 to 1.
   double lost_share() const;
 };

@@ -22,7 +22,9 @@ constexpr TimeNs kSecondNs = 1'000'000'000;
 
 class RowsImport {
  public:
-  RowsImport(const ImportRequest& request, const ImportSink& sink) : request_(request), sink_(sink) {}
+  RowsImport(const ImportRequest& request, const ImportSink& sink) : request_(request), sink_(sink) {
+    report_.gaze.lost_rows_stay = true;
+  }
 
   ImportReport run() {
     find_streams();
@@ -67,7 +69,6 @@ class RowsImport {
     }
     report_.poses.remarks = head_survey_.remarks;
     report_.gaze.remarks = gaze_survey_.remarks;
-    report_.gaze.keeps_lost_tracking = true;
     for (const StreamFile* stream : {&head_, &gaze_})
       if (stream->time != nullptr && stream->time->kind == TimeColumns::Kind::rate)
         report_.assumed.push_back("stamps were not recorded: " + plain_number_text(stream->time->rate_hz) +
@@ -120,10 +121,11 @@ class RowsImport {
   void import_poses() {
     Pose before;
     ImportedStream& stream = report_.poses;
+    const bool recorded = request_.columns.head->rotation_kind != RotationKind::fixed;
     each_pose(stream, warnings_, [&](const PoseRow& row) {
       const Pose& pose = row.world_from_head;
       const bool same = before.position == pose.position && before.orientation == pose.orientation;
-      stream.repeated_values += same && stream.rows > 1 ? 1 : 0;
+      stream.repeated_values += same && recorded && stream.rows > 1 ? 1 : 0;
       before = pose;
       sink_.pose(row);
     });

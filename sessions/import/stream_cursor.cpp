@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace herr {
 namespace {
@@ -34,7 +35,7 @@ bool assumes_utc(const StreamFile& file) {
 void Warnings::add(const InputError& error, const std::string& then) {
   if (texts_.size() >= kMostWarnings) return;
   std::string text = error.what() + then;
-  // Head and gaze of one file meet the same.
+  // Poses and gaze of one file meet the same line.
   if (std::find(texts_.begin(), texts_.end(), text) != texts_.end()) return;
   texts_.push_back(std::move(text));
   if (texts_.size() == kMostWarnings - 1) texts_.push_back("further warnings are only counted");
@@ -99,7 +100,11 @@ void StreamCursor::leave_out(RowFate fate, std::int64_t line) {
 }
 
 void StreamCursor::bad(const InputError& error) {
-  if (!keep_going_) throw error;
+  if (!keep_going_) {
+    if (stream_.rows == 0) throw error;  // they may all be so
+    throw InputError(error.file(), error.line(), error.problem(),
+                     error.remedy() + ", or leave out such rows with --keep-going");
+  }
   stream_.fates.count(RowFate::bad, error.line());
   warnings_.add(error, " (left out)");
 }

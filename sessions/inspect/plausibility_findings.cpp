@@ -31,6 +31,7 @@ void PlausibilityMeter::judge(const std::filesystem::path& pose_file, const std:
                               FindingList& findings) const {
   if (attitude_.rows() >= kFewestRows) {
     judge_attitude(pose_file, findings);
+    judge_speed(pose_file, findings);
     judge_stillness(pose_file, findings);
   }
   if (eyes_.rows_with_gaze() >= kFewestRows) {
@@ -58,6 +59,16 @@ void PlausibilityMeter::judge_attitude(const std::filesystem::path& file, Findin
          "the head goes backwards over " + percents(backwards_m / (forwards_m + backwards_m)) + " of " +
              fixed_text(forwards_m + backwards_m, 1) + " m of way",
          "if nobody walked backwards, forward and back are exchanged, or the handedness is wrong", findings);
+}
+
+void PlausibilityMeter::judge_speed(const std::filesystem::path& file, FindingList& findings) const {
+  const double fast = figures().fast_share.value_or(0);
+  if (fast <= kMostRows) return;
+  tell(Severity::warning, file, "the head goes faster than 10 m/s in " + percents(fast) + " of the rows",
+       "unless it was driven, positions are millimetres or centimetres (\"unit\" of the map's position), or "
+       "stamps "
+       "have another unit",
+       findings);
 }
 
 void PlausibilityMeter::judge_stillness(const std::filesystem::path& file, FindingList& findings) const {

@@ -1,8 +1,6 @@
 #include "sessions/import/presets/choose_format.h"
 
 #include <algorithm>
-#include <functional>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -10,94 +8,11 @@
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/proven_angles.h"
-#include "sessions/import/presets/recording_folder.h"
+#include "sessions/import/presets/recognised_formats.h"
 #include "sessions/import/presets/trial_import.h"
 
 namespace herr {
 namespace {
-
-std::shared_ptr<const ColumnMap> parsed(const BuiltInMap& map) {
-  return std::make_shared<const ColumnMap>(parse_column_map(map.json, std::string(map.name) + ".json"));
-}
-
-const std::filesystem::path& any_file(const FormatRequest& request) {
-  return request.files.head.empty() ? *request.files.gaze : request.files.head;
-}
-
-FittingResult fitting(const FormatRequest& request, const std::shared_ptr<const ColumnMap>& map,
-                      const std::string& preset) {
-  return fitting_columns(request.files, map, preset, request.variant, request.still);
-}
-
-struct Recognition {
-  std::vector<FittingColumns> formats;
-  std::vector<std::pair<std::string, MissingColumns>> misfits;  // by preset
-};
-
-// Of all built-in maps, those that ask for the most columns by name: a table of bare numbers fits any map that
-// counts columns.
-Recognition recognised(const FormatRequest& request) {
-  Recognition found;
-  std::vector<FittingColumns>& all = found.formats;
-  for (const BuiltInMap& map : built_in_maps()) {
-    FittingResult result = fitting(request, parsed(map), std::string(map.name));
-    std::move(result.fitting.begin(), result.fitting.end(), std::back_inserter(all));
-    if (result.missing) found.misfits.emplace_back(map.name, *result.missing);
-  }
-  std::size_t most = 0;
-  for (const FittingColumns& one : all) most = std::max(most, one.named_columns);
-  std::erase_if(all, [most](const FittingColumns& one) { return one.named_columns < most; });
-  // Of several, those that call their files so.
-  const auto by_name = [&](const FittingColumns& one) {
-    return named_in_layouts(any_file(request), *one.map);
-  };
-  if (std::any_of(all.begin(), all.end(), by_name)) std::erase_if(all, std::not_fn(by_name));
-  return found;
-}
-
-const char* const kProposal = "try 'herr convert --check FILE', which proposes a map, or give --preset or --map";
-
-// Nothing fits: what is wrong with the file by itself, or what the nearest format lacks.
-[[noreturn]] void fail_unknown(const FormatRequest& request, const Recognition& found) {
-  std::map<std::string, std::size_t> times;  // how many formats stumbled over the same
-  const MissingColumns* nearest = nullptr;
-  std::string nearest_preset;
-  for (const auto& [preset, missing] : found.misfits) {
-    if (!missing.opened && 3 * ++times[missing.error.problem()] > found.misfits.size()) throw InputError(missing.error);
-    const bool near = missing.opened && 2 * missing.missing < missing.wanted;
-    if (!near || (nearest != nullptr && missing.missing * nearest->wanted >= nearest->missing * missing.wanted)) continue;
-    nearest = &missing;
-    nearest_preset = preset;
-  }
-  if (nearest == nullptr) throw InputError(any_file(request), 0, "has the columns of no preset", kProposal);
-  throw InputError(nearest->error.file(), nearest->error.line(),
-                   "is nearest to preset " + nearest_preset + ", and " + nearest->error.problem(),
-                   "correct that, or " + std::string(kProposal));
-}
-
-// The presets of a list, each once: "euroc, tum".
-std::string presets_in(const std::vector<FittingColumns>& formats) {
-  std::string names;
-  std::string last;
-  for (const FittingColumns& one : formats) {
-    if (one.preset == last) continue;
-    names += (names.empty() ? "" : ", ") + one.preset;
-    last = one.preset;
-  }
-  return names;
-}
-
-// What a preset or map that does not fit lacks, and the preset that fits instead.
-[[noreturn]] void fail_misfit(const FormatRequest& request, const InputError& missing) {
-  FormatRequest any = request;
-  any.variant.clear();
-  const std::vector<FittingColumns> others = recognised(any).formats;
-  std::string remedy = missing.remedy();
-  if (!others.empty() && others.front().named_columns > 0)
-    remedy = "its columns are those of preset " + presets_in(others) + ", not of " +
-             (request.preset.empty() ? "this map" : request.preset);
-  throw InputError(missing.file(), missing.line(), missing.problem(), remedy);
-}
 
 void check_variant(const FormatRequest& request, const ColumnMap& map) {
   const std::vector<std::string> known = variants_of(map);
@@ -111,9 +26,9 @@ void check_variant(const FormatRequest& request, const ColumnMap& map) {
 
 std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
   if (!request.map && request.preset.empty()) {
-    Recognition found = recognised(request);
-    if (found.formats.empty()) fail_unknown(request, found);
-    return std::move(found.formats);
+    std::vector<FittingColumns> formats = recognised(request);
+    if (formats.empty()) fail_unrecognised(request);
+    return formats;
   }
   std::shared_ptr<const ColumnMap> map = request.map;
   if (!map) {
@@ -125,7 +40,7 @@ std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
   check_variant(request, *map);
   FittingResult result = fitting(request, map, request.preset);
   if (!result.fitting.empty()) return std::move(result.fitting);
-  if (result.missing) fail_misfit(request, result.missing->error);
+  if (result.missing) fail_misfit(request, *result.missing);
   throw InputError(any_file(request), 0, "holds nothing that map '" + map->name + "' reads",
                    "check --preset, --map and --gaze");
 }
@@ -136,11 +51,27 @@ struct Tried {
   std::string against;  // what makes it implausible, or empty
 };
 
+// "preset euroc, variant tumvi (why); preset tum, variant robot, camera (why)".
 std::string list_of(const std::vector<Tried>& tried) {
+  const bool any_read =
+      std::any_of(tried.begin(), tried.end(), [](const Tried& one) { return !one.trial.error; });
   std::string text;
-  for (const Tried& one : tried)
-    text += (text.empty() ? "" : "; ") + one.format.words() +
-            (one.against.empty() ? "" : " (" + one.against + ")");
+  const Tried* last = nullptr;
+  const auto close = [&] {
+    text += last != nullptr && !last->against.empty() ? " (" + last->against + ")" : "";
+  };
+  for (const Tried& one : tried) {
+    if (any_read && one.trial.error) continue;
+    if (last != nullptr && last->format.map == one.format.map && last->against == one.against &&
+        !one.format.variant().empty()) {
+      text += ", " + one.format.variant();
+      continue;
+    }
+    close();
+    text += (text.empty() ? "" : "; ") + one.format.words();
+    last = &one;
+  }
+  close();
   return text;
 }
 
@@ -151,7 +82,8 @@ bool differ(const Tried& a, const Tried& b) {
 std::string told_apart(const Tried& chosen, const std::vector<Tried>& others) {
   std::string text = chosen.format.words() + " was taken";
   for (const Tried& one : others) {
-    if (one.trial.error && one.format.preset != chosen.format.preset) continue;  // fits by its columns alone
+    const bool stranger = one.format.map != chosen.format.map && !one.against.empty();
+    if (stranger || one.trial.error) continue;  // other formats of as many numbers
     const std::string why = one.against.empty() ? better_because(chosen.trial, one.trial) : one.against;
     if (!why.empty()) text += "; with " + one.format.words() + " " + why;
   }
@@ -199,10 +131,28 @@ std::optional<ChosenFormat> winner(const Contest& contest) {
   return std::nullopt;
 }
 
+// A preset that reads rows like any other of as many numbers, and only makes no sense of them.
+void refuse_wrong_preset(const FormatRequest& request, const Contest& contest) {
+  FormatRequest any = request;
+  any.preset.clear();
+  const std::vector<FittingColumns> all = recognised(any);
+  const Contest others = contest_of(any, all, kTrialRows);
+  std::vector<FittingColumns> good;
+  for (const Tried& one : others.good)
+    if (one.format.preset != request.preset) good.push_back(one.format);
+  if (good.empty()) return;
+  throw InputError(any_file(request), 0, "looks like no person's head and eyes as " + list_of(contest.bad),
+                   "it does as preset " + presets_in(good) + "; give --variant or --map to insist");
+}
+
 // The user named the format: what fits it best is taken, and warnings follow.
 ChosenFormat insisted(const FormatRequest& request, const Contest& contest) {
-  if (std::all_of(contest.bad.begin(), contest.bad.end(), [](const Tried& one) { return one.trial.error.has_value(); }))
+  if (std::all_of(contest.bad.begin(), contest.bad.end(),
+                  [](const Tried& one) { return one.trial.error.has_value(); }))
     throw InputError(*contest.bad.front().trial.error);
+  if (!request.map && !request.preset.empty() && request.variant.empty() &&
+      contest.bad.front().format.named_columns == 0)
+    refuse_wrong_preset(request, contest);
   const std::string remark =
       "looks like no person's head and eyes in any of its formats: " + list_of(contest.bad);
   const auto legible = std::find_if(contest.bad.begin(), contest.bad.end(), [&](const Tried& one) {
@@ -236,6 +186,7 @@ ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
 
 ChosenFormat choose(const FormatRequest& request, const std::vector<FittingColumns>& formats) {
   Contest contest = contest_of(request, formats, kTrialRows);
+  if (formats.size() == 1 && contest.bad.empty()) return {formats.front(), {}};
   if (auto chosen = winner(contest)) return std::move(*chosen);
   if (contest.good.size() > 1) contest = contest_of(request, formats, kLongTrialRows);  // more of it may tell
   if (auto chosen = winner(contest)) return std::move(*chosen);
@@ -260,8 +211,10 @@ ChosenFormat chosen_of(const FormatRequest& request) {
     if (!file.empty() && !path_exists(file)) throw InputError(file, 0, "does not exist", "name a recording");
   std::vector<FittingColumns> formats = all_fitting(request);
   const bool recognised_itself = !request.map && request.preset.empty();
-  if (formats.size() == 1 && !recognised_itself) return {std::move(formats.front()), {}};
-  if (formats.size() > 1) return choose(request, formats);
+  const bool counted = !recognised_itself && !request.map && formats.front().named_columns == 0;
+  if (counted) refuse_named_columns(request);
+  if (formats.size() > 1 || (counted && request.variant.empty())) return choose(request, formats);
+  if (!recognised_itself) return {std::move(formats.front()), {}};
   // The only format that has these columns: what is wrong in it is for its import to say.
   return {formats.front(), {formats.front().words() + " was recognised by its columns"}};
 }

@@ -15,7 +15,7 @@ namespace {
 struct Misfit {
   InputError error;
   std::size_t missing_columns = 0, wanted_columns = 0;
-  bool opened = true;  // false: it is no table of this kind at all
+  bool unreadable = false;  // no column was looked for
 };
 
 constexpr int kFirstRows = 20;
@@ -73,7 +73,7 @@ std::optional<Misfit> misfit(const std::filesystem::path& file, const Columns& c
     }
     return found ? found : illegible(file, columns);
   } catch (const InputError& error) {
-    return Misfit{error, wanted.size(), wanted.size(), false};
+    return Misfit{error, wanted.size(), wanted.size(), true};
   }
 }
 
@@ -151,7 +151,7 @@ Fits<GazeColumns> gaze_fits(const RecordingFiles& files, const ColumnMap& map, c
   if (!there.empty()) {
     Fits<GazeColumns> fits = fits_in(*file, there);
     // A head's log that could hold gaze need not; one that names half of it was meant to.
-    const bool half_there = fits.nearest && fits.nearest->opened && fits.nearest->missing_columns > 0 &&
+    const bool half_there = fits.nearest && !fits.nearest->unreadable && fits.nearest->missing_columns > 0 &&
                             2 * fits.nearest->missing_columns < fits.nearest->wanted_columns;
     if (fits.columns.empty() && !files.gaze && !half_there) return {{nullptr}, {}};
     if (fits.columns.empty() && !files.gaze)
@@ -207,9 +207,10 @@ FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr
       result.fitting.push_back(std::move(fitting));
     }
   if (!result.fitting.empty()) return result;
-  const std::optional<Misfit>& nearest = heads.columns.empty() ? heads.nearest : gazes.nearest;
-  if (nearest)
-    result.missing = MissingColumns{nearest->error, nearest->missing_columns, nearest->wanted_columns, nearest->opened};
+  if (const auto& nearest = heads.nearest ? heads.nearest : gazes.nearest) {
+    result.missing = nearest->error;
+    result.unreadable = nearest->unreadable;
+  }
   return result;
 }
 

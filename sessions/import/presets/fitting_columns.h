@@ -30,16 +30,10 @@ struct FittingColumns {
   std::string words() const;  // "preset euroc, variant tumvi"
 };
 
-// What the nearest alternative lacks.
-struct MissingColumns {
-  InputError error;
-  std::size_t missing = 0, wanted = 0;  // columns
-  bool opened = true;                   // false: the file is no table of this kind at all
-};
-
 struct FittingResult {
   std::vector<FittingColumns> fitting;
-  std::optional<MissingColumns> missing;  // where nothing fits
+  std::optional<InputError> missing;  // what the nearest alternative lacks, where nothing fits
+  bool unreadable = false;  // `missing`: the file cannot even be opened as a table or XML of that kind
 };
 
 // `variant` empty: all.

@@ -49,6 +49,13 @@ class RowsHash {
   std::uint64_t hash_ = 0;
 };
 
+// Lost tracking says nothing against the columns.
+double unusable_share(const ImportedStream& stream) {
+  if (stream.rows_read == 0) return 0;
+  const auto untracked = static_cast<double>(stream.lost(RowFate::lost_tracking));
+  return stream.lost_share() - untracked / static_cast<double>(stream.rows_read);
+}
+
 std::string share_words(double share) {
   return std::to_string(std::llround(100 * share)) + " % of the rows";
 }
@@ -73,7 +80,7 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
                                                         meter.add(row, per_eye);
                                                         hash.add(row);
                                                       }});
-    trial.lost_share = std::max(report.poses.lost_share(), report.has_gaze ? report.gaze.lost_share() : 0);
+    trial.unusable_share = std::max(unusable_share(report.poses), unusable_share(report.gaze));
   } catch (const InputError& error) {
     trial.error = error;
     return trial;
@@ -90,7 +97,7 @@ std::string implausible(const TrialImport& trial) {
   const PlausibilityFigures& f = trial.figures;
   if (trial.error) return "its rows cannot be read";
   if (!trial.unit_fault.empty()) return trial.unit_fault;
-  if (trial.lost_share > kMost) return share_words(trial.lost_share) + " cannot be used";
+  if (trial.unusable_share > kMost) return share_words(trial.unusable_share) + " cannot be used";
   if (f.level_share && *f.level_share < kMost)
     return "the head is not level in " + share_words(1 - *f.level_share);
   if (f.diverging_share && *f.diverging_share > kNearlyAll)

@@ -19,8 +19,8 @@ struct TrialImport {
   std::optional<InputError> error;  // what reading threw
   PlausibilityFigures figures;
   std::string words;            // of the head
-  std::string unit_fault;  // that its rate or its speed is nobody's: a unit is wrong
-  double lost_share = 0;        // of the poses or the gaze, the larger
+  std::string unit_fault;       // that its rate or its speed is nobody's: a unit is wrong
+  double unusable_share = 0;    // of the poses or the gaze, the larger; without lost tracking
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
 

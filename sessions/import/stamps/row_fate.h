@@ -12,7 +12,7 @@
 namespace herr {
 
 enum class RowFate : std::size_t {
-  lost_tracking,   // poses: left out; gaze: written as not valid for both eyes, no loss
+  lost_tracking,   // poses: left out, a loss; gaze: written as not valid for both eyes, no loss
   wild_stamp,      // far from its neighbours
   other_clock,     // before the newest stamp: the clock was reset, or two recordings in one file
   backward_stamp,  // earlier than the row before
