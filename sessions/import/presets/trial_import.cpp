@@ -72,6 +72,9 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
                                                         hash.add(row);
                                                       }});
     trial.lost_share = std::max(report.poses.lost_share(), report.has_gaze ? report.gaze.lost_share() : 0);
+    trial.remarks = report.remarks;
+    trial.pose_hz = report.poses.rate_hz();
+    trial.gaze_hz = report.has_gaze ? report.gaze.rate_hz() : 0;
   } catch (const InputError& error) {
     trial.error = error.what();
     return trial;
@@ -79,6 +82,7 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   meter.finish();
   trial.figures = meter.figures();
   trial.words = meter.words();
+  trial.gaze_words = meter.gaze_words();
   trial.rows_hash = hash.value();
   return trial;
 }

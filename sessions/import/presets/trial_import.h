@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sessions/import/import_rows.h"
 #include "sessions/inspect/plausibility.h"
@@ -16,7 +17,9 @@ inline constexpr std::int64_t kTrialRows = 20000;
 struct TrialImport {
   std::optional<std::string> error;  // what reading threw
   PlausibilityFigures figures;
-  std::string words;            // of the head
+  std::string words, gaze_words;     // of the head; of the eyes, or empty
+  std::vector<std::string> remarks;  // what the clock did, where ids change: whole sentences
+  double pose_hz = 0, gaze_hz = 0;
   double lost_share = 0;        // of the poses or the gaze, the larger
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
