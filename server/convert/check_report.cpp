@@ -26,6 +26,20 @@ const char* word_of(Proposal::Certainty certainty) {
   return "cannot tell";
 }
 
+// On one line and harmless to a terminal, however long.
+std::string whole_text(const std::string& text) {
+  constexpr std::size_t kPiece = 100;
+  std::string shown;
+  std::size_t from = 0;
+  while (text.size() - from > kPiece) {
+    std::size_t to = text.rfind(' ', from + kPiece);
+    if (to == std::string::npos || to <= from) break;
+    shown += printable(text.substr(from, to - from)) + " ";
+    from = to + 1;
+  }
+  return shown + printable(text.substr(from));
+}
+
 // As a shell reads it back.
 std::string quoted(const std::string& word) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+";
@@ -59,9 +73,9 @@ std::string command_line(const ConvertOptions& options, const Proposal& proposal
 
 std::string text_of(const Proposal& proposal, const std::string& line, bool map_written) {
   std::string text = std::string("confidence: ") + word_of(proposal.certainty) + "\n";
-  for (const std::string& reason : proposal.reasons) text += "  " + printable(reason) + "\n";
+  for (const std::string& reason : proposal.reasons) text += "  " + whole_text(reason) + "\n";
   if (!proposal.questions.empty()) text += "please say:\n";
-  for (const std::string& question : proposal.questions) text += "  " + printable(question) + "\n";
+  for (const std::string& question : proposal.questions) text += "  " + whole_text(question) + "\n";
   if (!line.empty()) text += "recommended: " + line + "\n";
   if (proposal.map_json.empty() || map_written) return text;
   return text +
@@ -77,7 +91,9 @@ std::string json_of(const Proposal& proposal, const std::string& line) {
             {"variant", proposal.variant},
             {"reasons", proposal.reasons},
             {"questions", proposal.questions}};
-  json["map"] = proposal.map_json.empty() ? Json() : Json::parse(proposal.map_json);
+  const Json map = proposal.map_json.empty() ? Json() : Json::parse(proposal.map_json);
+  json["map"] = line.empty() ? Json() : map;
+  json["draft"] = line.empty() ? map : Json();  // of a map, to be completed by the answers
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,7 +3,7 @@
 namespace herr {
 namespace {
 
-constexpr std::array<AxisConvention, 10> kConventions{{
+constexpr std::array<AxisConvention, 11> kConventions{{
     {"Unity (left-handed, y up)", {"right", "up", "forward"}, {"right", "up", "forward"}},
     {"OpenXR (right-handed, y up)", {"right", "up", "back"}, {"right", "up", "back"}},
     {"ROS (x forward, z up)", {"forward", "left", "up"}, {"forward", "left", "up"}},
@@ -22,6 +22,7 @@ constexpr std::array<AxisConvention, 10> kConventions{{
     {"glasses (x left, y up, z forward) in a world with z up",
      {"right", "forward", "up"},
      {"left", "up", "forward"}},
+    {"aircraft (x forward, y right, z down)", {"forward", "right", "down"}, {"forward", "right", "down"}},
 }};
 
 }  // namespace

@@ -11,9 +11,10 @@
 namespace herr {
 
 struct AxisConvention {
-  enum Name : std::size_t { unity, openxr, ros, unreal, y_forward };  // the first ones of the list
-  const char* words;                                                  // as users say it
-  std::array<const char*, 3> world, head;                             // where x, y and z point
+  // The first ones of the list.
+  enum Name : std::size_t { unity, openxr, ros, unreal, y_forward, camera_z_up, camera_y_up, camera_y_down };
+  const char* words;                       // as users say it
+  std::array<const char*, 3> world, head;  // where x, y and z point
 };
 
 std::span<const AxisConvention> axis_conventions();

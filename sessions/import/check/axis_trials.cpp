@@ -15,7 +15,8 @@ using Candidates = std::vector<AxisCandidate>;
 
 constexpr double kLevelRows = 0.8;  // people seldom lie on their side
 constexpr double kSteadyTimes = 1.5, kSteadyByDeg = 1;
-constexpr double kAhead = 0.7, kBackwards = 0.3;        // of the way
+constexpr double kAhead = 0.7, kBackwards = 0.3;  // of the way
+constexpr double kAboveFloorM = 0.4, kTallestHeadM = 3;
 constexpr double kLeaningDeg = 8, kLeaningTimes = 0.5;  // roll of a head that leans all the time
 
 std::string share_text(double share) {
@@ -62,6 +63,18 @@ bool exclude_by_walking(Candidates& candidates) {
   return known;
 }
 
+// Worlds begin on the floor or where the head began: heads are above or near it.
+void exclude_below_floor(Candidates& candidates) {
+  const bool above = std::any_of(candidates.begin(), candidates.end(), [](const AxisCandidate& one) {
+    return one.against.empty() && one.trial.mean_height_m > kAboveFloorM &&
+           one.trial.mean_height_m < kTallestHeadM;
+  });
+  exclude(candidates, [&](const AxisCandidate& one) -> std::string {
+    if (!above || one.trial.mean_height_m > -kAboveFloorM) return "";
+    return "the head is " + fixed_text(-one.trial.mean_height_m, 1) + " m below the world's origin";
+  });
+}
+
 // Heads nod all the time and hardly ever lean for long.
 void exclude_leaning(Candidates& candidates) {
   double least = 1e9;
@@ -83,7 +96,7 @@ void exclude_by_words(Candidates& candidates, const std::vector<AxisReading>& re
                    [&](const AxisCandidate& one) { return one.against.empty() && is_meant(one); }))
     return;
   exclude(candidates, [&](const AxisCandidate& one) {
-    return is_meant(one) ? std::string() : std::string("its names and units are not usual");
+    return is_meant(one) ? std::string() : std::string("names and units are unusual");
   });
 }
 
@@ -144,6 +157,19 @@ void ask_axes(const Candidates& candidates, const std::vector<const AxisCandidat
                               "(\"world_axes\" and \"head_axes\" in the map).");
 }
 
+void ask_gaze_axes(const std::vector<const AxisCandidate*>& left, AxisVerdict& verdict) {
+  std::string text;
+  for (const AxisCandidate* one : left) {
+    const auto axes = one->map->gaze.front().axes.words();
+    text += (text.empty() ? "" : "; ") + std::string("a head of ") + one->axes().words + " with gaze (" +
+            axes[0] + ", " + axes[1] + ", " + axes[2] + ")";
+  }
+  verdict.questions.push_back(
+      "Where the axes of the head and the gaze point: the head turns too little against the "
+      "eyes to tell these apart: " +
+      text + " (\"head_axes\", \"world_axes\" and the gaze's \"axes\" in the map).");
+}
+
 void take(const AxisCandidate& candidate, AxisVerdict& verdict) {
   verdict.draft = *candidate.map;
   verdict.axes = &candidate.axes();
@@ -155,15 +181,16 @@ void take(const AxisCandidate& candidate, AxisVerdict& verdict) {
 
 AxisVerdict settle_axes(const RecordingFiles& files, const std::vector<AxisReading>& readings) {
   AxisVerdict verdict;
+  const bool gaze = !readings.front().map.gaze.empty();
   Candidates candidates = head_candidates(files, readings);
   for (AxisCandidate& one : candidates) exclude_alone(one);
   exclude_wavering(candidates);
   verdict.walks_ahead = exclude_by_walking(candidates);
   exclude_leaning(candidates);
-  exclude_by_words(candidates, readings);
+  exclude_below_floor(candidates);
+  if (!gaze) exclude_by_words(candidates, readings);
   std::vector<const AxisCandidate*> left = remaining(candidates);
   take(left.empty() ? candidates.front() : *left.front(), verdict);
-  const bool gaze = !readings.front().map.gaze.empty();
   if (!gaze || left.empty()) {
     say_excluded(candidates, verdict);
     if (left.size() == 1)
@@ -172,7 +199,9 @@ AxisVerdict settle_axes(const RecordingFiles& files, const std::vector<AxisReadi
       ask_axes(candidates, left, verdict);
   } else {
     GazeTrials trials = try_gaze(files, left, readings);
+    exclude_by_words(trials.candidates, readings);
     left = remaining(trials.candidates);
+    if (left.size() > 1) ask_gaze_axes(left, verdict);
     if (!left.empty()) take(*left.front(), verdict);
     say_excluded(candidates, verdict);
     verdict.eyes_tell = trials.eyes_tell;
@@ -180,6 +209,7 @@ AxisVerdict settle_axes(const RecordingFiles& files, const std::vector<AxisReadi
     verdict.questions.insert(verdict.questions.end(), trials.questions.begin(), trials.questions.end());
     if (left.size() == 1 && trials.questions.empty()) verdict.map = verdict.draft;
   }
+  verdict.fitting = left.size();
   if (!verdict.trial.error && !verdict.trial.words.empty())
     verdict.reasons.push_back(std::string("With the axes of ") + verdict.axes->words + " " +
                               verdict.trial.words + ".");

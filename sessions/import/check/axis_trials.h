@@ -29,6 +29,7 @@ struct AxisVerdict {
   std::optional<ColumnMap> draft;  // of what remained or was best
   const AxisConvention* axes = nullptr;
   std::size_t reading = 0;
+  std::size_t fitting = 0;                      // readings that fit alike; 1: settled
   TrialImport trial;                            // of the map or draft
   bool walks_ahead = false, eyes_tell = false;  // what spoke for it beyond being level
   std::vector<std::string> reasons, questions;

@@ -111,16 +111,7 @@ GazeTrials try_gaze(const RecordingFiles& files, const std::vector<const AxisCan
     trials.questions.push_back(
         "In which axes the gaze is: with none of the usual ones the eyes rest ahead of the head "
         "(\"axes\" of the gaze in the map).");
-  } else if (left.size() > 1) {
-    std::string text;
-    for (const AxisCandidate* one : left)
-      text += (text.empty() ? "" : "; ") + std::string("head of ") + one->axes().words + " with gaze " +
-              axes_text(one->map->gaze.front().axes);
-    trials.questions.push_back(
-        "Where the axes of the head and the gaze point: the head turns too little against the "
-        "eyes to tell these apart: " +
-        text + " (\"head_axes\", \"world_axes\" and the gaze's \"axes\" in the map).");
-  } else {
+  } else if (left.size() == 1) {
     trials.reasons.push_back("The gaze's x, y and z point " +
                              axes_text(left.front()->map->gaze.front().axes) + ": so read the eyes rest " +
                              fixed_text(left.front()->figures().median_gaze_deg, 0) +

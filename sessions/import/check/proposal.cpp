@@ -1,9 +1,11 @@
 #include "sessions/import/check/proposal.h"
 
+#include <cctype>
 #include <optional>
 #include <utility>
 
 #include "sessions/files/input_error.h"
+#include "sessions/import/check/bare_formats.h"
 #include "sessions/import/check/described_columns.h"
 #include "sessions/import/check/proposed_map.h"
 #include "sessions/import/map/column_map_text.h"
@@ -23,12 +25,22 @@ void add_all(const std::vector<std::string>& more, std::vector<std::string>& all
   all.insert(all.end(), more.begin(), more.end());
 }
 
+// Remarks of other rooms are clauses.
+std::vector<std::string> sentences(std::vector<std::string> texts) {
+  for (std::string& text : texts) {
+    if (text.empty()) continue;
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    if (!text.ends_with('.')) text += '.';
+  }
+  return texts;
+}
+
 void say_measured(const TrialImport& trial, std::vector<std::string>& reasons) {
   if (trial.pose_hz > 0) reasons.push_back("Poses come at " + fixed_text(trial.pose_hz, 1) + " Hz.");
   if (trial.gaze_hz > 0) reasons.push_back("Gaze comes at " + fixed_text(trial.gaze_hz, 1) + " Hz.");
   if (!trial.words.empty()) reasons.push_back("So read, " + trial.words + ".");
   if (!trial.gaze_words.empty()) reasons.push_back("Of the gaze: " + trial.gaze_words + ".");
-  add_all(trial.remarks, reasons);
+  add_all(sentences(trial.remarks), reasons);
 }
 
 // What speaks against a format whose columns are there; empty: nothing.
@@ -40,7 +52,8 @@ std::string doubt(const ChosenFormat& chosen, const TrialImport& trial) {
   const bool eyes_meet = f.diverging_share && *f.diverging_share < kFewRows;
   if ((f.evidence_x < kClearlyReversed && !eyes_meet) || f.evidence_y < kClearlyReversed)
     return "the eyes turn with the head, where people's turn against it";
-  if (f.evidence_not_exchanged < kClearlyReversed) return "the two axes of the gaze seem exchanged";
+  if (f.evidence_not_exchanged < kClearlyReversed && !eyes_meet)
+    return "the two axes of the gaze seem exchanged";
   if (chosen.format.named_columns < kManyNames && f.forwards_share && *f.forwards_share < kWalksBack)
     return "the head walks backwards over " + fixed_text(100 * (1 - *f.forwards_share), 0) + " % of the way";
   return "";
@@ -51,39 +64,49 @@ bool lacks_time(const ImportColumns& columns) {
   return columns.head != nullptr && columns.head->time.kind == TimeColumns::Kind::rate;
 }
 
-// The format fixes no axes, so that it is right with whatever was taken, which is said.
-bool fixes_no_axes(const ChosenFormat& chosen) {
-  return chosen.format.preset == "tum";
+void ask_rate(const ChosenFormat& chosen, Proposal& proposal) {
+  proposal.questions.push_back(
+      "How many rows a second were recorded: the file holds no time (\"rate_hz\" in the map).");
+  ColumnMap map = *chosen.format.map;
+  map.layouts.clear();
+  map.camera.clear();
+  map.otherwise.clear();
+  map.head = {*chosen.format.columns.head};
+  map.gaze.clear();
+  proposal.map_json = column_map_text(map);
+}
+
+void ask_doubts(const FormatRequest& request, const ChosenFormat& chosen, const TrialImport& trial,
+                Proposal& proposal) {
+  const std::string against = doubt(chosen, trial), words = chosen.format.words();
+  if (!against.empty())
+    proposal.questions.push_back("Whether " + words + " is meant: its columns are there, but " + against +
+                                 ".");
+  if (lacks_time(chosen.format.columns)) ask_rate(chosen, proposal);
+  if (const auto open = open_axes(chosen, request))
+    proposal.questions.push_back(*open);
+  else if (!chosen.alike.empty())
+    proposal.questions.push_back("Which of these it is, as the data fit them alike: " + words + "; " +
+                                 chosen.alike + " (--variant).");
 }
 
 std::optional<Proposal> preset_of(const FormatRequest& request, std::vector<std::string>& refusals) {
   try {
     const ChosenFormat chosen = choose_format(request);
+    const bool named = request.map || !request.preset.empty();
+    if (!named && !is_its_own_file(chosen, request)) return std::nullopt;
     const TrialImport trial = trial_import(import_request(request, chosen.format.columns));
     Proposal proposal;
     proposal.preset = chosen.format.preset;
     proposal.variant = chosen.format.variant();
     proposal.still = request.still;
-    proposal.reasons = chosen.remarks;
+    proposal.reasons = sentences(chosen.remarks);
     add_all(described(chosen.format.columns), proposal.reasons);
     say_measured(trial, proposal.reasons);
-    const std::string against = doubt(chosen, trial);
-    const std::string words = chosen.format.words();
-    if (!against.empty())
-      proposal.questions.push_back("Whether " + words + " is meant: its columns are there, but " + against +
-                                   ".");
-    if (lacks_time(chosen.format.columns))
-      proposal.questions.push_back(
-          "How many rows a second were recorded: the file holds no time (take the map of '" +
-          std::string("herr convert --show-map --preset ") + proposal.preset +
-          "' and correct its \"rate_hz\").");
-    if (!chosen.alike.empty() && !fixes_no_axes(chosen))
-      proposal.questions.push_back("Which of these it is, as the data fit them alike: " + words + "; " +
-                                   chosen.alike + " (--variant).");
+    ask_doubts(request, chosen, trial, proposal);
     if (proposal.questions.empty())
-      proposal.certainty = chosen.format.named_columns >= kManyNames && chosen.alike.empty()
-                               ? Proposal::Certainty::certain
-                               : Proposal::Certainty::likely;
+      proposal.certainty = chosen.format.named_columns >= kManyNames ? Proposal::Certainty::certain
+                                                                     : Proposal::Certainty::likely;
     return proposal;
   } catch (const InputError& error) {
     refusals.push_back("Presets: " + error.problem() + ".");

@@ -117,9 +117,9 @@ void add_readings(const RotationRole& rotation, ColumnMap map, bool centimetres,
   } else if (rotation.turns_named) {
     add("xyz", {Axes::ros}, {});
   } else {
-    const std::optional<std::size_t> meant =
-        rotation.full_circle ? std::optional(std::size_t{Axes::unity}) : std::nullopt;
-    add("zxy", {Axes::unity, Axes::openxr}, meant);
+    // Degrees about x, y and z beside metres with y up are what Unity's loggers write.
+    const bool usual = rotation.radians_per_unit != 1;
+    add("zxy", {Axes::unity, Axes::openxr}, usual ? std::optional(std::size_t{Axes::unity}) : std::nullopt);
     add("xyz", {Axes::ros, Axes::y_forward}, {});
   }
 }
@@ -136,7 +136,7 @@ void judge_angles(const RotationRole& rotation, bool centimetres, const AxisVerd
     return;
   }
   if (!rotation.turns_named && is(AxisConvention::unity) && rotation.radians_per_unit != 1 &&
-      (rotation.full_circle || verdict.walks_ahead || verdict.eyes_tell)) {
+      (rotation.full_circle || verdict.walks_ahead || verdict.eyes_tell || verdict.map)) {
     proposed.reasons.push_back(
         std::string("Angles about x, y and z in degrees are those of Unity, applied about z, then "
                     "x, then y") +
@@ -179,6 +179,24 @@ std::optional<GazeColumns> gaze_columns(const RecordingFiles& files, FoundColumn
   gaze.rays = role->rays;
   gaze.axes = directions({"right", "up", "forward"});
   return gaze;
+}
+
+// Unit vectors in columns without names beside the head's could be the gaze.
+void ask_unnamed(const FoundColumns& found, ProposedMap& proposed) {
+  const SniffedTable& table = found.head_table;
+  if (!table.names.empty() || found.rotations.roles.empty()) return;
+  const std::vector<std::size_t>& taken = found.rotations.roles.front().columns;
+  for (std::size_t first = 0; first + 3 <= table.columns(); ++first) {
+    const std::vector<std::size_t> columns{first, first + 1, first + 2};
+    const bool free = std::none_of(columns.begin(), columns.end(), [&](std::size_t column) {
+      return std::find(taken.begin(), taken.end(), column) != taken.end();
+    });
+    if (!free || unit_share(table, columns) < 0.9) continue;
+    proposed.questions.push_back("What " + table.called(first) +
+                                 " and the next two are, unit vectors without a name: the "
+                                 "gaze? (\"gaze\" of the map)");
+    return;
+  }
 }
 
 ColumnMap empty_map(const std::filesystem::path& file) {
@@ -247,6 +265,7 @@ ProposedMap propose_map(const RecordingFiles& files, const StillParts& still) {
   append(found.time.reasons, proposed.reasons);
   append(found.time.questions, proposed.questions);
   append(found.rotations.questions, proposed.questions);
+  ask_unnamed(found, proposed);
   if (found.rotations.roles.empty()) {
     proposed.questions.push_back(
         "Where the head's rotation stands: no columns are a unit quaternion, a matrix, "

@@ -61,11 +61,13 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   TrialImport trial;
   PlausibilityMeter meter;
   RowsHash hash;
+  double heights_m = 0;
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   try {
     const ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                         meter.add(row);
                                                         hash.add(row);
+                                                        heights_m += row.world_from_head.position.y;
                                                       },
                                                       [&](const GazeRow& row) {
                                                         meter.add(row, per_eye);
@@ -81,6 +83,7 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   }
   meter.finish();
   trial.figures = meter.figures();
+  trial.mean_height_m = heights_m / static_cast<double>(std::max<std::int64_t>(1, trial.figures.pose_rows));
   trial.words = meter.words();
   trial.gaze_words = meter.gaze_words();
   trial.rows_hash = hash.value();

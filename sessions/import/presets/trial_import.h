@@ -20,6 +20,7 @@ struct TrialImport {
   std::string words, gaze_words;     // of the head; of the eyes, or empty
   std::vector<std::string> remarks;  // what the clock did, where ids change: whole sentences
   double pose_hz = 0, gaze_hz = 0;
+  double mean_height_m = 0;     // of the head above the world's origin
   double lost_share = 0;        // of the poses or the gaze, the larger
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
