@@ -224,7 +224,7 @@ int run_convert(const ConvertOptions& options) {
     print_result(std::string(built_in(options.preset).json));
     return kExitDone;
   }
-  if (options.check) return run_format_check(options, recording_of(options).format.files);
+  if (options.check) return run_format_check(options, recording_of(options).format);
   check_options(options);
   try {
     return convert(options);

@@ -171,14 +171,16 @@ ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
   if (only_gaze_differs(contest.good))
     return {first.format,
             {first.format.words() + " was taken, and the data would also allow " +
-             contest.good[1].format.words() + ": give --variant where that is meant"}};
+             contest.good[1].format.words() + ": give --variant where that is meant"},
+            contest.good[1].format.words()};
   const bool one_map = std::all_of(contest.good.begin(), contest.good.end(),
                                    [&](const Tried& one) { return one.format.map == first.format.map; });
   for (const Tried& one : contest.good)
     if (one_map && !one.format.variant().empty() && one.format.variant() == one.format.map->otherwise)
       return {one.format,
               {one.format.words() + " was taken, as the data cannot tell: " + list_of(contest.good) +
-               " fit alike; give --variant where another is meant"}};
+               " fit alike; give --variant where another is meant"},
+              list_of(contest.good)};
   throw InputError(any_file(request), 0,
                    "fits several formats, and its data cannot tell which: " + list_of(contest.good),
                    "give --preset, and --variant where one is named");

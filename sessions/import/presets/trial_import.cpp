@@ -69,18 +69,24 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   PlausibilityMeter meter;
   HeadMeter head;
   RowsHash hash;
+  double heights_m = 0;
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   try {
     const ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                         meter.add(row);
                                                         head.add(row, 1, 0);
                                                         hash.add(row);
+                                                        heights_m += row.world_from_head.position.y;
                                                       },
                                                       [&](const GazeRow& row) {
                                                         meter.add(row, per_eye);
                                                         hash.add(row);
                                                       }});
     trial.unusable_share = std::max(unusable_share(report.poses), unusable_share(report.gaze));
+    trial.remarks = report.poses.remarks;
+    trial.remarks.insert(trial.remarks.end(), report.remarks.begin(), report.remarks.end());
+    trial.pose_hz = report.poses.rate_hz();
+    trial.gaze_hz = report.has_gaze ? report.gaze.rate_hz() : 0;
   } catch (const InputError& error) {
     trial.error = error;
     return trial;
@@ -88,7 +94,9 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   meter.finish();
   trial.figures = meter.figures();
   trial.unit_fault = head.unit_fault();
+  trial.mean_height_m = heights_m / static_cast<double>(std::max<std::int64_t>(1, trial.figures.pose_rows));
   trial.words = meter.words();
+  trial.gaze_words = meter.gaze_words();
   trial.rows_hash = hash.value();
   return trial;
 }
