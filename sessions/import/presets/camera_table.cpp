@@ -17,6 +17,7 @@ std::optional<std::size_t> named_columns(const std::filesystem::path& table, con
   std::vector<ColumnRef> wanted;
   add_columns(columns.time, wanted);
   if (columns.file) wanted.push_back(*columns.file);
+  wanted.insert(wanted.end(), columns.lens.begin(), columns.lens.end());
   try {
     const std::unique_ptr<RowSource> rows = open_rows(table, columns.table, wanted);
     for (const ColumnRef& column : wanted)
