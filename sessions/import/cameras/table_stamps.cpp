@@ -121,6 +121,8 @@ StampedPictures stamps_from_table(const CameraPictures& pictures, const std::fil
     ++stamped.rows_without_picture;
     if (row.picture) ++repeated;
   }
+  if (!columns.file)
+    stamped.assumed.push_back("row by row, " + name + " stamps the pictures in the order of their names");
   remark_unused_rows(read, repeated, stamped, name);
   put_in_order(stamped, pictures, "have no stamp in " + name);
   return stamped;
