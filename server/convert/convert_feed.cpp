@@ -23,7 +23,7 @@ constexpr double kLowestPictureHz = 0.001, kHighestPictureHz = 10000;
 
 struct CameraTable {
   fs::path file;
-  CameraColumns columns;
+  CameraTableColumns format;
   bool named = false;  // by the user or the recorder's layout, not only found beside the pictures
 };
 
@@ -96,16 +96,22 @@ bool has_exif_time(const CameraPictures& pictures) {
                    "--camera-hz X where they follow each other evenly from the first pose on");
 }
 
+StampedPictures stamps_of_table(const CameraPictures& pictures, const CameraTable& table) {
+  StampedPictures stamped = stamps_from_table(pictures, table.file, table.format.columns);
+  if (!table.format.preset.empty()) stamped.source += ", read as one of " + table.format.preset;
+  return stamped;
+}
+
 // From the names by the user's pattern, from the table, from the names, from EXIF.
 StampedPictures stamps_of(const FeedContext& context, const FeedSource& source,
                           const CameraPictures& pictures, const std::optional<CameraTable>& table,
                           std::vector<std::string>& passed_over) {
   const std::optional<int> zone = context.options.zone_minutes;
   if (!source.names.empty()) return stamps_from_names(pictures, source.names, zone);
-  if (table && table->named) return stamps_from_table(pictures, table->file, table->columns);
+  if (table && table->named) return stamps_of_table(pictures, *table);
   if (table) {
     try {
-      return stamps_from_table(pictures, table->file, table->columns);
+      return stamps_of_table(pictures, *table);
     } catch (const InputError& error) {
       passed_over.push_back(file_name(table->file) + " beside them " + error.problem());
     }
@@ -131,8 +137,8 @@ void set_lens(const FeedContext& context, const FeedSource& source, std::size_t 
   } else if (!source.calibration.empty()) {
     feed.camera = read_camera_calibration(source.calibration, {source.label, index}, size,
                                           context.head != nullptr ? *context.head : HeadColumns{});
-  } else if (table && !table->columns.lens.empty()) {
-    const ColumnLens lens = lens_from_columns(table->file, table->columns, size);
+  } else if (table && !table->format.columns.lens.empty()) {
+    const ColumnLens lens = lens_from_columns(table->file, table->format.columns, size);
     feed.camera.model = lens.model;
     feed.assumed.insert(feed.assumed.end(), lens.remarks.begin(), lens.remarks.end());
   } else {

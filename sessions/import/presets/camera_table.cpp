@@ -44,21 +44,21 @@ std::optional<TableFit> table_fit(const std::filesystem::path& table, const Came
 
 }  // namespace
 
-CameraColumns camera_columns_of(const std::filesystem::path& table, const ColumnMap& map) {
+CameraTableColumns camera_columns_of(const std::filesystem::path& table, const ColumnMap& map) {
   for (const CameraColumns& columns : map.camera)
-    if (table_fit(table, columns)) return columns;
-  std::optional<CameraColumns> best;
+    if (table_fit(table, columns)) return {columns, ""};
+  CameraTableColumns best;
   std::optional<TableFit> best_fit;
   for (const BuiltInMap& built_in : built_in_maps()) {
     const ColumnMap other = parse_column_map(built_in.json, std::string(built_in.name) + ".json");
     for (const CameraColumns& columns : other.camera) {
       const std::optional<TableFit> fit = table_fit(table, columns);
       if (!fit || (best_fit && *fit <= *best_fit)) continue;
-      best = columns;
+      best = {columns, std::string(built_in.name)};
       best_fit = fit;
     }
   }
-  if (best) return *best;
+  if (best_fit) return best;
   throw InputError(
       table, 0, "has the columns of no table of camera stamps that is known",
       "write rows of 'nanoseconds,file name' below the line '#timestamp [ns],filename', or say the "
