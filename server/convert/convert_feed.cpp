@@ -96,8 +96,11 @@ bool has_exif_time(const CameraPictures& pictures) {
                    "--camera-hz X where they follow each other evenly from the first pose on");
 }
 
-StampedPictures stamps_of_table(const CameraPictures& pictures, const CameraTable& table) {
-  StampedPictures stamped = stamps_from_table(pictures, table.file, table.format.columns);
+StampedPictures stamps_of_table(const FeedContext& context, const CameraPictures& pictures,
+                                const CameraTable& table) {
+  CameraColumns columns = table.format.columns;
+  if (!columns.time.zone_minutes) columns.time.zone_minutes = context.options.zone_minutes;
+  StampedPictures stamped = stamps_from_table(pictures, table.file, columns);
   if (!table.format.preset.empty()) stamped.source += ", read as one of " + table.format.preset;
   return stamped;
 }
@@ -108,10 +111,10 @@ StampedPictures stamps_of(const FeedContext& context, const FeedSource& source,
                           std::vector<std::string>& passed_over) {
   const std::optional<int> zone = context.options.zone_minutes;
   if (!source.names.empty()) return stamps_from_names(pictures, source.names, zone);
-  if (table && table->named) return stamps_of_table(pictures, *table);
+  if (table && table->named) return stamps_of_table(context, pictures, *table);
   if (table) {
     try {
-      return stamps_of_table(pictures, *table);
+      return stamps_of_table(context, pictures, *table);
     } catch (const InputError& error) {
       passed_over.push_back(file_name(table->file) + " beside them " + error.problem());
     }

@@ -17,7 +17,7 @@ struct FeedOptions {
   std::vector<std::filesystem::path> calibration;  // one a camera, or one for both
   std::vector<std::string> label;                  // which camera of the calibration, one a camera
   std::vector<std::string> names;                  // patterns of stamps in the pictures' names, likewise
-  std::optional<int> zone_minutes;                 // of dates in names and EXIF
+  std::optional<int> zone_minutes;                 // of dates in tables, names and EXIF
   std::optional<double> hz;                        // no stamps were recorded: so many pictures a second
   bool loop = false;                               // hz: begin again at the end, as long as the poses last
   double offset_ms = 0;                            // added to every stamp of a picture
