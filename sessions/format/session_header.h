@@ -43,14 +43,14 @@ struct SessionHeader {
   std::string name;
   std::string provenance, licence;
   DisplayProfile profile;
-  std::array<Pose, 2> head_from_eye;  // default: +-31.5 mm along x
-  bool gaze_combined = false;         // gaze_kind "combined"
-  std::optional<double> vergence_m;   // combined gaze: distance at which the eyes converge
-  double pose_hz = 0, gaze_hz = 0;    // nominal; 0 = not stated
-  std::vector<Camera> cameras;        // 0, 1 or 2: [0] is the left or only one
+  std::array<Pose, 2> head_from_eye;      // default: +-31.5 mm along x
+  bool gaze_combined = false;             // gaze_kind "combined"
+  std::optional<double> vergence_m;       // combined gaze: distance at which the eyes converge
+  double pose_hz = 0, gaze_hz = 0;        // nominal; 0 = not stated
+  std::vector<Camera> cameras;            // 0, 1 or 2: [0] is the left or only one
   std::optional<double> feed_distance_m;  // of the camera feed's sphere about the displayed eye
-  SessionConversion conversion;       // of a session that was converted
-  std::string scene;                  // path of a scene file relative to the session's folder; may be empty
+  SessionConversion conversion;           // of a session that was converted
+  std::string scene;  // path of a scene file relative to the session's folder; may be empty
 };
 
 struct ParsedSessionHeader {

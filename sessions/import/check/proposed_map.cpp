@@ -15,7 +15,7 @@
 namespace herr {
 namespace {
 
-constexpr double kLevel = 0.8;        // of the rows: people seldom lie on their side
+constexpr double kLevel = 0.8;  // of the rows: people seldom lie on their side
 // Of the way: people walk forwards.
 constexpr double kForwards = 0.7;
 constexpr double kGazeAheadDeg = 40;  // people's eyes rest within it
@@ -116,7 +116,8 @@ Candidate try_axes(const RecordingFiles& files, ColumnMap map, const AxisConvent
 bool excluded(const Candidate& candidate) {
   if (!implausible(candidate.trial).empty()) return true;
   const PlausibilityFigures& f = candidate.trial.figures;
-  return (f.level_share && *f.level_share < kLevel) || (f.forwards_share && *f.forwards_share < 1 - kForwards);
+  return (f.level_share && *f.level_share < kLevel) ||
+         (f.forwards_share && *f.forwards_share < 1 - kForwards);
 }
 
 // What speaks for these axes beyond being level: walking ahead, eyes that rest ahead.

@@ -36,16 +36,16 @@ struct ColumnGroup {
 };
 
 struct TableFormat {
-  char separator = ',';          // ' ' stands for any run of spaces and tabs; 0: found in the file ("auto")
-  char decimal = '.';            // or ','; 0: found in the file ("auto")
-  std::string comment;           // lines that start with it are skipped; empty: there are none
-  bool header = true;            // a line names the columns
-  // header: that many lines come before the rows, blank and comment lines counted; 1: the first that is neither,
-  // or a comment just above the rows that names the columns ...
+  char separator = ',';  // ' ' stands for any run of spaces and tabs; 0: found in the file ("auto")
+  char decimal = '.';    // or ','; 0: found in the file ("auto")
+  std::string comment;   // lines that start with it are skipped; empty: there are none
+  bool header = true;    // a line names the columns
+  // header: that many lines come before the rows, blank and comment lines counted; 1: the first that is
+  // neither, or a comment just above the rows that names the columns ...
   std::size_t header_lines = 1;
-  std::size_t names_line = 1;    // ... and this one of them names the columns, from 1
-  bool ragged = false;           // rows may have more or fewer fields beyond the columns in use
-  std::string xml_row;           // not empty: an XML file, one element of this name a row
+  std::size_t names_line = 1;  // ... and this one of them names the columns, from 1
+  bool ragged = false;         // rows may have more or fewer fields beyond the columns in use
+  std::string xml_row;         // not empty: an XML file, one element of this name a row
   bool operator==(const TableFormat&) const = default;
 };
 

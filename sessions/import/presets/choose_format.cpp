@@ -201,7 +201,7 @@ ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
 ChosenFormat choose(const FormatRequest& request, const std::vector<FittingColumns>& formats) {
   Contest contest = contest_of(request, formats, kTrialRows);
   if (auto chosen = winner(contest)) return std::move(*chosen);
-  if (contest.good.size() > 1) contest = contest_of(request, formats, 0);  // the whole of it may tell
+  if (contest.good.size() > 1) contest = contest_of(request, formats, kLongTrialRows);  // more of it may tell
   if (auto chosen = winner(contest)) return std::move(*chosen);
   return undecided(request, contest);
 }

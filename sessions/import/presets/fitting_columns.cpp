@@ -5,6 +5,7 @@
 
 #include "sessions/import/rows/gaze_reader.h"
 #include "sessions/import/rows/head_reader.h"
+#include "sessions/import/rows/time_reader.h"
 #include "sessions/import/tables/row_source.h"
 
 namespace herr {
@@ -15,6 +16,44 @@ struct Misfit {
   InputError error;
   std::size_t missing_columns = 0;
 };
+
+constexpr int kFirstRows = 20;
+
+// Reads one row; throws InputError where that cannot be.
+void read_row(RowSource& rows, const HeadColumns& columns) {
+  ReadingCounts counts;
+  (void)HeadReader(rows, columns).read(rows, counts);
+}
+
+void read_row(RowSource& rows, const GazeColumns& columns) {
+  ReadingCounts counts;
+  GazeRow row;
+  GazeReader(rows, columns).read(rows, nullptr, {}, row, counts);
+}
+
+// Columns that are only counted fit any table that is wide enough: one of the first rows has to be legible,
+// too.
+template <typename Columns>
+std::optional<Misfit> illegible(const std::filesystem::path& file, const Columns& columns) {
+  const std::vector<ColumnRef> wanted = columns_of(columns);
+  if (std::any_of(wanted.begin(), wanted.end(), [](const ColumnRef& column) { return column.number == 0; }))
+    return std::nullopt;
+  const std::unique_ptr<RowSource> rows = open_rows(file, columns.table, wanted);
+  TimeReader time(*rows, columns.time);
+  for (const ColumnRef& column : wanted) (void)rows->place(column);
+  std::optional<Misfit> first;
+  for (int i = 0; i < kFirstRows; ++i) {
+    try {
+      if (!rows->next()) break;
+      (void)time.read(*rows);
+      read_row(*rows, columns);
+      return std::nullopt;
+    } catch (const InputError& error) {
+      if (!first) first = Misfit{error, 0};
+    }
+  }
+  return first;
+}
 
 template <typename Columns>
 std::optional<Misfit> misfit(const std::filesystem::path& file, const Columns& columns) {
@@ -31,7 +70,7 @@ std::optional<Misfit> misfit(const std::filesystem::path& file, const Columns& c
         ++found->missing_columns;
       }
     }
-    return found;
+    return found ? found : illegible(file, columns);
   } catch (const InputError& error) {
     return Misfit{error, wanted.size()};
   }

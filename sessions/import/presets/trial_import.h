@@ -11,7 +11,8 @@
 
 namespace herr {
 
-inline constexpr std::int64_t kTrialRows = 20000;
+// Of each stream; where they do not tell, more of it may, at a price that a log of an hour does not feel.
+inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 100000;
 
 struct TrialImport {
   std::optional<std::string> error;  // what reading threw

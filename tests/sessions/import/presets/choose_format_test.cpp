@@ -22,15 +22,16 @@ std::string number(double value) {
   return text;
 }
 
-// 300 rows of 100 Hz: a head that turns to and fro by 60 degrees about the axis `up` (0 x, 1 y, 2 z) of the file,
-// its own axes parallel to the world's at the beginning.
+// 300 rows of 100 Hz: a head that turns to and fro by 60 degrees about the axis `up` (0 x, 1 y, 2 z) of the
+// file, its own axes parallel to the world's at the beginning.
 std::string turning_about(int up) {
   std::string rows = "t,x,y,z,qx,qy,qz,qw\n";
   for (int i = 0; i < 300; ++i) {
     const double half = std::sin(i * 0.03) * kPi / 6;
-    const double q[3] = {up == 0 ? std::sin(half) : 0, up == 1 ? std::sin(half) : 0, up == 2 ? std::sin(half) : 0};
-    rows += number(1 + i * 0.01) + ",0.1,1.6,0.2," + number(q[0]) + "," + number(q[1]) + "," + number(q[2]) + "," +
-            number(std::cos(half)) + "\n";
+    const double q[3] = {up == 0 ? std::sin(half) : 0, up == 1 ? std::sin(half) : 0,
+                         up == 2 ? std::sin(half) : 0};
+    rows += number(1 + i * 0.01) + ",0.1,1.6,0.2," + number(q[0]) + "," + number(q[1]) + "," + number(q[2]) +
+            "," + number(std::cos(half)) + "\n";
   }
   return rows;
 }
@@ -38,7 +39,8 @@ std::string turning_about(int up) {
 std::string head(const std::string& variant, const std::string& axes) {
   return R"({"variant": ")" + variant + R"(", "time": {"column": "t", "unit": "s"},
     "position": {"columns": ["x", "y", "z"]}, "orientation": {"quaternion_xyzw": ["qx", "qy", "qz", "qw"]},
-    "world_axes": )" + axes + R"(, "head_axes": )" + axes + "}";
+    "world_axes": )" +
+         axes + R"(, "head_axes": )" + axes + "}";
 }
 
 const std::string kYUp = R"(["right", "up", "back"])", kZUp = R"(["forward", "left", "up"])";
@@ -66,7 +68,7 @@ TEST(ChooseFormat, TakesTheSiblingInWhichTheHeadTurnsAboutTheVertical) {
 TEST(ChooseFormat, RefusesWithTheNamesOfBothWhereAStillHeadCannotTell) {
   const RecordedFolder folder;
   std::string rows = "t,x,y,z,qx,qy,qz,qw\n";
-  for (int i = 0; i < 300; ++i) rows += number(1 + i * 0.01) + ",0,0,0,0,0,0,1\n";
+  for (int i = 0; i < 300; ++i) rows += number(1 + i * 0.01) + ",0.1,1.6,0.2,0,0,0,1\n";
   folder.write("head.csv", rows);
   FormatRequest both = request(folder, head("y-up", kYUp) + "," + head("z-up", kZUp));
   const std::string error = error_of([&] { choose_format(both); });
@@ -128,34 +130,14 @@ TEST(ChooseFormat, AsksForAStillHeadWhereOnlyGazeWasRecorded) {
   EXPECT_EQ(choose_format(asked).format.columns.head, nullptr);
 }
 
-TEST(RecordingFolder, FindsTheFilesAndCamerasOfAnEurocFolderFromAboveAndFromWithin) {
+TEST(FolderOfARecorder, OfAMapOfTheUsersIsSearchedByItsLayouts) {
   const RecordedFolder folder;
-  folder.write("V1/mav0/state_groundtruth_estimate0/data.csv", "#t\n");
-  folder.write("V1/mav0/cam0/data.csv", "#t\n");
-  folder.write("V1/mav0/cam0/sensor.yaml", "a: 1\n");
-  folder.write_image("V1/mav0/cam0/data/1.png", 4, 4);
-  for (const char* named : {"V1", "V1/mav0"}) {
-    const FoundRecording found = find_recording(folder / named, "", nullptr);
-    EXPECT_EQ(found.files.head, folder / "V1/mav0/state_groundtruth_estimate0/data.csv") << named;
-    EXPECT_EQ(found.preset, "euroc");
-    ASSERT_EQ(found.cameras.size(), 1u);
-    EXPECT_EQ(found.cameras[0].pictures, folder / "V1/mav0/cam0/data");
-    EXPECT_EQ(found.cameras[0].calibration, folder / "V1/mav0/cam0/sensor.yaml");
-  }
-}
-
-TEST(RecordingFolder, SaysWhatItLooksFor) {
-  const RecordedFolder folder;
-  folder.write("a/notes.txt", "\n");
-  EXPECT_NE(error_of([&] { find_recording(folder / "a", "", nullptr); }).find("no folder of a recorder"),
-            std::string::npos);
-  EXPECT_NE(error_of([&] { find_recording(folder / "a", "euroc", nullptr); }).find("state_groundtruth_estimate0"),
-            std::string::npos);
   ColumnMap map;
   map.layouts.push_back({"*_head.csv", "", {}});
   folder.write("b/1_head.csv", "\n");
   folder.write("b/2_head.csv", "\n");
-  EXPECT_NE(error_of([&] { find_recording(folder / "b", "", &map); }).find("several recordings"), std::string::npos);
+  EXPECT_NE(error_of([&] { find_recording(folder / "b", "", &map); }).find("several recordings"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -55,8 +55,9 @@ class PresetFiles : public ::testing::Test {
     if (gaze) files.gaze = folder_ / *gaze;
     const FormatRequest request{files, preset, map, "", {}};
     got.format = choose_format(request);
-    got.report = import_rows(import_request(request, got.format.format.columns), {[&](const PoseRow& row) { got.poses.push_back(row); },
-                                       [&](const GazeRow& row) { got.gaze.push_back(row); }});
+    got.report = import_rows(import_request(request, got.format.format.columns),
+                             {[&](const PoseRow& row) { got.poses.push_back(row); },
+                              [&](const GazeRow& row) { got.gaze.push_back(row); }});
     return got;
   }
   RecordedFolder folder_;
