@@ -95,11 +95,11 @@ void add_feed_flags(CLI::App& app, FeedOptions& feed) {
   repeated_flag(app, "--camera-stamps", "FILE",
                 "table that says when each was taken (default: data.csv or frames.csv beside them)",
                 feed.stamps);
-  value_flag(
+  repeated_flag(
       app, "--camera-names", "PATTERN",
       "or the stamps stand in the names: frame_{ms}, with {s} {ms} {us} {ns} {date}, and {*} for any text",
-      [&](const std::string& text) { feed.names = non_empty("--camera-names", text); });
-  value_flag(app, "--camera-zone", "ZONE", "time zone of dates in names and EXIF that state none: +01:00",
+      feed.names);
+  value_flag(app, "--camera-zone", "ZONE", "time zone of dates in tables, names and EXIF that state none: +01:00",
              [&](const std::string& text) { feed.zone_minutes = parse_zone("--camera-zone", text); });
   value_flag(app, "--camera-hz", "X",
              "no stamps were recorded: so many pictures a second from the first pose on",

@@ -8,6 +8,8 @@
 #include "server/convert/check_report.h"
 #include "server/convert/convert_feed.h"
 #include "server/convert/convert_report.h"
+#include "server/convert/feed_sources.h"
+#include "server/convert/feed_writer.h"
 #include "server/output/new_session_folder.h"
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
@@ -98,8 +100,8 @@ fs::path users_file(const fs::path& session_file, const ConvertReport& report,
                     const ConvertOptions& options) {
   const std::string folder = session_file.parent_path().filename().string();
   if (folder == "gaze" && report.rows.has_gaze) return report.rows.gaze.file;
-  if ((folder == "cam0" || folder == "cam1") && !options.feed.pictures.empty())
-    return options.feed.pictures[folder == "cam1" && options.feed.pictures.size() > 1 ? 1 : 0];
+  for (std::size_t i = 0; i < report.feeds.size(); ++i)
+    if (folder == "cam" + std::to_string(i)) return report.feeds[i].folder;
   return report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
 }
 
@@ -180,13 +182,15 @@ void finish_header(const ConvertReport& report, const ChosenFormat& format, Sess
 
 int convert(const ConvertOptions& options) {
   const Recording recording = recording_of(options);
+  const std::vector<FeedSource> sources = feed_sources(options.feed, recording.cameras);
   DisplayProfile profile = load_display_profile(options.profile);
   const ChosenFormat format = choose_format(recording.format);
   ConvertReport report;
   report.out = options.out;
   report.format = format.format.words();
   report.remarks = format.remarks;
-  const std::vector<Feed> feeds = open_feeds(options.feed, recording.cameras, format, report.remarks);
+  const std::vector<Feed> feeds =
+      open_feeds(options.feed, sources, format, recording.format.files, report.remarks);
   ImportRequest request = import_request(recording.format, format.format.columns);
   request.keep_going = options.keep_going;
   request.sort_rows = options.sort ? kSortRows : 0;

@@ -103,14 +103,30 @@ Json stream_json(const ImportedStream& stream) {
 
 std::string feed_text(std::size_t camera, const FeedReport& feed) {
   std::string text = "cam" + std::to_string(camera) + ": " + std::to_string(feed.frames) + " frames from " +
-                     std::to_string(feed.pictures) + " pictures; stamps: " + feed.stamps + "\n";
+                     std::to_string(feed.pictures) + " pictures; stamps: " + feed.stamps + "  (" +
+                     shown(feed.folder) + ")\n";
   for (const std::string& remark : feed.remarks) text += "  " + remark + "\n";
   return text;
 }
 
-double lost_share(const FeedReport& feed) {
-  const std::int64_t all = feed.pictures + feed.left_out;
-  return all > 0 ? static_cast<double>(feed.left_out) / static_cast<double>(all) : 0;
+// "1 without a stamp, 2 with the stamp of another".
+std::string left_out_words(const FeedReport& feed) {
+  std::string words;
+  const auto add = [&](std::int64_t count, const char* what) {
+    if (count > 0) words += (words.empty() ? "" : ", ") + std::to_string(count) + what;
+  };
+  add(feed.without_stamp, " without a stamp");
+  add(feed.repeated_stamps, " with the stamp of another");
+  add(feed.before_zero, " with a negative stamp");
+  return words;
+}
+
+std::vector<std::string> assumed_of(const ConvertReport& report) {
+  std::vector<std::string> assumed = report.rows.assumed;
+  for (std::size_t i = 0; i < report.feeds.size(); ++i)
+    for (const std::string& sentence : report.feeds[i].assumed)
+      assumed.push_back("cam" + std::to_string(i) + ": " + sentence);
+  return assumed;
 }
 
 void add_left_out(const std::string& name, const ImportedStream& stream, SessionConversion& record) {
@@ -162,13 +178,11 @@ SessionConversion conversion_record(const ConvertReport& report) {
   if (report.rows.has_gaze) add_left_out("gaze", report.rows.gaze, record);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) {
     const FeedReport& feed = report.feeds[i];
-    const std::string name = "cam" + std::to_string(i);
-    if (feed.left_out > 0)
-      record.left_out.push_back({name, feed.left_out, feed.pictures + feed.left_out,
-                                 "pictures left out: no stamp, or not the only one with it"});
-    if (feed.stamps.starts_with("assumed: ")) record.assumed.push_back(name + ": stamps " + feed.stamps);
+    if (feed.left_out() > 0)
+      record.left_out.push_back({"cam" + std::to_string(i), feed.left_out(), feed.pictures + feed.left_out(),
+                                 "pictures: " + left_out_words(feed)});
   }
-  add_sentences(report.rows.assumed, record.assumed);
+  add_sentences(assumed_of(report), record.assumed);
   add_sentences(report.remarks, record.remarks);
   add_sentences(report.rows.remarks, record.remarks);
   add_sentences(report.rows.poses.remarks, record.remarks);
@@ -184,13 +198,14 @@ std::vector<std::string> heavy_losses(const ConvertReport& report) {
     if (stream->rows_read > 0 && stream->lost_share() > kPartialShare)
       {
       std::string sentence = loss_sentence(*stream);
-      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) sentences.push_back(std::move(sentence));
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+        sentences.push_back(std::move(sentence));
     }
-  for (std::size_t i = 0; i < report.feeds.size(); ++i) {
-    const FeedReport& feed = report.feeds[i];
-    if (lost_share(feed) > kPartialShare)
-      sentences.push_back("cam" + std::to_string(i) + ": " + std::to_string(feed.left_out) + " of " +
-                          std::to_string(feed.pictures + feed.left_out) + " pictures are not in the session");
+  for (const FeedReport& feed : report.feeds) {
+    const std::int64_t all = feed.pictures + feed.left_out();
+    if (static_cast<double>(feed.left_out()) > kPartialShare * static_cast<double>(all))
+      sentences.push_back(shown(feed.folder) + ": " + std::to_string(feed.left_out()) + " of " +
+                          std::to_string(all) + " pictures are not in the session: " + left_out_words(feed));
   }
   return sentences;
 }
@@ -204,7 +219,7 @@ std::string convert_text(const ConvertReport& report) {
     text +=
         stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) text += feed_text(i, report.feeds[i]);
-  for (const std::string& sentence : report.rows.assumed) text += "assumed: " + sentence + "\n";
+  for (const std::string& sentence : assumed_of(report)) text += "assumed: " + sentence + "\n";
   for (const auto* sentences :
        {&report.remarks, &report.rows.remarks, &report.rows.warnings, &report.warnings})
     for (const std::string& sentence : *sentences) text += "note: " + sentence + "\n";
@@ -223,13 +238,14 @@ std::string convert_json(const ConvertReport& report) {
   }
   json["cameras"] = Json::array();
   for (const FeedReport& feed : report.feeds)
-    json["cameras"].push_back({{"frames", feed.frames},
+    json["cameras"].push_back({{"folder", shown(feed.folder)},
+                               {"frames", feed.frames},
                                {"pictures", feed.pictures},
-                               {"left_out", feed.left_out},
+                               {"left_out", feed.left_out()},
                                {"stamps", feed.stamps},
                                {"remarks", feed.remarks}});
   json["shift_ns"] = report.rows.shift_ns;
-  json["assumed"] = report.rows.assumed;
+  json["assumed"] = assumed_of(report);
   json["remarks"] = report.remarks;
   for (const std::string& remark : report.rows.remarks) json["remarks"].push_back(remark);
   json["warnings"] = report.rows.warnings;

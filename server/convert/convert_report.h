@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "server/convert/convert_feed.h"
+#include "server/convert/feed_writer.h"
 #include "sessions/format/session_header.h"
 #include "sessions/import/import_report.h"
 

@@ -177,7 +177,8 @@ struct CameraColumns {
 struct RecordingLayout {
   struct Camera {
     std::string pictures, stamps, calibration;  // empty: none
-    std::string names;                          // pattern of stamps in file names, as for --camera-names
+    // Pattern of stamps in file names, as for --camera-names; the table of stamps then gives the lens alone.
+    std::string names;
     bool operator==(const Camera&) const = default;
   };
   std::string head, gaze;  // empty: none
