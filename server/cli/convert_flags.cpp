@@ -1,6 +1,7 @@
 #include "server/cli/convert_flags.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,26 +11,18 @@
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/text/date_text.h"
 
 namespace herr {
 namespace {
 
 constexpr double kLongestOffsetMs = 4e12;  // what a session can hold
-constexpr int kWidestZoneHours = 14;
 
-// "+01:00", "-0530", "Z": minutes east of Greenwich.
-int parse_zone(const std::string& flag, const std::string& text) {
-  if (text == "Z" || text == "UTC") return 0;
-  const auto digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
-  const bool colon = text.size() == 6 && text[3] == ':';
-  const std::size_t minutes_at = colon ? 4 : 3;
-  const bool shaped = (colon || text.size() == 5) && (text[0] == '+' || text[0] == '-') && digit(1) &&
-                      digit(2) && digit(minutes_at) && digit(minutes_at + 1);
-  const int hours = shaped ? std::stoi(text.substr(1, 2)) : 0;
-  const int minutes = shaped ? std::stoi(text.substr(minutes_at, 2)) : 0;
-  if (!shaped || hours > kWidestZoneHours || minutes > 59)
-    throw UsageError(flag + ": '" + text + "' is no time zone; write +01:00, -05:30 or Z");
-  return (text[0] == '-' ? -1 : 1) * (60 * hours + minutes);
+// Minutes east of Greenwich.
+int zone_from(const std::string& flag, const std::string& text) {
+  const std::optional<int> minutes = parse_zone(text);
+  if (!minutes) throw UsageError(flag + ": '" + text + "' is no time zone; write +01:00, -05:30 or Z");
+  return *minutes;
 }
 
 double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
@@ -100,7 +93,7 @@ void add_feed_flags(CLI::App& app, FeedOptions& feed) {
       "or the stamps stand in the names: frame_{ms}, with {s} {ms} {us} {ns} {date}, and {*} for any text",
       feed.names);
   value_flag(app, "--camera-zone", "ZONE", "time zone of dates in tables, names and EXIF that state none: +01:00",
-             [&](const std::string& text) { feed.zone_minutes = parse_zone("--camera-zone", text); });
+             [&](const std::string& text) { feed.zone_minutes = zone_from("--camera-zone", text); });
   value_flag(app, "--camera-hz", "X",
              "no stamps were recorded: so many pictures a second from the first pose on",
              [&](const std::string& text) { feed.hz = parse_real_number("--camera-hz", text, 0.1, 1000); });

@@ -1,7 +1,9 @@
 #include "sessions/import/import_rows.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sessions/files/input_error.h"
@@ -48,7 +50,6 @@ class RowsImport {
     const auto [head, gaze] = request_.columns;
     if (head != nullptr && !request_.still.head)
       head_ = {request_.head_file, &head->table, &head->time, columns_of(*head)};
-    if (has_head() && head->part) head_.wanted.push_back(*head->part);
     if (gaze != nullptr && !request_.still.gaze)
       gaze_ = {request_.gaze_file.value_or(request_.head_file), &gaze->table, &gaze->time, columns_of(*gaze)};
     if (!has_head() && !has_gaze())
@@ -62,6 +63,7 @@ class RowsImport {
   void survey() {
     if (has_head()) head_survey_ = survey_file(head_, request_);
     if (has_gaze()) gaze_survey_ = one_table_ ? head_survey_ : survey_file(gaze_, request_);
+    carry_days();
     TimeNs lowest_ns = 0, last_ns = 0;
     for (const StampSurvey* survey : {&head_survey_, &gaze_survey_}) {
       lowest_ns = std::min(lowest_ns, survey->lowest_ns);
@@ -90,6 +92,29 @@ class RowsImport {
                        "check the time unit of the map");
     report_.assumed.push_back("stamps are negative: " + std::to_string(seconds) +
                               " s was added to every stamp");
+  }
+
+  // Of stamps that name no day, those of one file may begin before midnight and those of the other behind it.
+  void carry_days() {
+    for (const auto& [file, survey] : {std::pair(&head_, &head_survey_), std::pair(&gaze_, &gaze_survey_)})
+      if (survey->carried_line > 0 && !(one_table_ && file == &gaze_))
+        report_.assumed.push_back("stamps name no " + period_word(*file) + ": from line " +
+                                  std::to_string(survey->carried_line) +
+                                  " on, where they start again, they are those of the next");
+    if (!has_head() || !has_gaze() || one_table_) return;
+    const TimeNs period_ns = period_of(*head_.time), ahead_ns = gaze_survey_.first_ns - head_survey_.first_ns;
+    if (period_ns == 0 || period_ns != period_of(*gaze_.time) || std::abs(ahead_ns) <= period_ns / 2) return;
+    StreamFile& late = ahead_ns > 0 ? head_ : gaze_;
+    StampSurvey& survey = ahead_ns > 0 ? head_survey_ : gaze_survey_;
+    late.later_ns = period_ns;
+    for (TimeNs* stamp : {&survey.first_ns, &survey.last_ns, &survey.lowest_ns}) *stamp += period_ns;
+    report_.assumed.push_back("stamps name no " + period_word(late) + ": the " +
+                              (ahead_ns > 0 ? "poses begin" : "gaze begins") + " in the next one");
+  }
+
+  static std::string period_word(const StreamFile& file) {
+    const TimeNs minutes = period_of(*file.time) / (60 * kSecondNs);
+    return minutes > 60 ? "day" : minutes > 1 ? "hour" : "minute";
   }
 
   // Calls take(row) for each pose of the file.

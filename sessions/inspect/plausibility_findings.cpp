@@ -18,7 +18,9 @@ constexpr std::int64_t kFewestTurns = 50;
 constexpr double kAlwaysResting = 0.9;
 constexpr double kWalksBackwards = 0.2, kLongWayM = 5;
 
-const std::string kCorrectAxes = "correct head_axes or world_axes of the column map and convert again";
+const std::string kCorrectAxes = 
+    "convert again with another --variant, or with --map: the map of --show-map, its head_axes or world_axes "
+    "corrected";
 
 void tell(Severity severity, const std::filesystem::path& file, const std::string& problem,
           const std::string& remedy, FindingList& findings) {
@@ -103,7 +105,7 @@ void PlausibilityMeter::judge_eyes(const std::filesystem::path& file, FindingLis
   else if (known.same_ray_share.value_or(0) > kMostRows)
     tell(Severity::warning, file,
          "both eyes hold the same ray in " + percents(*known.same_ray_share) + " of the rows",
-         "the tracker wrote one ray for both eyes: gaze_kind is combined", findings);
+         "the tracker wrote one combined ray for both eyes: their own rays were not recorded", findings);
   if (known.diverging_share.value_or(0) <= kMostRows) return;
   // Eyes that counter the head sideways are not mirrored.
   const bool counters = known.evidence_x > 0;

@@ -14,7 +14,7 @@ namespace herr {
 enum class RowFate : std::size_t {
   lost_tracking,   // poses: left out, a loss; gaze: written as not valid for both eyes, no loss
   wild_stamp,      // far from its neighbours
-  other_clock,     // before the newest stamp: the clock was reset, or two recordings in one file
+  other_clock,     // many rows that do not fit in time between those that stay: a reset, a jump
   backward_stamp,  // earlier than the row before
   repeated_stamp,  // equal to the row before: the first stays
   bad,             // --keep-going: cannot be read
