@@ -11,6 +11,7 @@
 #include "sessions/import/rows/filter_reader.h"
 #include "sessions/import/rows/time_reader.h"
 #include "sessions/import/tables/row_source.h"
+#include "sessions/text/plain_values.h"
 #include "sessions/import/text/date_text.h"
 
 namespace herr {
