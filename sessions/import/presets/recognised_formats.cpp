@@ -1,13 +1,13 @@
 #include "sessions/import/presets/recognised_formats.h"
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/recording_folder.h"
 
@@ -15,9 +15,8 @@ namespace herr {
 namespace {
 
 bool looks_like_xml(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
   std::string first(64, ' ');
-  stream.read(first.data(), static_cast<std::streamsize>(first.size()));
+  InputFile(file).read(first.data(), first.size());
   const std::size_t at = first.find_first_not_of(std::string_view("\xef\xbb\xbf\xff\xfe\0 \t\r\n", 10));
   return at != std::string::npos && first[at] == '<';
 }
