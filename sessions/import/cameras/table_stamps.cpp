@@ -12,6 +12,7 @@
 #include "sessions/import/rows/time_reader.h"
 #include "sessions/import/tables/row_source.h"
 #include "sessions/import/text/date_text.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {
