@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <system_error>
 #include <utility>
 
 #include "sessions/camera/camera_model.h"
@@ -39,10 +40,17 @@ std::string file_name(const fs::path& file) {
   return printable(file.filename().string());
 }
 
+// Without links and "..", as far as that can be told.
+fs::path whole_path(const fs::path& file) {
+  std::error_code unknown;
+  fs::path whole = fs::weakly_canonical(file, unknown);
+  return unknown ? file.lexically_normal() : whole;
+}
+
 bool is_file_of_recording(const FeedContext& context, const fs::path& file) {
-  std::error_code error;
-  return (!context.files.head.empty() && fs::equivalent(file, context.files.head, error)) ||
-         (context.files.gaze && fs::equivalent(file, *context.files.gaze, error));
+  const fs::path whole = whole_path(file);
+  return whole == whole_path(context.files.head) ||
+         (context.files.gaze && whole == whole_path(*context.files.gaze));
 }
 
 std::vector<fs::path> tables_beside(const fs::path& pictures) {
