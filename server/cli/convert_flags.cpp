@@ -92,7 +92,8 @@ void add_feed_flags(CLI::App& app, FeedOptions& feed) {
       app, "--camera-names", "PATTERN",
       "or the stamps stand in the names: frame_{ms}, with {s} {ms} {us} {ns} {date}, and {*} for any text",
       feed.names);
-  value_flag(app, "--camera-zone", "ZONE", "time zone of dates in tables, names and EXIF that state none: +01:00",
+  value_flag(app, "--camera-zone", "ZONE",
+             "time zone of dates in tables, names and EXIF that state none: +01:00",
              [&](const std::string& text) { feed.zone_minutes = zone_from("--camera-zone", text); });
   value_flag(app, "--camera-hz", "X",
              "no stamps were recorded: so many pictures a second from the first pose on",

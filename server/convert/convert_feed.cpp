@@ -4,14 +4,13 @@
 #include <cstddef>
 #include <utility>
 
+#include "server/convert/feed_table.h"
 #include "sessions/camera/camera_model.h"
-#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/cameras/camera_calibration.h"
 #include "sessions/import/cameras/column_lens.h"
 #include "sessions/import/cameras/exif_time.h"
 #include "sessions/import/cameras/name_pattern.h"
-#include "sessions/import/presets/camera_table.h"
 
 namespace herr {
 namespace {
@@ -21,12 +20,6 @@ namespace fs = std::filesystem;
 // Rates that session.json can state.
 constexpr double kLowestPictureHz = 0.001, kHighestPictureHz = 10000;
 
-struct CameraTable {
-  fs::path file;
-  CameraTableColumns format;
-  bool named = false;  // by the user or the recorder's layout, not only found beside the pictures
-};
-
 // All that is known before the pictures are looked at.
 struct FeedContext {
   const FeedOptions& options;
@@ -34,45 +27,6 @@ struct FeedContext {
   const HeadColumns* head;  // null: not recorded
   const RecordingFiles& files;
 };
-
-std::string file_name(const fs::path& file) {
-  return printable(file.filename().string());
-}
-
-bool is_file_of_recording(const FeedContext& context, const fs::path& file) {
-  std::error_code error;
-  return (!context.files.head.empty() && fs::equivalent(file, context.files.head, error)) ||
-         (context.files.gaze && fs::equivalent(file, *context.files.gaze, error));
-}
-
-std::vector<fs::path> tables_beside(const fs::path& pictures) {
-  const fs::path folder = pictures.has_filename() ? pictures : pictures.parent_path();
-  const fs::path above = folder.parent_path();
-  return {folder / "data.csv", folder / "frames.csv", above / "data.csv", above / "frames.csv"};
-}
-
-// The table named, or the one that programs put beside a folder of pictures. One of those that is no table of
-// stamps is passed over; `passed_over` says so.
-std::optional<CameraTable> table_of(const FeedContext& context, const FeedSource& source,
-                                    std::vector<std::string>& passed_over) {
-  const bool needed = !context.options.hz;  // else it may have the lens
-  if (!source.stamps.empty() && needed)
-    return CameraTable{source.stamps, camera_columns_of(source.stamps, context.map), true};
-  std::vector<fs::path> tables;
-  if (!source.stamps.empty())
-    tables = {source.stamps};
-  else if (source.names.empty())
-    tables = tables_beside(source.pictures);
-  for (const fs::path& table : tables) {
-    if (!path_exists(table) || (source.stamps.empty() && is_file_of_recording(context, table))) continue;
-    try {
-      return CameraTable{table, camera_columns_of(table, context.map)};
-    } catch (const InputError& error) {
-      passed_over.push_back(file_name(table) + " beside them " + error.problem());
-    }
-  }
-  return std::nullopt;
-}
 
 // Pictures of other cameras may lie in the same folder: their names do not fit the pattern.
 CameraPictures pictures_of(const FeedContext& context, const FeedSource& source) {
@@ -116,7 +70,7 @@ StampedPictures stamps_of(const FeedContext& context, const FeedSource& source,
     try {
       return stamps_of_table(context, pictures, *table);
     } catch (const InputError& error) {
-      passed_over.push_back(file_name(table->file) + " beside them " + error.problem());
+      passed_over.push_back(printable(table->file.filename().string()) + " beside them " + error.problem());
     }
   }
   if (const auto pattern = stamp_pattern_of(pictures)) return stamps_from_names(pictures, *pattern, zone);
@@ -126,7 +80,7 @@ StampedPictures stamps_of(const FeedContext& context, const FeedSource& source,
 
 // What the user's rate sets aside; empty: nothing.
 std::string stamps_set_aside(const CameraPictures& pictures, const std::optional<CameraTable>& table) {
-  if (table) return "the table " + file_name(table->file);
+  if (table) return "the table " + printable(table->file.filename().string());
   if (stamp_pattern_of(pictures)) return "the names of the pictures";
   return has_exif_time(pictures) ? "EXIF" : "";
 }
@@ -166,7 +120,8 @@ Feed open_feed(const FeedContext& context, const FeedSource& source, std::size_t
   feed.folder = source.pictures;
   feed.pictures = pictures_of(context, source);
   std::vector<std::string> passed_over;
-  const std::optional<CameraTable> table = table_of(context, source, passed_over);
+  const std::optional<CameraTable> table =
+      find_camera_table(source, {context.map, context.files, !context.options.hz}, passed_over);
   if (!context.options.hz) {
     feed.stamped = stamps_of(context, source, feed.pictures, table, passed_over);
     for (const std::string& other : passed_over)

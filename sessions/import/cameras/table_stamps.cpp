@@ -13,6 +13,7 @@
 #include "sessions/import/tables/row_source.h"
 #include "sessions/text/plain_values.h"
 #include "sessions/import/text/date_text.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {

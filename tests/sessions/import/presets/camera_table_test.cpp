@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
@@ -54,10 +56,11 @@ TEST(CameraTable, TheFormatsOwnColumnsComeFirst) {
 
 // A lens of which one column is missing belongs to another version of the program.
 TEST(CameraTable, AlternativesWithALensNeedAllItsColumns) {
-  const auto& stray = built_in_maps().at(static_cast<std::size_t>(
-      std::find(built_in_map_names().begin(), built_in_map_names().end(), "stray-scanner") -
-      built_in_map_names().begin()));
-  const ColumnMap map = parse_column_map(stray.json, "stray-scanner.json");
+  const std::vector<BuiltInMap>& maps = built_in_maps();
+  const auto stray = std::find_if(maps.begin(), maps.end(),
+                                  [](const BuiltInMap& one) { return one.name == "stray-scanner"; });
+  ASSERT_NE(stray, maps.end());
+  const ColumnMap map = parse_column_map(stray->json, "stray-scanner.json");
   EXPECT_EQ(
       columns_of("timestamp, frame, fx, fy, cx, cy\n1.5, 000000, 2, 2, 2, 2\n", map).columns.lens.size(), 4u);
   EXPECT_EQ(columns_of("timestamp, frame, fx, fy, cx\n1.5, 000000, 2, 2, 2\n", map).columns.lens.size(), 0u);
