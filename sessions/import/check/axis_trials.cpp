@@ -17,6 +17,7 @@ constexpr double kLevelRows = 0.8;  // people seldom lie on their side
 constexpr double kSteadyTimes = 1.5, kSteadyByDeg = 1;
 constexpr double kAhead = 0.7, kBackwards = 0.3;  // of the way
 constexpr double kAboveFloorM = 0.4, kTallestHeadM = 3;
+constexpr double kLyingDeg = 10;                        // no head leans so far for half of the time
 constexpr double kLeaningDeg = 8, kLeaningTimes = 0.5;  // roll of a head that leans all the time
 
 std::string share_text(double share) {
@@ -82,7 +83,7 @@ void exclude_leaning(Candidates& candidates) {
     if (one.against.empty()) least = std::min(least, one.figures().median_roll_deg);
   exclude(candidates, [&](const AxisCandidate& one) -> std::string {
     const double roll = one.figures().median_roll_deg;
-    if (roll < kLeaningDeg || least > kLeaningTimes * roll) return "";
+    if (roll < kLeaningDeg || (roll < kLyingDeg && least > kLeaningTimes * roll)) return "";
     return "the head leans sideways by " + fixed_text(roll, 0) + " degrees in the median";
   });
 }

@@ -90,15 +90,10 @@ void add_readings(const RotationRole& rotation, ColumnMap map, bool centimetres,
   reading.space = gaze ? space : std::nullopt;
   reading.reason = rotation.reason;
   if (rotation.kind != RotationKind::euler_xyz) {
+    // Which way the hand goes shows in no data: centimetres are Unreal's.
     if (rotation.kind == RotationKind::forward_up)
-      reading.conventions = {Axes::unity, Axes::openxr, Axes::ros};
-    else
-      for (std::size_t i = 0; i < axis_conventions().size(); ++i)
-        if (i != Axes::unreal) reading.conventions.push_back(i);
-    if (centimetres) {
-      reading.conventions.push_back(Axes::unreal);
-      reading.only_one = Axes::unreal;
-    }
+      reading.conventions = {Axes::unity, Axes::openxr, Axes::ros, Axes::unreal};
+    if (centimetres) reading.only_one = Axes::unreal;
     reading.map = std::move(map);
     readings.push_back(std::move(reading));
     return;

@@ -238,8 +238,30 @@ bool add_letter_turns(const SniffedTable& table, const std::vector<LetterGroup>&
   return true;
 }
 
+// The second name of a matrix, "r12" or "m01", says whether its numbers go by rows; none: names do not tell.
+std::optional<bool> named_column_major(const SniffedTable& table, std::size_t first) {
+  if (table.names.empty() || table.names[first + 1].size() < 2) return std::nullopt;
+  const std::string &one = table.names[first], &two = table.names[first + 1];
+  const auto digit = [](const std::string& name, std::size_t from_end) {
+    return name.size() < from_end ? 0 : name[name.size() - from_end];
+  };
+  const bool next_column = digit(two, 1) == digit(one, 1) + 1 && digit(two, 2) == digit(one, 2);
+  const bool next_row = digit(two, 2) == digit(one, 2) + 1 && digit(two, 1) == digit(one, 1);
+  const bool digits = digit(one, 2) >= '0' && digit(one, 2) <= '9';
+  if (!digits || next_column == next_row) return std::nullopt;
+  return next_row;
+}
+
 bool add_matrices(const SniffedTable& table, RotationRoles& found) {
-  const std::vector<MatrixColumns> matrices = find_matrices(table);
+  std::vector<MatrixColumns> matrices = find_matrices(table);
+  if (matrices.size() > 1 && matrices.front().kind == RotationKind::matrix_3x3) {
+    // Turned round it is a rotation too, and nothing in the data tells for sure.
+    const auto major = named_column_major(table, matrices.front().first);
+    if (!major)
+      found.questions.push_back("Whether the matrix in " + table.called(matrices.front().first) +
+                                " and the next eight goes by rows or by columns (\"major\" in the map).");
+    matrices = {matrices[major.value_or(false) ? 1 : 0]};
+  }
   for (const MatrixColumns& matrix : matrices) {
     RotationRole role;
     role.kind = matrix.kind;
