@@ -165,7 +165,7 @@ void judge(const ConversionMeters& meters, const ConvertOptions& options, Conver
   FindingList findings;
   const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
   meters.plausibility.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
-  if (const std::string fault = meters.head.unit_fault(); !fault.empty())
+  if (const std::string fault = meters.head.rarity(); !fault.empty())
     findings.add(Severity::warning, InputError(poses, 0, fault, "correct the units of the map, or take another preset"));
   if (report.rows.has_gaze) judge_offset(summary_of(report.rows.poses), summary_of(report.rows.gaze), findings);
   for (const Finding& finding : findings.sorted()) report.warnings.push_back(finding.text());

@@ -93,7 +93,7 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   }
   meter.finish();
   trial.figures = meter.figures();
-  trial.unit_fault = head.unit_fault();
+  trial.rarity = head.rarity();
   trial.mean_height_m = heights_m / static_cast<double>(std::max<std::int64_t>(1, trial.figures.pose_rows));
   trial.words = meter.words();
   trial.gaze_words = meter.gaze_words();
@@ -104,7 +104,9 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
 std::string implausible(const TrialImport& trial) {
   const PlausibilityFigures& f = trial.figures;
   if (trial.error) return "its rows cannot be read";
-  if (!trial.unit_fault.empty()) return trial.unit_fault;
+  if (!trial.rarity.empty()) return trial.rarity;
+  if (f.fast_share && *f.fast_share > kMost)
+    return "the head goes faster than 10 m/s in " + share_words(*f.fast_share) + " (another unit?)";
   if (trial.unusable_share > kMost) return share_words(trial.unusable_share) + " cannot be used";
   if (f.level_share && *f.level_share < kMost)
     return "the head is not level in " + share_words(1 - *f.level_share);

@@ -19,7 +19,7 @@ inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 100000;
 struct TrialImport {
   std::optional<InputError> error;  // what reading threw
   PlausibilityFigures figures;
-  std::string unit_fault;       // that its rate or its speed is nobody's: a unit is wrong
+  std::string rarity;           // that its rows are too rare for a head; or empty
   double unusable_share = 0;    // of the poses or the gaze, the larger; without lost tracking
   std::string words, gaze_words;     // of the head; of the eyes, or empty
   std::vector<std::string> remarks;  // what the clock did, where ids change: whole sentences

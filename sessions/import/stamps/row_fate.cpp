@@ -9,7 +9,7 @@ constexpr std::array<RowFateText, kRowFates> kTexts{{
     {"wild_stamp", "rows left out: the stamp is far from its neighbours", true},
     {"other_clock", "rows left out: of another clock than the rows that stay (it was reset, or jumped)",
      true},
-    {"backward_stamp", "rows left out: the stamp goes backwards", true},
+    {"backward_stamp", "rows left out: the stamp goes backwards (--sort puts late ones in place)", true},
     {"repeated_stamp", "rows left out: the stamp repeats the one before", true},
     {"bad", "rows left out: they cannot be read", true},
     {"thinned", "rows left out: a second camera's stamp beside the first one's", false},
