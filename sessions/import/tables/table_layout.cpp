@@ -94,6 +94,29 @@ void pass_words(TableLayout& layout, Lines& lines) {
   }
 }
 
+// A name for each column, in a line that is separated as the rows are or otherwise.
+bool names_all(const TableLayout& layout, const SampleLine& line, std::vector<std::string_view>& names) {
+  for (const char separator : {layout.separator, ',', ';', '\t', ' '}) {
+    cut_fields(line.text, separator, names);
+    names.resize(filled_fields(names));
+    if (names.size() == layout.columns && is_line_of_words(names)) return true;
+  }
+  return false;
+}
+
+// The last line above the rows that names all columns.
+void find_told_names(TableLayout& layout, Lines all, Lines rows) {
+  std::vector<std::string_view> names;
+  const auto first =
+      std::find_if(rows.begin(), rows.end(), [](const SampleLine& line) { return !line.comment; });
+  for (const SampleLine& line : all) {
+    if (first != rows.end() && line.number >= first->number) break;
+    if (!names_all(layout, line, names)) continue;
+    layout.told_names.assign(names.begin(), names.end());
+    layout.told_line = line.number;
+  }
+}
+
 TableLayout lay_out(const TableSample& sample, const TableFormat& format, char separator,
                     std::span<const ColumnRef> wanted, Lines& rows) {
   TableLayout layout;
@@ -111,6 +134,12 @@ TableLayout lay_out(const TableSample& sample, const TableFormat& format, char s
     cut_fields(line.text, separator, fields);
     if (first) layout.columns = filled_fields(fields);
     layout.most_fields = std::max(layout.most_fields, fields.size());
+  }
+  if (layout.header_line == 0) {
+    find_told_names(layout, sample.lines, rows);
+  } else {
+    layout.told_names = layout.names;
+    layout.told_line = layout.header_line;
   }
   return layout;
 }
