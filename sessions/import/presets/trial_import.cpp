@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/plausibility_words.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {
@@ -50,7 +51,7 @@ class RowsHash {
 };
 
 std::string share_words(double share) {
-  return std::to_string(std::llround(100 * share)) + " % of the rows";
+  return percents(share) + " of the rows";
 }
 
 }  // namespace
@@ -76,7 +77,6 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
     trial.error = error.what();
     return trial;
   }
-  meter.finish();
   trial.figures = meter.figures();
   trial.words = meter.words();
   trial.rows_hash = hash.value();
