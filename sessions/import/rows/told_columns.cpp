@@ -8,6 +8,7 @@
 
 #include "sessions/import/text/stamp_text.h"
 #include "sessions/streams/field_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -37,12 +38,8 @@ constexpr std::pair<std::string_view, std::string_view> kUnits[] = {
     {"m", "m"},           {"cm", "cm"}, {"mm", "mm"},   {"milliseconds", "ms"}, {"microseconds", "us"},
     {"nanoseconds", "ns"}};
 
-bool is_upper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 bool is_word(char c) {
-  return is_upper(c) || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+  return is_digit(c) || (lower_case(c) >= 'a' && lower_case(c) <= 'z');
 }
 
 // Takes the first word off a name, in small letters: "RotationX" holds two.
@@ -51,9 +48,9 @@ std::string take_word(std::string_view& name) {
   std::string word;
   for (bool small_before = false; !name.empty() && is_word(name[0]); name.remove_prefix(1)) {
     const char c = name[0];
-    if (is_upper(c) && small_before) break;
-    small_before = !is_upper(c);
-    word += is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_capital(c) && small_before) break;
+    small_before = !is_capital(c);
+    word += lower_case(c);
   }
   return word;
 }

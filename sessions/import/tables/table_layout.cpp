@@ -6,6 +6,7 @@
 #include "sessions/import/tables/field_cutter.h"
 #include "sessions/import/tables/number_text.h"
 #include "sessions/streams/field_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -234,8 +235,7 @@ bool has_commas_of_two_kinds(std::string_view line) {
     const std::string_view next = line.substr(comma + 1, 2);
     if (next.empty()) continue;
     ++(next[0] == ' ' ? blanks : tight);
-    zeros +=
-        next.size() == 2 && next[0] == '0' && std::isdigit(static_cast<unsigned char>(next[1])) != 0 ? 1 : 0;
+    zeros += next.size() == 2 && next[0] == '0' && is_digit(next[1]) ? 1 : 0;
   }
   return zeros >= 2 ||
          (blanks > 0 && tight > 0 && line.find_first_of("0123456789") != std::string_view::npos);
