@@ -145,7 +145,6 @@ ImportReport import_into(SessionRecorder& recorder, ConversionMeters& meters, co
                                                 recorder.add_gaze(row);
                                                 meters.plausibility.add(row, per_eye);
                                               }});
-  meters.plausibility.finish();
   return report;
 }
 

@@ -61,7 +61,6 @@ class PlausibilityMeter {
   void add(const PoseRow& row);
   // `per_eye`: the rays are those of each eye.
   void add(const GazeRow& row, bool per_eye);
-  void finish() {}
   // What stands still to the last digit was meant to: it is no finding then.
   void expect_still_head() { still_head_meant_ = true; }
   void expect_still_gaze() { still_gaze_meant_ = true; }

@@ -18,7 +18,7 @@ constexpr std::int64_t kFewestTurns = 50;
 constexpr double kAlwaysResting = 0.9;
 constexpr double kWalksBackwards = 0.2, kLongWayM = 5;
 
-const std::string kCorrectAxes = 
+const std::string kCorrectAxes =
     "convert again with another --variant, or with --map: the map of --show-map, its head_axes or world_axes "
     "corrected";
 

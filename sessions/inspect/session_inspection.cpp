@@ -206,7 +206,6 @@ SessionInspection inspect_session(const InspectionRequest& request) {
   inspection.event_rows = visited.event_rows;
   inspection.eyes.finish();
   expect_what_was_meant(parsed.header, inspection.plausibility);
-  inspection.plausibility.finish();
   if (!visited.has_gaze) inspection.gaze.reset();
   if (inspection.span) {
     inspection.poses.ages->finish(inspection.span->end_ns);

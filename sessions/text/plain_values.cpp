@@ -9,13 +9,10 @@
 
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // A leading zero only when it is the whole text: "010" is 8 to some tools and 10 to others.
 bool is_plain_whole(std::string_view text) {

@@ -1,19 +1,15 @@
 #include "sessions/import/cameras/camera_pictures.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 #include <system_error>
 
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // The number at the start of `text`, without leading zeros; cut off.
 std::string_view take_number(std::string_view& text) {
@@ -27,8 +23,7 @@ std::string_view take_number(std::string_view& text) {
 
 bool is_picture(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(), lower_case);
   return extension == ".jpg" || extension == ".jpeg" || extension == ".png" || extension == ".exr";
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "sessions/files/input_error.h"
+#include "sessions/import/middle_value.h"
 #include "sessions/import/rows/filter_reader.h"
 #include "sessions/import/tables/row_source.h"
 
@@ -16,12 +17,6 @@ constexpr double kChangeWorthSaying = 0.01;
 constexpr double kFarthestFromMiddle = 0.2;  // of the picture's width or height
 constexpr std::size_t kMostLensRows = 1'000'000;
 constexpr std::array<const char*, 4> kLensNames{"fx", "fy", "cx", "cy"};
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::array<std::vector<double>, 4> read_lens_rows(const std::filesystem::path& table,
                                                   const CameraColumns& columns) {
@@ -63,7 +58,7 @@ ColumnLens lens_from_columns(const std::filesystem::path& table, const CameraCol
                              const ImageSize& size) {
   const std::array<std::vector<double>, 4> values = read_lens_rows(table, columns);
   std::array<double, 4> lens{};
-  std::transform(values.begin(), values.end(), lens.begin(), median_of);
+  std::transform(values.begin(), values.end(), lens.begin(), middle_value<double>);
   const double off_x = std::abs(lens[2] - 0.5 * (size.width_px - 1)) / size.width_px;
   const double off_y = std::abs(lens[3] - 0.5 * (size.height_px - 1)) / size.height_px;
   if (!(lens[0] >= 1 && lens[1] >= 1))

@@ -6,6 +6,8 @@
 
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/streams/field_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -64,24 +66,18 @@ class Tiff {
   bool little_ = false;
 };
 
-std::string trimmed(std::string_view text) {
-  text = text.substr(0, text.find('\0'));
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
-}
-
 // The text of a tag; empty where there is none.
 std::string text_of_tag(const Tiff& tiff, std::size_t directory, std::uint16_t tag) {
   const std::size_t entry = tiff.entry(directory, tag);
   if (entry == 0 || tiff.u16(entry + 2) != kAscii) return {};
   const std::size_t count = tiff.u32(entry + 4);
   const std::size_t at = count <= 4 ? entry + 8 : tiff.u32(entry + 8);
-  return trimmed(tiff.text(at, count).substr(0, kMostTextBytes));
+  const std::string_view text = tiff.text(at, count).substr(0, kMostTextBytes);
+  return std::string(trimmed(text.substr(0, text.find('\0'))));
 }
 
 bool all_digits(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return std::all_of(text.begin(), text.end(), is_digit);
 }
 
 std::string bytes_at(const InputFile& file, std::int64_t at, std::size_t count) {

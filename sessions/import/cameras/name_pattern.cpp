@@ -4,6 +4,7 @@
 
 #include "sessions/files/input_error.h"
 #include "sessions/import/text/date_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -12,10 +13,6 @@ constexpr int kMostWildcards = 2;  // each tries every place of a name
 constexpr std::size_t kLongestPattern = 255;
 constexpr std::size_t kLongestDate = 64;
 constexpr const char* kPatternRemedy = "write as {ms}, frame_{ns}, {*}_{s} or img_{date:%Y%m%d_%H%M%S%f}";
-
-bool is_name_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 }  // namespace
 
@@ -89,7 +86,7 @@ bool NamePattern::fits_stamp(std::size_t piece, std::string_view rest, std::opti
                              Found& found) const {
   const auto from = [&](std::size_t at) {
     return static_cast<std::size_t>(
-        std::find_if_not(rest.begin() + static_cast<std::ptrdiff_t>(at), rest.end(), is_name_digit) -
+        std::find_if_not(rest.begin() + static_cast<std::ptrdiff_t>(at), rest.end(), is_digit) -
         rest.begin());
   };
   std::size_t longest = std::min(rest.size(), kLongestDate);
@@ -102,7 +99,7 @@ bool NamePattern::fits_stamp(std::size_t piece, std::string_view rest, std::opti
   }
   for (std::size_t length = longest; length > 0; --length) {
     const std::string_view text = rest.substr(0, length);
-    if (!date_ && !is_name_digit(text.back())) continue;
+    if (!date_ && !is_digit(text.back())) continue;
     const char decimal = text.find(',') == std::string_view::npos ? '.' : ',';
     const auto stamp =
         date_ ? parse_date(text, date_format_, zone_minutes) : parse_stamp(text, unit_, decimal);

@@ -8,6 +8,7 @@
 #include "sessions/import/cameras/name_pattern.h"
 #include "sessions/import/cameras/picture_order.h"
 #include "sessions/import/text/date_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -24,19 +25,19 @@ struct EpochNumber {
 };
 
 std::vector<EpochNumber> epoch_numbers(std::string_view stem) {
-  const auto is_digit = [&](std::size_t i) { return i < stem.size() && stem[i] >= '0' && stem[i] <= '9'; };
+  const auto digit_at = [&](std::size_t i) { return i < stem.size() && is_digit(stem[i]); };
   std::vector<EpochNumber> numbers;
   for (std::size_t i = 0; i < stem.size(); ++i) {
-    if (!is_digit(i)) continue;
+    if (!digit_at(i)) continue;
     std::size_t end = i;
-    while (is_digit(end)) ++end;
+    while (digit_at(end)) ++end;
     const std::size_t digits = end - i;
     if (digits == 13) numbers.push_back({i, end, "{ms}"});
     if (digits == 16) numbers.push_back({i, end, "{us}"});
     if (digits == 19) numbers.push_back({i, end, "{ns}"});
-    if (digits == 10 && end < stem.size() && stem[end] == '.' && is_digit(end + 1)) {
+    if (digits == 10 && end < stem.size() && stem[end] == '.' && digit_at(end + 1)) {
       ++end;
-      while (is_digit(end)) ++end;
+      while (digit_at(end)) ++end;
       numbers.push_back({i, end, "{s}"});
     }
     i = end;
@@ -49,7 +50,7 @@ std::string with_any_numbers(std::string_view text) {
   std::string pattern;
   bool digits = false;
   for (const char c : text) {
-    const bool digit = c >= '0' && c <= '9';
+    const bool digit = is_digit(c);
     if (!digit) pattern += c;
     if (digit && !digits) pattern += "{*}";
     digits = digit;

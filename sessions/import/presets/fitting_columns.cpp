@@ -6,6 +6,7 @@
 #include "sessions/import/rows/gaze_reader.h"
 #include "sessions/import/rows/head_reader.h"
 #include "sessions/import/rows/time_reader.h"
+#include "sessions/import/rows/told_columns.h"
 #include "sessions/import/tables/row_source.h"
 
 namespace herr {
@@ -71,7 +72,9 @@ std::optional<Misfit> misfit(const std::filesystem::path& file, const Columns& c
         ++found->missing_columns;
       }
     }
-    return found ? found : illegible(file, columns);
+    if (found) return found;
+    if (const auto told_otherwise = contradicted(*rows, columns)) return Misfit{*told_otherwise, 0};
+    return illegible(file, columns);
   } catch (const InputError& error) {
     return Misfit{error, wanted.size(), wanted.size(), true};
   }

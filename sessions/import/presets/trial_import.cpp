@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sessions/inspect/head_meter.h"
+#include "sessions/inspect/plausibility_words.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {
@@ -57,7 +58,7 @@ double unusable_share(const ImportedStream& stream) {
 }
 
 std::string share_words(double share) {
-  return std::to_string(std::llround(100 * share)) + " % of the rows";
+  return percents(share) + " of the rows";
 }
 
 }  // namespace
@@ -91,7 +92,6 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
     trial.error = error;
     return trial;
   }
-  meter.finish();
   trial.figures = meter.figures();
   trial.rarity = head.rarity();
   trial.mean_height_m = heights_m / static_cast<double>(std::max<std::int64_t>(1, trial.figures.pose_rows));

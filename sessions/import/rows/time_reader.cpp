@@ -9,6 +9,7 @@
 #include "sessions/import/text/date_text.h"
 #include "sessions/import/text/stamp_text.h"
 #include "sessions/streams/field_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -17,10 +18,6 @@ constexpr TimeNs kSecond = 1'000'000'000;
 // A scale above 1 (days, 86400) would also stretch the rounding to whole nanoseconds: below this, a double is
 // closer to the number as written.
 constexpr TimeNs kDoubleNs = TimeNs{1} << 52;
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // "2016-12-13", "13.12.2016", "21:21:13", "12/13/16".
 bool looks_like_date(std::string_view text) {

@@ -84,6 +84,8 @@ DelimitedTable::DelimitedTable(const std::filesystem::path& file, const TableFor
   }
   decimal_ = layout_.decimal;
   names_ = layout_.names;
+  told_names_ = layout_.told_names;
+  told_line_ = layout_.told_line;
   counts_.repeated_headers = layout_.word_lines;
   fields_.resize(layout_.most_fields);
   if (!layout_.any_rows && sample_.whole_file) fail_without_rows(sample_, layout_);

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "sessions/streams/field_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -18,17 +19,9 @@ constexpr std::array<double, kExactPower + 1> kPowersOfTen{1e0,  1e1,  1e2,  1e3
                                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::size_t kMostNumberBytes = 400;
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool same_word(std::string_view text, std::string_view lower_word) {
   return std::equal(text.begin(), text.end(), lower_word.begin(), lower_word.end(),
-                    [](char a, char b) { return lower(a) == b; });
+                    [](char a, char b) { return lower_case(a) == b; });
 }
 
 // `text` has been found to be a number; `negative_power`: one that may be too small for a double.
@@ -87,7 +80,7 @@ std::optional<double> parse_number(std::string_view text, char decimal) {
     digits += at - fraction;
   }
   if (digits == 0) return std::nullopt;
-  if (at != end && lower(*at) == 'e') {
+  if (at != end && lower_case(*at) == 'e') {
     int exponent = 0;
     if (++at != end && *at == '+' && end - at > 1 && at[1] != '-') ++at;
     const auto [after, error] = std::from_chars(at, end, exponent);

@@ -50,6 +50,13 @@ class RowSource {
 
   std::int64_t line() const { return line_; }  // of the row's beginning, from 1
   const std::filesystem::path& path() const { return path_; }
+  // What a line above the rows calls the column of this number (from 1), also where the map does not ask for
+  // names: a header line or a comment. Empty: nothing.
+  std::string_view told_name(std::size_t number) const {
+    return number > 0 && number <= told_names_.size() ? std::string_view(told_names_[number - 1])
+                                                      : std::string_view();
+  }
+  std::int64_t told_line() const { return told_line_; }
   const RowSourceCounts& counts() const { return counts_; }
   // After the end: what the file holds after the last whole row, else empty. It is not a row.
   const std::string& cut_off() const { return cut_off_; }
@@ -61,6 +68,8 @@ class RowSource {
   std::filesystem::path path_;
   char decimal_;
   std::vector<std::string> names_;  // of the columns, where there is a header
+  std::vector<std::string> told_names_;
+  std::int64_t told_line_ = 0;
   std::vector<std::string_view> fields_;
   std::int64_t line_ = 0;
   RowSourceCounts counts_;

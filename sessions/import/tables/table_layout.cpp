@@ -6,6 +6,7 @@
 #include "sessions/import/tables/field_cutter.h"
 #include "sessions/import/tables/number_text.h"
 #include "sessions/streams/field_text.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -101,6 +102,29 @@ void pass_words(TableLayout& layout, Lines& lines) {
   }
 }
 
+// A name for each column, in a line that is separated as the rows are or otherwise.
+bool names_all(const TableLayout& layout, const SampleLine& line, std::vector<std::string_view>& names) {
+  for (const char separator : {layout.separator, ',', ';', '\t', ' '}) {
+    cut_fields(line.text, separator, names);
+    names.resize(filled_fields(names));
+    if (names.size() == layout.columns && is_line_of_words(names)) return true;
+  }
+  return false;
+}
+
+// The last line above the rows that names all columns.
+void find_told_names(TableLayout& layout, Lines all, Lines rows) {
+  std::vector<std::string_view> names;
+  const auto first =
+      std::find_if(rows.begin(), rows.end(), [](const SampleLine& line) { return !line.comment; });
+  for (const SampleLine& line : all) {
+    if (first != rows.end() && line.number >= first->number) break;
+    if (!names_all(layout, line, names)) continue;
+    layout.told_names.assign(names.begin(), names.end());
+    layout.told_line = line.number;
+  }
+}
+
 TableLayout lay_out(const TableSample& sample, const TableFormat& format, char separator,
                     std::span<const ColumnRef> wanted, Lines& rows) {
   TableLayout layout;
@@ -118,6 +142,12 @@ TableLayout lay_out(const TableSample& sample, const TableFormat& format, char s
     cut_fields(line.text, separator, fields);
     if (first) layout.columns = filled_fields(fields);
     layout.most_fields = std::max(layout.most_fields, fields.size());
+  }
+  if (layout.header_line == 0) {
+    find_told_names(layout, sample.lines, rows);
+  } else {
+    layout.told_names = layout.names;
+    layout.told_line = layout.header_line;
   }
   return layout;
 }
@@ -214,8 +244,7 @@ bool has_commas_of_two_kinds(std::string_view line) {
     const std::string_view next = line.substr(comma + 1, 2);
     if (next.empty()) continue;
     ++(next[0] == ' ' ? blanks : tight);
-    zeros +=
-        next.size() == 2 && next[0] == '0' && std::isdigit(static_cast<unsigned char>(next[1])) != 0 ? 1 : 0;
+    zeros += next.size() == 2 && next[0] == '0' && is_digit(next[1]) ? 1 : 0;
   }
   return zeros >= 2 ||
          (blanks > 0 && tight > 0 && line.find_first_of("0123456789") != std::string_view::npos);

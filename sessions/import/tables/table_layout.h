@@ -22,6 +22,10 @@ struct TableLayout {
   std::int64_t word_lines = 0;   // lines of words passed over, the header line not counted
   std::string header_text;       // a later line that says the same is no row; empty: there is none
   std::vector<std::string> names;
+  // What a line above the rows calls all columns, though the map does not ask: a header line that it does not
+  // expect, or a comment.
+  std::vector<std::string> told_names;
+  std::int64_t told_line = 0;
   std::size_t columns = 0;      // without empty ones at the end
   std::size_t most_fields = 0;  // with them
   bool any_rows = false;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "sessions/format/session_header.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -24,10 +25,6 @@ struct DateParts {
   std::optional<int> zone_minutes;
 };
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
@@ -37,7 +34,7 @@ class DateScanner {
  public:
   explicit DateScanner(std::string_view text) : rest_(text) {}
   bool done() const { return rest_.empty(); }
-  bool starts_digit() const { return !rest_.empty() && rest_.front() >= '0' && rest_.front() <= '9'; }
+  bool starts_digit() const { return !rest_.empty() && is_digit(rest_.front()); }
 
   bool take(char c) {
     if (rest_.empty() || rest_.front() != c) return false;
@@ -49,11 +46,11 @@ class DateScanner {
     while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
     return rest_.size() < before;
   }
-  bool take_word(std::string_view lower_case) {
-    if (rest_.size() < lower_case.size()) return false;
-    for (std::size_t i = 0; i < lower_case.size(); ++i)
-      if (lower(rest_[i]) != lower_case[i]) return false;
-    rest_.remove_prefix(lower_case.size());
+  bool take_word(std::string_view small) {
+    if (rest_.size() < small.size()) return false;
+    for (std::size_t i = 0; i < small.size(); ++i)
+      if (lower_case(rest_[i]) != small[i]) return false;
+    rest_.remove_prefix(small.size());
     return true;
   }
   bool take_number(std::size_t fewest, std::size_t most, int& value) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sessions/format/session_header.h"
+#include "sessions/text/letters.h"
 
 namespace herr {
 namespace {
@@ -63,10 +64,6 @@ struct Decimal {
   int digits = 0, power = 0, next = 0;
   bool negative = false;
 };
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // Eight digits at once: pairs, fours and the whole are summed within one word. False when they are not all
 // digits.

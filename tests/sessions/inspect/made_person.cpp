@@ -95,7 +95,6 @@ PlausibilityMeter measured(const MadeRecording& recording) {
   PlausibilityMeter meter;
   for (const PoseRow& row : recording.poses) meter.add(row);
   for (const GazeRow& row : recording.gaze) meter.add(row, recording.per_eye);
-  meter.finish();
   return meter;
 }
 

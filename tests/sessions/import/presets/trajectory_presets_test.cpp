@@ -2,6 +2,7 @@
 // formulas. The expected numbers are worked out in the comments, in our axes: x right, y up, -z forward.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -81,6 +82,40 @@ TEST_F(TrajectoryPresets, OfTumFindTheSeparator) {
     expect_heads(got, 60);
     EXPECT_EQ(got.poses[1].stamp_ns, 1305031103175000000);
     expect_near(got.position(50), {0.5, 1.5, 0.2}, 1e-9);
+  }
+}
+
+// As spreadsheets of some countries write numbers; commas between the fields would not tell the two apart.
+TEST_F(TrajectoryPresets, OfTumReadDecimalCommas) {
+  for (const std::string separator : {" ", "\t", ";"}) {
+    SCOPED_TRACE(separator);
+    std::string text;
+    for (int i = 0; i < 60; ++i)
+      text += std::to_string(1000 + i) + ".25" + separator + joined({0.01 * i, 1.5, 0.2}, separator) +
+              separator + xyzw(recorded(i, kYUp, kYUp), separator) + "\n";
+    std::replace(text.begin(), text.end(), '.', ',');
+    folder_.write("t.txt", text);
+    const PresetImport got = import("tum", "t.txt");
+    expect_heads(got, 60);
+    EXPECT_EQ(got.poses[1].stamp_ns, 1001250000000);
+    expect_near(got.position(50), {0.5, 1.5, 0.2}, 1e-9);
+  }
+}
+
+// The same numbers under a header line of another order: they are not read by the place alone.
+TEST_F(TrajectoryPresets, AreExcludedByHeaderLinesOfAnotherOrder) {
+  for (const std::string begin : {"timestamp,", "# timestamp,"}) {
+    std::string text = begin + "px,py,pz,qx,qy,qz,qw\n";
+    for (int i = 0; i < 60; ++i)
+      text += std::to_string(1000 + i) + ".25," + joined({0.01 * i, 1.5, 0.2}) + "," +
+              xyzw(recorded(i, kYUp, kYUp)) + "\n";
+    folder_.write("t.csv", text);
+    for (const char* preset : {"euroc", "ios-logger"})
+      EXPECT_INPUT_ERROR(import(preset, "t.csv"),
+                         "t.csv:1: calls column 5 'qx', and the format takes it for w");
+    const PresetImport got = import("", "t.csv");
+    EXPECT_EQ(got.format.format.preset, "tum");
+    expect_heads(got, 60);
   }
 }
 
