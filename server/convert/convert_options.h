@@ -13,11 +13,11 @@ namespace herr {
 // The camera feed: at most two cameras, the left and the right eye's.
 struct FeedOptions {
   std::vector<std::filesystem::path> pictures;     // folders; empty: those of the recording's folder, if any
-  std::vector<std::filesystem::path> stamps;       // tables, one a camera
+  std::vector<std::filesystem::path> stamps;       // tables, one a camera, or one for both
   std::vector<std::filesystem::path> calibration;  // one a camera, or one for both
   std::vector<std::string> label;                  // which camera of the calibration, one a camera
-  std::string names;                               // pattern of stamps in the pictures' names
-  std::optional<int> zone_minutes;                 // of dates in names and EXIF
+  std::vector<std::string> names;                  // patterns of stamps in the pictures' names, likewise
+  std::optional<int> zone_minutes;                 // of dates in tables, names and EXIF
   std::optional<double> hz;                        // no stamps were recorded: so many pictures a second
   bool loop = false;                               // hz: begin again at the end, as long as the poses last
   double offset_ms = 0;                            // added to every stamp of a picture

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "server/convert/convert_feed.h"
+#include "server/convert/feed_writer.h"
 #include "sessions/format/session_header.h"
 #include "sessions/import/import_report.h"
 
@@ -15,10 +15,11 @@ struct ConvertReport {
   std::filesystem::path out;
   std::string format;  // "preset euroc, variant tumvi"
   ImportReport rows;
+  StillParts still;  // nothing was recorded of them
   std::vector<FeedReport> feeds;
   std::string head_words, gaze_words;  // where the head looks, how level it is; what the eyes do
-  std::vector<std::string> remarks;   // how the format was chosen, what was assumed
-  std::vector<std::string> warnings;  // one line each, of the user's files
+  std::vector<std::string> remarks;    // how the format was chosen, what was assumed
+  std::vector<std::string> warnings;   // one line each, of the user's files
 };
 
 std::string convert_text(const ConvertReport& report);

@@ -171,6 +171,14 @@ Json eyes_json(const SessionInspection& session) {
   return json;
 }
 
+Json conversion_json(const SessionConversion& conversion) {
+  Json left_out = Json::array();
+  for (const SessionConversion::LeftOut& part : conversion.left_out)
+    left_out.push_back(
+        {{"stream", part.stream}, {"rows", part.rows}, {"of", part.of}, {"reason", part.reason}});
+  return {{"left_out", left_out}, {"assumed", conversion.assumed}};
+}
+
 Json session_json(const InspectReport& report) {
   const SessionInspection& session = *report.session;
   Json json{{"folder", session.folder.string()}};
@@ -183,6 +191,8 @@ Json session_json(const InspectReport& report) {
     json["vergence_m"] = header.vergence_m ? Json(*header.vergence_m) : Json();
     json["scene"] = header.scene;
     json["cameras"] = header.cameras.size();
+    json["feed_distance_m"] = header.feed_distance_m ? Json(*header.feed_distance_m) : Json();
+    json["conversion"] = header.conversion.empty() ? Json() : conversion_json(header.conversion);
   }
   if (session.span) {
     json["start_ns"] = session.span->start_ns;

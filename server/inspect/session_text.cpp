@@ -44,6 +44,16 @@ std::string profile_words(const DisplayProfile& profile) {
          std::to_string(profile.viewports.size()) + " viewports, " + fixed_text(pixels * 1e-6, 1) + " Mpx";
 }
 
+// What a conversion did that the streams alone do not tell.
+std::string conversion_text(const SessionConversion& conversion) {
+  std::string text;
+  for (const SessionConversion::LeftOut& part : conversion.left_out)
+    text += named_line("left out", printable(part.stream) + ": " + std::to_string(part.rows) + " of " +
+                                       std::to_string(part.of) + ": " + printable(part.reason));
+  for (const std::string& sentence : conversion.assumed) text += named_line("converted", printable(sentence));
+  return text;
+}
+
 std::string header_text_of(const InspectReport& report) {
   const SessionInspection& session = *report.session;
   const std::string folder = printable(session.folder.string());
@@ -52,6 +62,7 @@ std::string header_text_of(const InspectReport& report) {
   std::string text = "session " + printable(header.name) + "   (" + folder + ")\n";
   if (!header.provenance.empty()) text += named_line("provenance", printable(header.provenance));
   if (!header.licence.empty()) text += named_line("licence", printable(header.licence));
+  text += conversion_text(header.conversion);
   text += named_line("display", profile_words(report.profile));
   text += named_line("gaze", gaze_words(header));
   for (std::size_t i = 0; i < header.cameras.size(); ++i) {
@@ -59,6 +70,9 @@ std::string header_text_of(const InspectReport& report) {
     text += named_line("cam" + std::to_string(i),
                        std::to_string(model.width_px) + "x" + std::to_string(model.height_px) + " pixels");
   }
+  if (header.feed_distance_m)
+    text +=
+        named_line("feed", "seen " + shortest_text(*header.feed_distance_m) + " m from the displayed eye");
   if (report.frames && session.span) {
     const double seconds = static_cast<double>(session.span->end_ns - session.span->start_ns) * kSecondsPerNs;
     text += named_line("replay", fixed_text(seconds, 2) + " s, " + std::to_string(report.frames->count) +

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -27,10 +28,17 @@ struct SessionConversion {
     std::int64_t rows = 0, of = 0;
     std::string reason;  // a sentence
   };
+  // Of each list, and of each sentence; longer ones are refused.
+  static constexpr std::size_t kMostEntries = 64, kMostBytes = 1000;
+
   std::vector<LeftOut> left_out;
   std::vector<std::string> assumed;  // sentences: "camera stamps were not recorded: 15 pictures a second"
+  std::vector<std::string> remarks;  // sentences: how the format was recognised, what the clock did
+  bool still_head = false, still_gaze = false;  // not recorded: they stand still on the user's word
 
-  bool empty() const { return left_out.empty() && assumed.empty(); }
+  bool empty() const {
+    return left_out.empty() && assumed.empty() && remarks.empty() && !still_head && !still_gaze;
+  }
 };
 
 // What session.json says.
@@ -43,14 +51,14 @@ struct SessionHeader {
   std::string name;
   std::string provenance, licence;
   DisplayProfile profile;
-  std::array<Pose, 2> head_from_eye;  // default: +-31.5 mm along x
-  bool gaze_combined = false;         // gaze_kind "combined"
-  std::optional<double> vergence_m;   // combined gaze: distance at which the eyes converge
-  double pose_hz = 0, gaze_hz = 0;    // nominal; 0 = not stated
-  std::vector<Camera> cameras;        // 0, 1 or 2: [0] is the left or only one
+  std::array<Pose, 2> head_from_eye;      // default: +-31.5 mm along x
+  bool gaze_combined = false;             // gaze_kind "combined"
+  std::optional<double> vergence_m;       // combined gaze: distance at which the eyes converge
+  double pose_hz = 0, gaze_hz = 0;        // nominal; 0 = not stated
+  std::vector<Camera> cameras;            // 0, 1 or 2: [0] is the left or only one
   std::optional<double> feed_distance_m;  // of the camera feed's sphere about the displayed eye
-  SessionConversion conversion;       // of a session that was converted
-  std::string scene;                  // path of a scene file relative to the session's folder; may be empty
+  SessionConversion conversion;           // of a session that was converted
+  std::string scene;  // path of a scene file relative to the session's folder; may be empty
 };
 
 struct ParsedSessionHeader {

@@ -139,5 +139,39 @@ TEST_F(Recordings, OneCommandImportsEachOtherKindOfRecording) {
   }
 }
 
+// Eight colour frames (20 a second) and four of each of two grey cameras (10 a second) of glasses lie in one
+// folder, with stamps in their names, in microseconds, and in a table, in nanoseconds. There are no poses of
+// them: a still head lasts as long.
+TEST_F(Recordings, CamerasThatShareAFolderAreToldApart) {
+  std::string still;
+  for (int i = 0; i <= 50; ++i) still += "86." + std::to_string(300 + 10 * i) + " 0 1.6 0 0 0 0 1\n";
+  write_whole_file(root() / "still.txt", still);
+  const std::string frames = "'" + (real_data() / "frames" / "aria_aea").string() + "'";
+  const nlohmann::json grey = herr_json("convert still.txt grey --preset tum --camera " + frames +
+                                        " --camera-names '1201-1_{s}' --camera " + frames +
+                                        " --camera-names '1201-2_{s}' --camera-hfov 110");
+  ASSERT_EQ(grey.at("cameras").size(), 2u);
+  for (const nlohmann::json& camera : grey.at("cameras")) EXPECT_EQ(camera.at("frames"), 4);
+  const std::string rows =
+      "timestamp_ns,filename\n86435295000,000000.jpg\n86535295000,000001.jpg\n"
+      "86635295000,000002.jpg\n86735295000,000003.jpg\n";
+  EXPECT_EQ(content_of(root() / "grey/cam0/data.csv"), rows);
+  EXPECT_EQ(content_of(root() / "grey/cam1/data.csv"), rows);
+  EXPECT_EQ(content_of(root() / "grey/cam1/data/000003.jpg"),
+            content_of(real_data() / "frames/aria_aea/1201-2_86.735295.jpg"));
+  // The lens of the colour camera by its calibration.
+  const nlohmann::json colour =
+      herr_json("convert still.txt colour --preset tum --camera " + frames + " --camera-names '214-1_{s}' " +
+                "--camera-calibration " + frames + "/calib.json --camera-label camera-rgb");
+  EXPECT_EQ(colour.at("cameras").at(0).at("frames"), 8);
+  const std::string named = content_of(root() / "colour/cam0/data.csv");
+  EXPECT_NE(named.find("86385246000,000000.jpg\n86435218000,000001.jpg\n"), std::string::npos) << named;
+  // All pictures of the folder are those of several cameras: the sizes differ.
+  EXPECT_EQ(herr("convert still.txt mixed --preset tum --camera " + frames + " --camera-hfov 66").exit_code,
+            3);
+  EXPECT_EQ(herr("inspect grey").exit_code, 0);
+  EXPECT_EQ(herr("inspect colour").exit_code, 0);
+}
+
 }  // namespace
 }  // namespace herr

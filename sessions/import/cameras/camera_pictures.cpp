@@ -73,10 +73,11 @@ CameraPictures find_camera_pictures(const std::filesystem::path& folder,
     const ImageSize size = read_image_size(file);
     if (file == pictures.files.front()) pictures.size = size;
     if (size.width_px != pictures.size.width_px || size.height_px != pictures.size.height_px)
-      throw InputError(file, 0,
-                       "is " + size_text(size) + ", and " + pictures.files.front().filename().string() +
-                           " is " + size_text(pictures.size),
-                       "keep pictures of one size in a folder");
+      throw InputError(
+          file, 0,
+          "is " + size_text(size) + ", and " + pictures.files.front().filename().string() + " is " +
+              size_text(pictures.size),
+          "keep pictures of one size in a folder, or take those of one camera with --camera-names");
   }
   return pictures;
 }

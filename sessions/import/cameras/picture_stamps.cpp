@@ -112,7 +112,7 @@ StampedPictures stamps_from_names(const CameraPictures& pictures, const std::str
     refuse_whole_seconds(stamped, seconds_only, "the name");
   put_in_order(stamped, pictures, "do not fit the pattern '" + printable(pattern_text) + "' of names");
   if (zone_assumed)
-    stamped.remarks.emplace_back("the dates in the names of the pictures name no zone and are taken as UTC");
+    stamped.assumed.emplace_back("the dates in the names of the pictures name no zone and are taken as UTC");
   return stamped;
 }
 

@@ -24,7 +24,8 @@ struct StampedPictures {
   std::vector<StampedPicture> pictures;  // by stamp, strictly growing; no file twice
   std::string source;                    // "the table frames.csv", "the names of the files", "EXIF"
   std::int64_t without_stamp = 0, repeated_stamps = 0, rows_without_picture = 0;  // left out
-  std::vector<std::string> remarks;  // one for each kind of left out, and what was assumed: whole sentences
+  // Whole sentences: one for each kind of left out.
+  std::vector<std::string> assumed, remarks;
 };
 
 // Each throws InputError that says what was found and what is expected; also where no picture is left.

@@ -11,6 +11,9 @@
 #include "sessions/import/rows/filter_reader.h"
 #include "sessions/import/rows/time_reader.h"
 #include "sessions/import/tables/row_source.h"
+#include "sessions/text/plain_values.h"
+#include "sessions/import/text/date_text.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {
@@ -26,6 +29,7 @@ struct StampTable {
   std::vector<StampRow> rows;
   std::string unknown;  // the first field that names no picture of the folder
   std::int64_t unknown_line = 0;
+  bool zone_assumed = false;  // dates that name none, in a map that names none
 };
 
 StampTable read_stamp_table(const CameraPictures& pictures, const std::filesystem::path& table,
@@ -41,6 +45,7 @@ StampTable read_stamp_table(const CameraPictures& pictures, const std::filesyste
   const std::size_t file = columns.file ? rows->place(*columns.file) : 0;
   const bool dated = columns.time.kind != TimeColumns::Kind::rate;
   const std::size_t stamp = dated ? rows->place(columns.time.column) : 0;
+  const bool zoneless = columns.time.kind == TimeColumns::Kind::date && !columns.time.zone_minutes;
   StampTable read;
   while (rows->next()) {
     if (!valid.passes(*rows)) continue;
@@ -53,6 +58,7 @@ StampTable read_stamp_table(const CameraPictures& pictures, const std::filesyste
         read.unknown_line = rows->line();
       }
     }
+    read.zone_assumed |= zoneless && !date_names_zone(rows->text(stamp), columns.time.date_format);
     read.rows.push_back(row);
     if (static_cast<std::int64_t>(read.rows.size()) > kMostStampRows)
       rows->fail("is one of more than 10 million rows", "give the table of one camera");
@@ -121,6 +127,13 @@ StampedPictures stamps_from_table(const CameraPictures& pictures, const std::fil
     ++stamped.rows_without_picture;
     if (row.picture) ++repeated;
   }
+  if (read.zone_assumed)
+    stamped.assumed.push_back("the dates in " + name + " name no zone and are taken as UTC");
+  if (columns.time.kind == TimeColumns::Kind::rate)
+    stamped.assumed.push_back("stamps of pictures, which were not recorded: " +
+                              plain_number_text(columns.time.rate_hz) + " a second, as the map says");
+  if (!columns.file)
+    stamped.assumed.push_back("row by row, " + name + " stamps the pictures in the order of their names");
   remark_unused_rows(read, repeated, stamped, name);
   put_in_order(stamped, pictures, "have no stamp in " + name);
   return stamped;

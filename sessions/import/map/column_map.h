@@ -36,16 +36,16 @@ struct ColumnGroup {
 };
 
 struct TableFormat {
-  char separator = ',';          // ' ' stands for any run of spaces and tabs; 0: found in the file ("auto")
-  char decimal = '.';            // or ','; 0: found in the file ("auto")
-  std::string comment;           // lines that start with it are skipped; empty: there are none
-  bool header = true;            // a line names the columns
-  // header: that many lines come before the rows, blank and comment lines counted; 1: the first that is neither,
-  // or a comment just above the rows that names the columns ...
+  char separator = ',';  // ' ' stands for any run of spaces and tabs; 0: found in the file ("auto")
+  char decimal = '.';    // or ','; 0: found in the file ("auto")
+  std::string comment;   // lines that start with it are skipped; empty: there are none
+  bool header = true;    // a line names the columns
+  // header: that many lines come before the rows, blank and comment lines counted; 1: the first that is
+  // neither, or a comment just above the rows that names the columns ...
   std::size_t header_lines = 1;
-  std::size_t names_line = 1;    // ... and this one of them names the columns, from 1
-  bool ragged = false;           // rows may have more or fewer fields beyond the columns in use
-  std::string xml_row;           // not empty: an XML file, one element of this name a row
+  std::size_t names_line = 1;  // ... and this one of them names the columns, from 1
+  bool ragged = false;         // rows may have more or fewer fields beyond the columns in use
+  std::string xml_row;         // not empty: an XML file, one element of this name a row
   bool operator==(const TableFormat&) const = default;
 };
 
@@ -112,7 +112,7 @@ struct HeadColumns {
   std::string euler_order;                  // the axes in the order in which the rotations are applied, "zxy"
   std::array<int, 3> euler_sense{1, 1, 1};  // -1: the file's angle about x, y, z turns the other way
   bool column_major = false;                // matrices
-  bool head_from_world = false;             // the file holds the inverse pose
+  bool head_from_world = false;             // the file holds the inverse pose; not of forward_up, fixed
   AxisDirections world_axes, head_axes;
   Pose body_from_head;  // in the file's axes; identity where the file records the head itself
   RowFilter valid;      // other rows are lost tracking and left out
@@ -177,7 +177,8 @@ struct CameraColumns {
 struct RecordingLayout {
   struct Camera {
     std::string pictures, stamps, calibration;  // empty: none
-    std::string names;                          // pattern of stamps in file names, as for --camera-names
+    // Pattern of stamps in file names, as for --camera-names; the table of stamps then gives the lens alone.
+    std::string names;
     bool operator==(const Camera&) const = default;
   };
   std::string head, gaze;  // empty: none

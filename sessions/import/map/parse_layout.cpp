@@ -36,7 +36,6 @@ RecordingLayout::Camera parse_layout_camera(const JsonObject& entry) {
   camera.stamps = parse_place(entry, "stamps");
   camera.calibration = parse_place(entry, "calibration");
   camera.names = entry.text_or("names", "");
-  if (!camera.stamps.empty()) refuse_beside(entry, "stamps", {"names"});
   return camera;
 }
 

@@ -3,12 +3,18 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "sessions/import/map/column_map.h"
 
 namespace herr {
 
+struct CameraTableColumns {
+  CameraColumns columns;
+  std::string preset;  // whose they are; empty: the recording's own map's
+};
+
 // Throws InputError that says which columns such tables have.
-CameraColumns camera_columns_of(const std::filesystem::path& table, const ColumnMap& map);
+CameraTableColumns camera_columns_of(const std::filesystem::path& table, const ColumnMap& map);
 
 }  // namespace herr

@@ -1,6 +1,7 @@
 #include "sessions/import/presets/recording_folder.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -15,141 +16,152 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One * stands for any text.
-bool matches_part(std::string_view name, std::string_view pattern) {
+// `pattern` may hold one *, which stands for any text.
+bool fits_pattern(const std::string& name, const std::string& pattern) {
   const std::size_t star = pattern.find('*');
-  if (star == std::string_view::npos) return name == pattern;
-  const std::string_view before = pattern.substr(0, star), after = pattern.substr(star + 1);
+  if (star == std::string::npos) return name == pattern;
+  const std::string_view before = std::string_view(pattern).substr(0, star);
+  const std::string_view after = std::string_view(pattern).substr(star + 1);
   return name.size() >= before.size() + after.size() && name.starts_with(before) && name.ends_with(after);
 }
 
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::error_code error;
-  std::vector<std::string> names = list_folder(folder, error);
-  if (error) names.clear();  // not there, or not a folder: nothing matches
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-// What exists below the folder under a pattern of names.
-std::vector<fs::path> matches(const fs::path& folder, const std::string& pattern) {
+// What `pattern` stands for below `folder`, by name.
+std::vector<fs::path> paths_of(const fs::path& folder, const std::string& pattern) {
   std::vector<fs::path> found{folder};
   for (const fs::path& part : fs::path(pattern)) {
-    std::vector<fs::path> next;
-    for (const fs::path& parent : found) {
-      if (part.string().find('*') == std::string::npos) {
-        if (path_exists(parent / part)) next.push_back(parent / part);
+    const std::string wanted = part.string();
+    std::vector<fs::path> deeper;
+    for (const fs::path& at : found) {
+      if (wanted.find('*') == std::string::npos) {
+        if (path_exists(at / part)) deeper.push_back(at / part);
         continue;
       }
-      for (const std::string& name : names_in(parent))
-        if (matches_part(name, part.string())) next.push_back(parent / name);
+      std::error_code error;  // a folder that cannot be listed holds no recording
+      for (const std::string& name : list_folder(at, error))
+        if (fits_pattern(name, wanted)) deeper.push_back(at / name);
     }
-    found = std::move(next);
+    found = std::move(deeper);
   }
+  std::sort(found.begin(), found.end());
   return found;
 }
 
-// The file of a pattern, or nothing. Throws InputError when there are several.
-std::optional<fs::path> only_match(const fs::path& folder, const std::string& pattern) {
-  if (pattern.empty()) return std::nullopt;
-  const std::vector<fs::path> found = matches(folder, pattern);
-  if (found.empty()) return std::nullopt;
+// Empty: not there.
+fs::path only_path(const fs::path& folder, const std::string& pattern) {
+  if (pattern.empty()) return {};
+  const std::vector<fs::path> found = paths_of(folder, pattern);
   if (found.size() > 1)
     throw InputError(folder, 0,
-                     "holds several recordings: " + found[0].lexically_relative(folder).string() + ", " +
-                         found[1].lexically_relative(folder).string() + (found.size() > 2 ? ", ..." : ""),
-                     "name one of the files instead of the folder");
-  return found.front();
+                     "holds several recordings: " + found[0].lexically_relative(folder).string() + " and " +
+                         found[1].lexically_relative(folder).string(),
+                     "name the file of one of them");
+  return found.empty() ? fs::path{} : found[0];
 }
 
-struct Match {
+struct FolderFit {
   FoundRecording recording;
-  std::size_t files = 0;
+  std::string head;  // as the layout names it
 };
 
-std::optional<Match> match(const fs::path& folder, const RecordingLayout& layout, const std::string& preset) {
-  Match match;
-  match.recording.preset = preset;
-  if (!layout.head.empty()) {
-    const auto head = only_match(folder, layout.head);
-    if (!head) return std::nullopt;
-    match.recording.files.head = *head;
-    ++match.files;
-  }
+std::optional<FolderFit> fit_of(const fs::path& folder, const RecordingLayout& layout) {
+  FolderFit fit;
+  fit.head = layout.head.empty() ? layout.gaze : layout.head;
+  fit.recording.files.head = only_path(folder, layout.head);
+  if (!layout.head.empty() && fit.recording.files.head.empty()) return std::nullopt;
   if (!layout.gaze.empty()) {
-    match.recording.files.gaze = only_match(folder, layout.gaze);
-    if (!match.recording.files.gaze && layout.head.empty()) return std::nullopt;
-    match.files += match.recording.files.gaze ? 1 : 0;
+    fit.recording.files.gaze = only_path(folder, layout.gaze);
+    if (fit.recording.files.gaze->empty()) return std::nullopt;
   }
   for (const RecordingLayout::Camera& camera : layout.cameras) {
-    const auto pictures = only_match(folder, camera.pictures);
-    if (!pictures) continue;
-    FoundCamera found{*pictures, only_match(folder, camera.stamps).value_or(""),
-                      only_match(folder, camera.calibration).value_or(""), camera.names};
-    match.files += 1 + (found.stamps.empty() ? 0 : 1) + (found.calibration.empty() ? 0 : 1);
-    match.recording.cameras.push_back(std::move(found));
+    const fs::path pictures = only_path(folder, camera.pictures);
+    const fs::path stamps = only_path(folder, camera.stamps);
+    if (pictures.empty() || (!camera.stamps.empty() && stamps.empty())) continue;
+    fit.recording.cameras.push_back({pictures, stamps, only_path(folder, camera.calibration), camera.names});
   }
-  return match;
+  return fit;
 }
 
-// The layouts that are there, those with the most files first.
-std::vector<Match> matches_of(const fs::path& folder, const ColumnMap& map, const std::string& preset) {
-  std::vector<Match> found;
-  for (const RecordingLayout& layout : map.layouts)
-    if (auto one = match(folder, layout, preset)) found.push_back(std::move(*one));
-  return found;
-}
-
-// "mav0/state_groundtruth_estimate0/data.csv or mav0/mocap0/data.csv".
-std::string heads_of(const ColumnMap& map) {
-  std::string text;
+std::optional<FolderFit> best_fit(const fs::path& folder, const ColumnMap& map) {
+  std::optional<FolderFit> best;
+  const auto rank = [](const FolderFit& fit) {
+    return std::pair(fit.recording.files.gaze.has_value(), fit.recording.cameras.size());
+  };
   for (const RecordingLayout& layout : map.layouts) {
-    const std::string& file = layout.head.empty() ? layout.gaze : layout.head;
-    text += (text.empty() ? "" : " or ") + file;
+    std::optional<FolderFit> fit = fit_of(folder, layout);
+    if (fit && (!best || rank(*fit) > rank(*best))) best = std::move(fit);
+  }
+  if (best) best->recording.preset = map.name;
+  return best;
+}
+
+bool holds(const fs::path& folder, const ColumnMap& map) {
+  return std::any_of(map.layouts.begin(), map.layouts.end(), [&](const RecordingLayout& layout) {
+    return !paths_of(folder, layout.head.empty() ? layout.gaze : layout.head).empty();
+  });
+}
+
+constexpr std::size_t kMostSubfolders = 100;  // that are looked into
+
+// A folder one too high names the recordings in it.
+void refuse_folder_of_recordings(const fs::path& folder, const std::vector<ColumnMap>& maps) {
+  std::error_code error;
+  std::vector<std::string> names = list_folder(folder, error);
+  std::sort(names.begin(), names.end());
+  if (names.size() > kMostSubfolders) names.resize(kMostSubfolders);
+  std::vector<std::string> recordings;
+  for (const std::string& name : names)
+    if (std::any_of(maps.begin(), maps.end(),
+                    [&](const ColumnMap& map) { return holds(folder / name, map); }))
+      recordings.push_back(printable((folder / name).string()));
+  if (recordings.empty()) return;
+  std::string text = recordings[0];
+  for (std::size_t i = 1; i < std::min<std::size_t>(recordings.size(), 3); ++i) text += ", " + recordings[i];
+  if (recordings.size() > 3) text += ", ...";
+  throw InputError(
+      folder, 0,
+      "holds " + std::string(recordings.size() == 1 ? "a recording" : "several recordings") + " in " + text,
+      recordings.size() == 1 ? "name that folder" : "name one of these folders");
+}
+
+// "hmd_poses.csv (quest-capture), ...", of each map its first layout.
+std::string known_layouts(const std::vector<ColumnMap>& maps) {
+  std::string text;
+  for (const ColumnMap& map : maps) {
+    if (map.layouts.empty()) continue;
+    const RecordingLayout& layout = map.layouts.front();
+    text += (text.empty() ? "" : ", ") + (layout.head.empty() ? layout.gaze : layout.head) + " (" + map.name +
+            ")";
   }
   return text;
 }
 
-bool same_files(const FoundRecording& a, const FoundRecording& b) {
-  return a.files.head == b.files.head && a.files.gaze == b.files.gaze;
-}
-
 }  // namespace
 
-FoundRecording find_recording(const fs::path& folder, const std::string& preset, const ColumnMap* map) {
-  std::vector<Match> found;
-  std::string expected;
-  const auto look = [&](const ColumnMap& one, const std::string& name) {
-    std::vector<Match> more = matches_of(folder, one, name);
-    std::move(more.begin(), more.end(), std::back_inserter(found));
-    expected = heads_of(one);
-  };
-  if (map != nullptr) {
-    look(*map, preset);
-  } else {
-    for (const BuiltInMap& built_in : built_in_maps())
-      if (preset.empty() || built_in.name == preset)
-        look(parse_column_map(built_in.json, std::string(built_in.name) + ".json"),
-             std::string(built_in.name));
-  }
-  if (found.empty()) {
-    const bool one_format = map != nullptr || !preset.empty();
-    throw InputError(
-        folder, 0, one_format ? "is no folder of this format" : "is no folder of a recorder that is known",
-        one_format && !expected.empty() ? "it should hold " + expected : "name the recording's file");
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Match& a, const Match& b) { return a.files > b.files; });
-  FoundRecording best = found.front().recording;
-  for (const Match& other : found) {
-    if (other.files < found.front().files || other.recording.preset == best.preset) continue;
-    if (!same_files(other.recording, best))
-      throw InputError(folder, 0,
-                       "could be a recording of " + best.preset + " or of " + other.recording.preset,
-                       "give --preset, or name the recording's file");
-    best.preset.clear();  // the columns tell
-  }
-  return best;
+FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset,
+                              const ColumnMap* map) {
+  std::vector<ColumnMap> maps;
+  if (map != nullptr) maps.push_back(*map);
+  for (const BuiltInMap& built_in : built_in_maps())
+    if (map == nullptr && (preset.empty() || built_in.name == preset))
+      maps.push_back(parse_column_map(built_in.json, std::string(built_in.name) + ".json"));
+  std::vector<FolderFit> fits;
+  for (const ColumnMap& one : maps)
+    if (std::optional<FolderFit> fit = best_fit(folder, one)) fits.push_back(std::move(*fit));
+  if (fits.size() == 1) return std::move(fits.front().recording);
+  if (!fits.empty())
+    throw InputError(folder, 0,
+                     "holds files of several formats: " + fits[0].head + " (" + fits[0].recording.preset +
+                         ") and " + fits[1].head + " (" + fits[1].recording.preset + ")",
+                     "say which one with --preset");
+  refuse_folder_of_recordings(folder, maps);
+  const std::string layouts = known_layouts(maps);
+  if (layouts.empty())
+    throw InputError(folder, 0, "is a folder, but preset " + preset + " reads single files",
+                     "name the file with the head's poses");
+  throw InputError(folder, 0,
+                   preset.empty() ? "holds no recording of a known layout"
+                                  : "holds no recording as preset " + preset + " knows it",
+                   "such folders hold " + layouts + "; else name the file with the head's poses");
 }
 
 bool named_in_layouts(const fs::path& file, const ColumnMap& map) {
@@ -157,7 +169,7 @@ bool named_in_layouts(const fs::path& file, const ColumnMap& map) {
   return std::any_of(map.layouts.begin(), map.layouts.end(), [&](const RecordingLayout& layout) {
     const fs::path pattern = layout.head.empty() ? layout.gaze : layout.head;
     // "data.csv" says nothing of its own.
-    return pattern.filename() != "data.csv" && matches_part(name, pattern.filename().string());
+    return pattern.filename() != "data.csv" && fits_pattern(name, pattern.filename().string());
   });
 }
 

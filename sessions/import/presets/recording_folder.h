@@ -21,8 +21,10 @@ struct FoundRecording {
   std::string preset;  // whose layout it is; empty: of several, which the columns tell apart
 };
 
-// `preset` empty: every built-in layout is tried, the one with the most files counts. `map`: a map of the
-// user's, or null. Throws InputError that says what such folders hold, or which files fit when several do.
+// `preset` empty: every built-in layout is tried; `map`: a map of the user's instead, or null. Of a preset's
+// layouts whose head and gaze are there, one with gaze comes first, then the one with the most cameras, then
+// the first; cameras that are not there are left out. Throws InputError that says what such folders hold, or
+// which presets' layouts fit when several do.
 FoundRecording find_recording(const std::filesystem::path& folder, const std::string& preset,
                               const ColumnMap* map = nullptr);
 

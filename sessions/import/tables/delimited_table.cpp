@@ -1,6 +1,7 @@
 #include "sessions/import/tables/delimited_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 
 #include "sessions/files/input_error.h"
@@ -23,6 +24,21 @@ std::string_view between(const char* begin, const char* end) {
 
 bool holds(std::string_view line, char c) {
   return std::memchr(line.data(), c, line.size()) != nullptr;
+}
+
+constexpr std::size_t kFewestNames = 4;  // of a header line, to be told from a row
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+// The first two fields: cheap, as every row is asked.
+bool begins_with_words(std::string_view line, char separator) {
+  if (!is_letter(line[0])) return false;
+  const std::size_t end = line.find(separator);
+  if (end == std::string_view::npos) return false;
+  const std::string_view rest = between(line.data() + end + 1, line.data() + line.size());
+  return !rest.empty() && is_letter(rest[0]);
 }
 
 // The first `fields.size()` fields of a line without quotes. Returns how many the line has.
@@ -101,6 +117,7 @@ bool DelimitedTable::is_row_line() {
   if (!layout_.header_text.empty() && line[0] == layout_.header_text[0] &&
       trimmed(line) == layout_.header_text) {
     ++counts_.repeated_headers;
+    header_again_line_ = line_;
     return false;
   }
   return true;
@@ -157,9 +174,34 @@ void DelimitedTable::fail_count(std::size_t found) {
   fail(words.problem, words.remedy);
 }
 
+bool DelimitedTable::names_columns() const {
+  if (layout_.header_line == 0 || !begins_with_words(text_.text, layout_.separator)) return false;
+  std::vector<std::string_view> fields;
+  cut_fields(text_.text, layout_.separator, fields);
+  fields.resize(filled_fields(fields));
+  return fields.size() == layout_.columns && fields.size() >= kFewestNames && is_line_of_words(fields) &&
+         std::find(fields.begin(), fields.end(), "") == fields.end();
+}
+
+// Columns may stand in another order below a header line that is not the first one again: no row below it
+// counts.
+void DelimitedTable::refuse_rows_of_another_header() {
+  if (other_header_line_ == 0 && names_columns()) other_header_line_ = line_;
+  if (other_header_line_ == 0) return;
+  fail(line_ == other_header_line_
+           ? "is another header line, which is not the first one again"
+           : "stands below another header line (line " + std::to_string(other_header_line_) + ")",
+       "split the file there, it holds two recordings");
+}
+
 bool DelimitedTable::next() {
   if (!sample_.lines.empty()) sample_.lines = {};
   if (!next_line()) return false;
+  if (line_ == header_again_line_ + 1 && names_columns()) {  // a second header line, of units
+    ++counts_.repeated_headers;
+    if (!next_line()) return false;
+  }
+  refuse_rows_of_another_header();
   check_count(cut(text_.text));
   return true;
 }

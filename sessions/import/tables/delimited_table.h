@@ -31,6 +31,8 @@ class DelimitedTable : public RowSource {
   bool is_row_line();
   std::size_t cut(std::string_view line);
   std::size_t cut_quoted(std::string_view line);
+  bool names_columns() const;
+  void refuse_rows_of_another_header();
   void check_count(std::size_t found);
   [[noreturn]] void fail_count(std::size_t found);
 
@@ -40,6 +42,7 @@ class DelimitedTable : public RowSource {
   TableLayout layout_;
   LineReader reader_;
   TextLine text_;
+  std::int64_t header_again_line_ = -1, other_header_line_ = 0;
   std::size_t needed_ = 0;  // fields up to the last place that was asked for
 };
 

@@ -66,7 +66,8 @@ TEST_F(ConvertProgram, MakesASessionWithALoopedFeed) {
   EXPECT_EQ(made(), std::vector<std::string>{"session"});
   const auto report = nlohmann::json::parse(got.out);
   EXPECT_EQ(report["poses"]["rows"], 11);
-  EXPECT_EQ(report["camera"]["pictures"], 3);
+  EXPECT_EQ(report["cameras"][0]["pictures"], 3);
+  EXPECT_EQ(report["cameras"][0]["frames"], 6);
   // 0, 20, ... 100 ms of a tenth of a second.
   EXPECT_EQ(content_of(root() / "session/cam0/data.csv"),
             "timestamp_ns,filename\n100100000000,000000.png\n100120000000,000001.png\n"
@@ -86,15 +87,29 @@ TEST_F(ConvertProgram, StopsTheFeedWithThePicturesUnlessLooped) {
 
 TEST_F(ConvertProgram, RefusesWrongUsage) {
   const std::vector<std::pair<std::string, std::string>> lines{
-      {"walk.txt s", "--preset: give either"},
       {"walk.txt s --preset tumm", "did you mean tum?"},
-      {"walk.txt s --preset tum --map m.json", "--preset: give either"},
+      {"walk.txt s --preset tum --map m.json", "--preset: --map is given too"},
       {"walk.txt --preset tum", "OUT: missing"},
       {"--preset tum", "HEAD: missing"},
-      {"walk.txt s --preset tum --camera pictures", "--camera: the lens is unknown"},
       {"walk.txt s --preset tum --camera-hfov 180", "--camera-hfov"},
       {"walk.txt s --preset tum --camera-hfov 66", "--camera-hfov: there are no pictures"},
       {"walk.txt s --preset tum --camera-loop", "--camera-loop: there are no pictures"},
+      {"walk.txt s --preset tum --feed-distance 3", "--feed-distance: there are no pictures"},
+      {"walk.txt s --preset tum --no-camera --camera-hz 3",
+       "--camera-hz: --no-camera leaves the pictures out"},
+      {"walk.txt s --preset tum --no-camera --camera pictures", "--no-camera: --camera is given too"},
+      {"walk.txt s --preset tum --camera pictures --camera pictures --camera pictures", "--camera: give one"},
+      {"walk.txt s --preset tum --camera pictures --camera-hz 3 --camera-names {ms}",
+       "--camera-hz: give one of"},
+      {"walk.txt s --preset tum --camera pictures --camera-stamps a --camera-stamps b",
+       "--camera-stamps: is given 2 times, and there is one camera"},
+      {"walk.txt s --preset tum --camera pictures --camera pictures --camera-calibration c --camera-label "
+       "left",
+       "--camera-label: is given once, and there are two cameras"},
+      {"walk.txt s --preset tum --camera pictures --camera-label left",
+       "--camera-label: names a camera of a"},
+      {"walk.txt s --preset tum --camera pictures --camera-zone Berlin", "--camera-zone: 'Berlin'"},
+      {"walk.txt s --preset tum --camera pictures --camera-hz 3 --camera-zone Z", "--camera-zone: with"},
       {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-calibration c.json",
        "--camera-hfov: the calibration has a lens"},
       {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-label left",
@@ -110,6 +125,21 @@ TEST_F(ConvertProgram, RefusesWrongUsage) {
     EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
   }
   EXPECT_TRUE(made().empty());
+}
+
+TEST_F(ConvertProgram, RefusesPicturesOfAnUnknownLens) {
+  const Outcome got = convert("walk.txt s --preset tum --camera pictures --camera-hz 50");
+  EXPECT_EQ(got.exit_code, 3);
+  EXPECT_EQ(got.err,
+            "herr: pictures: has pictures of an unknown lens; give --camera-hfov DEGREES or "
+            "--camera-calibration FILE\n");
+  EXPECT_TRUE(made().empty());
+}
+
+TEST_F(ConvertProgram, RecognisesAFormatAndSaysWhich) {
+  const Outcome got = convert("walk.txt s");
+  ASSERT_EQ(got.exit_code, 0) << got.err;
+  EXPECT_NE(got.out.find("format: preset tum"), std::string::npos) << got.out;
 }
 
 TEST_F(ConvertProgram, LeavesNothingBehindBadInput) {
@@ -137,8 +167,39 @@ TEST_F(ConvertProgram, LeavesBadRowsOutWhenToldToAndSaysSo) {
                    std::string_view("1.0 0 0 0 0 0 0 1\n1.1 0 0 O 0 0 0 1\n1.2 0 0 0 0 0 0 1\n"));
   const Outcome got = convert("bad.txt s --preset tum --keep-going");
   EXPECT_EQ(got.exit_code, 5);
-  EXPECT_NE(got.out.find("1 bad rows left out"), std::string::npos) << got.out;
+  EXPECT_NE(got.out.find("1 rows left out: they cannot be read (line 2)"), std::string::npos) << got.out;
+  EXPECT_NE(got.err.find("bad.txt: 1 of 3 rows are not in the session"), std::string::npos) << got.err;
+  EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
   EXPECT_EQ(Session::open(root() / "s").findings().pose_rows, 2);
+}
+
+TEST_F(ConvertProgram, ATwentiethOfBadRowsIsSaidAndNoPartialResult) {
+  std::string rows = "1.0 0 0 O 0 0 0 1\n";
+  for (int i = 100; i < 119; ++i) rows += "2." + std::to_string(i) + " 0 0 0 0 0 0 1\n";
+  write_whole_file(root() / "bad.txt", rows);
+  const Outcome got = convert("bad.txt s --preset tum --keep-going");
+  EXPECT_EQ(got.exit_code, 0) << got.err;
+  EXPECT_EQ(got.err, "");
+  EXPECT_NE(got.out.find("1 rows left out: they cannot be read (line 1)"), std::string::npos) << got.out;
+}
+
+TEST_F(ConvertProgram, InspectTellsWhatAConversionLeftOut) {
+  write_whole_file(root() / "bad.txt",
+                   std::string_view("1.0 0 0 0 0 0 0 1\n1.1 0 0 O 0 0 0 1\n1.2 0 0 0 0 0 0 1\n"));
+  ASSERT_EQ(convert("bad.txt s --preset tum --keep-going").exit_code, 5);
+  const Outcome text = run_program(root(), "inspect s");
+  EXPECT_NE(text.out.find("left out    pose: 1 of 3: rows left out: they cannot be read"), std::string::npos)
+      << text.out;
+  const auto json = nlohmann::json::parse(run_program(root(), "inspect s --json").out);
+  const auto& part = json["session"]["conversion"]["left_out"][0];
+  EXPECT_EQ(part["stream"], "pose");
+  EXPECT_EQ(part["rows"], 1);
+  EXPECT_EQ(part["of"], 3);
+  // A session that nobody converted has nothing to tell.
+  ASSERT_EQ(run_program(root(), "synth made --duration 1").exit_code, 0);
+  const auto made = nlohmann::json::parse(run_program(root(), "inspect made --json").out);
+  EXPECT_TRUE(made["session"]["conversion"].is_null());
+  EXPECT_TRUE(made["session"]["feed_distance_m"].is_null());
 }
 
 TEST_F(ConvertProgram, ReplacesASessionOnlyAsAWhole) {
@@ -161,7 +222,8 @@ TEST_F(ConvertProgram, ReplacesASessionOnlyAsAWhole) {
 }
 
 TEST_F(ConvertProgram, OverwritesNothingThatIsNoPartOfASession) {
-  ASSERT_EQ(convert("walk.txt s --preset tum --camera pictures --camera-hfov 90").exit_code, 0);
+  ASSERT_EQ(convert("walk.txt s --preset tum --camera pictures --camera-hz 50 --camera-hfov 90").exit_code,
+            0);
   for (const char* own : {"s/notes.txt", "s/pose/raw.csv"}) {
     write_whole_file(root() / own, std::string_view("mine"));
     const Outcome got = convert("walk.txt s --preset tum --overwrite");

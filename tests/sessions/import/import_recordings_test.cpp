@@ -40,11 +40,11 @@ class ImportedRecordings : public ::testing::Test {
   Recording import(const std::string& map_name, const fs::path& head,
                    const std::optional<fs::path>& gaze = {}) {
     Recording recording;
-    const ChosenFormat format = choose_format({head, gaze}, map_name, nullptr, "", {});
+    const ChosenFormat format = choose_format({{head, gaze}, map_name, nullptr, "", {}});
     ImportRequest request;
     request.head_file = head;
     request.gaze_file = gaze;
-    request.columns = format.columns;
+    request.columns = format.format.columns;
     SessionRecorder recorder(out_ / "session");
     recording.report = import_rows(request, {[&](const PoseRow& row) {
                                                recording.poses.push_back(row);
@@ -212,11 +212,11 @@ TEST_F(ImportedRecordings, OfViveProAndPicoOpen) {
 // down, and is mounted turned by 90 degrees: the picture's right is the wearer's down.
 TEST_F(ImportedRecordings, OfAriaHaveTheirCameraWhereTheGlassesDo) {
   const fs::path folder = sessions() / "aria_mps_gen1";
-  const ChosenFormat format = choose_format({folder / "trajectory" / "closed_loop_trajectory.csv", {}},
-                                            "aria-mps", nullptr, "gen1", {});
+  const ChosenFormat format = choose_format(
+      {{folder / "trajectory" / "closed_loop_trajectory.csv", {}}, "aria-mps", nullptr, "gen1", {}});
   const fs::path calibration = real_data() / "frames" / "aria_aea" / "calib.json";
   const SessionHeader::Camera rgb =
-      read_aria_camera(calibration, "camera-rgb", {1408, 1408}, *format.columns.head);
+      read_aria_camera(calibration, "camera-rgb", {1408, 1408}, *format.format.columns.head);
   EXPECT_EQ(rgb.model.kind, CameraModelKind::fisheye624);
   // (1469.535869576514 - 32 + 0.5) / 2 - 0.5
   EXPECT_NEAR(rgb.model.cx, 718.517934788257, 1e-9);
@@ -227,15 +227,18 @@ TEST_F(ImportedRecordings, OfAriaHaveTheirCameraWhereTheGlassesDo) {
   EXPECT_LT(picture_right.y, -std::cos(glm::radians(15.0)));
   // The CAD puts it 56 mm to the left of the middle, 7 mm up and 13 mm ahead; glasses bend by millimetres.
   EXPECT_LT(glm::distance(rgb.head_from_camera.position, glm::dvec3(-0.056, 0.007, -0.013)), 0.006);
-  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-rgb", {640, 480}, *format.columns.head),
-                     "for pictures of another size");
   EXPECT_INPUT_ERROR(
-      (void)read_aria_camera(calibration, "camera-slam-left", {512, 384}, *format.columns.head),
+      (void)read_aria_camera(calibration, "camera-rgb", {640, 480}, *format.format.columns.head),
       "for pictures of another size");
-  EXPECT_INPUT_ERROR((void)read_aria_camera(calibration, "camera-red", {640, 480}, *format.columns.head),
-                     "give --camera-label with one of: camera-slam-left");
+  EXPECT_INPUT_ERROR(
+      (void)read_aria_camera(calibration, "camera-slam-left", {512, 384}, *format.format.columns.head),
+      "for pictures of another size");
+  EXPECT_INPUT_ERROR(
+      (void)read_aria_camera(calibration, "camera-red", {640, 480}, *format.format.columns.head),
+      "give --camera-label with one of: camera-slam-left");
   const fs::path online = folder / "trajectory" / "online_calibration.jsonl";
-  EXPECT_GT(read_aria_camera(online, "camera-slam-left", {640, 480}, *format.columns.head).model.fx, 240);
+  EXPECT_GT(read_aria_camera(online, "camera-slam-left", {640, 480}, *format.format.columns.head).model.fx,
+            240);
 }
 
 }  // namespace

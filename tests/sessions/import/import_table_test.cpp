@@ -31,10 +31,10 @@ struct Imported {
 
 Imported import(const std::shared_ptr<const ColumnMap>& map, const std::string& preset,
                 const std::filesystem::path& head, bool keep_going = false) {
-  const ChosenFormat format = choose_format({head, {}}, preset, map, "", {});
+  const ChosenFormat format = choose_format({{head, {}}, preset, map, "", {}});
   ImportRequest request;
   request.head_file = head;
-  request.columns = format.columns;
+  request.columns = format.format.columns;
   request.keep_going = keep_going;
   Imported result;
   result.report = import_rows(request, {[&](const PoseRow& row) { result.poses.push_back(row); },
@@ -79,10 +79,10 @@ TEST_F(ImportedTable, IsRepairedAndSaysSo) {
   EXPECT_EQ(stream.intervals.widest_ns(), 50'000'000);
   EXPECT_EQ(stream.intervals.widest_line(), 9);
   EXPECT_DOUBLE_EQ(stream.rate_hz(), 100);  // intervals 10, 10, 10, 50 ms
-  ASSERT_EQ(got.report.warnings.size(), 3u);
-  EXPECT_PRED2(holds, got.report.warnings[0], "head.csv:4: the time stamp repeats the one before");
-  EXPECT_PRED2(holds, got.report.warnings[1], "head.csv:5: the time stamp goes backwards");
-  EXPECT_PRED2(holds, got.report.warnings[2], "head.csv:10: the file ends within this line");
+  EXPECT_EQ(stream.fates.lines[static_cast<std::size_t>(RowFate::repeated_stamp)][0], 4);
+  EXPECT_EQ(stream.fates.lines[static_cast<std::size_t>(RowFate::backward_stamp)][0], 5);
+  ASSERT_EQ(got.report.warnings.size(), 1u);
+  EXPECT_PRED2(holds, got.report.warnings[0], "head.csv:10: the file ends within this line");
 }
 
 TEST_F(ImportedTable, WithAFaultIsRefusedWithItsLine) {

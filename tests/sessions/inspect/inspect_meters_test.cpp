@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sessions/import/import_rows.h"
-#include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/presets/choose_format.h"
 #include "sessions/inspect/time_profile.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/streams/interval_census.h"
@@ -89,11 +89,10 @@ TEST(StreamOffset, TellsADriftOnlyBeyondWhatTheRatesHide) {
 // A trial through the built-in map, as `herr convert` makes a session of it.
 void import_trial(const std::filesystem::path& trials, const std::string& name,
                   const RecordedFolder& folder) {
-  ColumnMap map;
-  for (const BuiltInMap& built_in : built_in_maps())
-    if (built_in.name == "jov2023") map = parse_column_map(built_in.json, built_in.name);
+  const FormatRequest request{
+      {trials / (name + "_head.csv"), trials / (name + "_gaze.csv")}, "jov2023", nullptr, "", {}};
   SessionRecorder recorder(folder / "made");
-  import_rows({trials / (name + "_head.csv"), trials / (name + "_gaze.csv"), &map, false},
+  import_rows(import_request(request, choose_format(request).format.columns),
               {[&](const PoseRow& row) { recorder.add_pose(row); },
                [&](const GazeRow& row) { recorder.add_gaze(row); }});
   SessionHeader header;

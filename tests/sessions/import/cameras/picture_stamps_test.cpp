@@ -156,11 +156,11 @@ TEST(PictureStamps, DatesInNamesWithoutAZoneAreSaidToBeTakenAsUtc) {
   const RecordedFolder folder;
   const CameraPictures pictures = pictures_named(folder, {"20161213_212113.png"});
   const StampedPictures utc = stamps_from_names(pictures, "{date:%Y%m%d_%H%M%S}");
-  ASSERT_EQ(utc.remarks.size(), 1u);
-  EXPECT_PRED2(test::holds, utc.remarks[0], "taken as UTC");
+  ASSERT_EQ(utc.assumed.size(), 1u);
+  EXPECT_PRED2(test::holds, utc.assumed[0], "taken as UTC");
   // An hour east of Greenwich the clock shows 21:21:13 an hour earlier.
   const StampedPictures east = stamps_from_names(pictures, "{date:%Y%m%d_%H%M%S}", 60);
-  EXPECT_TRUE(east.remarks.empty());
+  EXPECT_TRUE(east.assumed.empty());
   EXPECT_EQ(utc.pictures[0].stamp_ns - east.pictures[0].stamp_ns, 3'600'000'000'000);
 }
 

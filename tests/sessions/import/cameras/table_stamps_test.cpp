@@ -67,7 +67,10 @@ TEST(TableStamps, RowsWithoutNamesBelongToPicturesInNaturalOrder) {
   const RecordedFolder folder;
   const CameraPictures pictures = numbered(folder, 5, "frame_");
   folder.write("t.csv", "ms\n1750000000350\n1750000000383\n1750000000416\n1750000001416\n1750000001449\n");
-  EXPECT_EQ(stamps_in(stamps_from_table(pictures, folder / "t.csv", milliseconds())), kFive);
+  const StampedPictures stamped = stamps_from_table(pictures, folder / "t.csv", milliseconds());
+  EXPECT_EQ(stamps_in(stamped), kFive);
+  EXPECT_EQ(stamped.assumed,
+            std::vector<std::string>{"row by row, t.csv stamps the pictures in the order of their names"});
   folder.write("t.csv", "ms\n1750000000350\n1750000000383\n");
   EXPECT_INPUT_ERROR(stamps_from_table(pictures, folder / "t.csv", milliseconds()),
                      "t.csv: has 2 rows, and ");
@@ -75,6 +78,43 @@ TEST(TableStamps, RowsWithoutNamesBelongToPicturesInNaturalOrder) {
 }
 
 // data.csv of EuRoC: a header line with #, nanoseconds, names of the stamps.
+// 1750000000 s is 2025-06-15 15:06:40 UTC (date -u -d @1750000000).
+TEST(TableStamps, DatesWithoutAZoneAreSaidToBeTakenAsUtc) {
+  const RecordedFolder folder;
+  const CameraPictures pictures = numbered(folder, 2);
+  CameraColumns columns = milliseconds_and_file();
+  columns.time.kind = TimeColumns::Kind::date;
+  columns.time.column = {"when", 0};
+  const auto read = [&](const std::string& zone) {
+    folder.write("t.csv",
+                 "when,file\n2025-06-15T15:06:40.350" + zone + ",1\n2025-06-15T15:06:40.383" + zone + ",2\n");
+    return stamps_from_table(pictures, folder / "t.csv", columns);
+  };
+  const StampedPictures utc = read("");
+  EXPECT_EQ(stamps_in(utc), (std::vector<TimeNs>{kFive[0], kFive[1]}));
+  EXPECT_EQ(utc.assumed, std::vector<std::string>{"the dates in t.csv name no zone and are taken as UTC"});
+  EXPECT_TRUE(read("Z").assumed.empty());
+  columns.time.zone_minutes = 60;
+  const StampedPictures east = read("");
+  EXPECT_TRUE(east.assumed.empty());
+  EXPECT_EQ(kFive[0] - stamps_in(east)[0], 3'600'000 * kMs);
+}
+
+TEST(TableStamps, ARateIsSaidToBeAssumed) {
+  const RecordedFolder folder;
+  const CameraPictures pictures = numbered(folder, 3);
+  CameraColumns columns = milliseconds_and_file();
+  columns.time = {};
+  columns.time.kind = TimeColumns::Kind::rate;
+  columns.time.rate_hz = 20;
+  folder.write("t.csv", "file\n1\n2\n3\n");
+  const StampedPictures stamped = stamps_from_table(pictures, folder / "t.csv", columns);
+  EXPECT_EQ(stamps_in(stamped), (std::vector<TimeNs>{0, 50 * kMs, 100 * kMs}));
+  EXPECT_EQ(
+      stamped.assumed,
+      std::vector<std::string>{"stamps of pictures, which were not recorded: 20 a second, as the map says"});
+}
+
 TEST(TableStamps, EurocsTableIsOne) {
   const RecordedFolder folder;
   folder.write_image("cam/1403636579763555584.png", 4, 3);

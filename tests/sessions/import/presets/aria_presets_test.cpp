@@ -58,15 +58,15 @@ TEST_F(AriaPresets, OfAriaTellTheGlassesByTheHorizon) {
       SCOPED_TRACE(testing::Message() << "gen2 " << gen2 << ", graph and gravity " << graph);
       folder_.write("t.csv", aria_trajectory(gen2 ? kGen2 : kGen1, graph, graph));
       const PresetImport got = import("aria-mps", "t.csv");
-      EXPECT_EQ(got.format.variant, gen2 ? "gen2" : "gen1");
+      EXPECT_EQ(got.format.format.variant(), gen2 ? "gen2" : "gen1");
       ASSERT_EQ(got.poses.size(), 300u);
       EXPECT_EQ(got.poses[0].stamp_ns, 1130889000000);
       for (const std::size_t i : {0, 150, 299}) {
         expect_near(got.forward(i), forward_of(static_cast<int>(i)), 3e-6);
         expect_near(got.position(i), {0.001 * static_cast<double>(i), 1.6, 0}, 3e-7);
       }
-      EXPECT_EQ(got.format.columns.head->part.has_value(), graph);
-      EXPECT_EQ(got.format.columns.head->gravity.has_value(), graph);
+      EXPECT_EQ(got.format.format.columns.head->part.has_value(), graph);
+      EXPECT_EQ(got.format.format.columns.head->gravity.has_value(), graph);
     }
 }
 
@@ -86,7 +86,7 @@ TEST_F(AriaPresets, OfAriaGen2ReadAPitchForEachEye) {
   folder_.write("t.csv", aria_trajectory(kGen2, true, false));
   folder_.write("g.csv", gen2_gaze("0.08,-0.30,0.02,0.14,-0.25,-0.35"));
   const PresetImport got = import("aria-mps", "t.csv", "g.csv");
-  EXPECT_EQ(got.format.variant, "gen2");
+  EXPECT_EQ(got.format.format.variant(), "gen2");
   ASSERT_EQ(got.gaze.size(), 5u);
   EXPECT_EQ(got.gaze[0].stamp_ns, 1130889351000);
   expect_near(got.gaze[0].head_direction[0], glm::normalize(glm::dvec3(-std::tan(0.02), std::tan(-0.25), -1)),
@@ -119,7 +119,7 @@ TEST_F(AriaPresets, OfAriaGen1ReadBothKindsOfGaze) {
                 "tracking_timestamp_us,yaw_rads_cpf,pitch_rads_cpf,depth_m\n"
                 "1130889000,0.1,-0.3,\n1130989000,0.1,-0.3,\n");
   const PresetImport eyes = import("aria-mps", "t.csv", "eyes.csv");
-  EXPECT_EQ(eyes.format.variant, "gen1");
+  EXPECT_EQ(eyes.format.format.variant(), "gen1");
   ASSERT_EQ(eyes.gaze.size(), 2u);
   expect_near(eyes.gaze[0].head_direction[1], glm::normalize(glm::dvec3(-std::tan(0.14), std::tan(-0.3), -1)),
               1e-12);
@@ -143,14 +143,14 @@ std::string hot3d_table(const glm::dmat3& world, const glm::dmat3& body, const g
 TEST_F(AriaPresets, OfHot3dTellTheHeadsetsByTheHorizon) {
   folder_.write("headset_trajectory.csv", hot3d_table(kYUp, kForwardUpRight, glm::dmat3(1.0), false));
   const PresetImport quest = import("hot3d", "headset_trajectory.csv");
-  EXPECT_EQ(quest.format.variant, "quest3");
+  EXPECT_EQ(quest.format.format.variant(), "quest3");
   expect_heads(quest, 40);
   expect_near(quest.position(30), {0.3, 1.2, 0.1}, 1e-9);
   EXPECT_EQ(quest.poses[0].stamp_ns, 60000000000000);
 
   folder_.write("headset_trajectory.csv", hot3d_table(kZUp, kLeftUpForward, kGen1.cpf_from_device, false));
   const PresetImport aria = import("hot3d", "headset_trajectory.csv");
-  EXPECT_EQ(aria.format.variant, "aria");
+  EXPECT_EQ(aria.format.format.variant(), "aria");
   ASSERT_EQ(aria.poses.size(), 40u);
   expect_near(aria.forward(20), forward_of(20), 3e-6);
 }

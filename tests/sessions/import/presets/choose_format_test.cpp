@@ -22,15 +22,16 @@ std::string number(double value) {
   return text;
 }
 
-// 300 rows of 100 Hz: a head that turns to and fro by 60 degrees about the axis `up` (0 x, 1 y, 2 z) of the file,
-// its own axes parallel to the world's at the beginning.
+// 300 rows of 100 Hz: a head that turns to and fro by 60 degrees about the axis `up` (0 x, 1 y, 2 z) of the
+// file, its own axes parallel to the world's at the beginning.
 std::string turning_about(int up) {
   std::string rows = "t,x,y,z,qx,qy,qz,qw\n";
   for (int i = 0; i < 300; ++i) {
     const double half = std::sin(i * 0.03) * kPi / 6;
-    const double q[3] = {up == 0 ? std::sin(half) : 0, up == 1 ? std::sin(half) : 0, up == 2 ? std::sin(half) : 0};
-    rows += number(1 + i * 0.01) + ",0.1,1.6,0.2," + number(q[0]) + "," + number(q[1]) + "," + number(q[2]) + "," +
-            number(std::cos(half)) + "\n";
+    const double q[3] = {up == 0 ? std::sin(half) : 0, up == 1 ? std::sin(half) : 0,
+                         up == 2 ? std::sin(half) : 0};
+    rows += number(1 + i * 0.01) + ",0.1,1.6,0.2," + number(q[0]) + "," + number(q[1]) + "," + number(q[2]) +
+            "," + number(std::cos(half)) + "\n";
   }
   return rows;
 }
@@ -38,7 +39,8 @@ std::string turning_about(int up) {
 std::string head(const std::string& variant, const std::string& axes) {
   return R"({"variant": ")" + variant + R"(", "time": {"column": "t", "unit": "s"},
     "position": {"columns": ["x", "y", "z"]}, "orientation": {"quaternion_xyzw": ["qx", "qy", "qz", "qw"]},
-    "world_axes": )" + axes + R"(, "head_axes": )" + axes + "}";
+    "world_axes": )" +
+         axes + R"(, "head_axes": )" + axes + "}";
 }
 
 const std::string kYUp = R"(["right", "up", "back"])", kZUp = R"(["forward", "left", "up"])";
@@ -66,12 +68,12 @@ TEST(ChooseFormat, TakesTheSiblingInWhichTheHeadTurnsAboutTheVertical) {
 TEST(ChooseFormat, RefusesWithTheNamesOfBothWhereAStillHeadCannotTell) {
   const RecordedFolder folder;
   std::string rows = "t,x,y,z,qx,qy,qz,qw\n";
-  for (int i = 0; i < 300; ++i) rows += number(1 + i * 0.01) + ",0,0,0,0,0,0,1\n";
+  for (int i = 0; i < 300; ++i) rows += number(1 + i * 0.01) + ",0.1,1.6,0.2,0,0,0,1\n";
   folder.write("head.csv", rows);
   FormatRequest both = request(folder, head("y-up", kYUp) + "," + head("z-up", kZUp));
   const std::string error = error_of([&] { choose_format(both); });
   EXPECT_NE(error.find("variant y-up"), std::string::npos) << error;
-  EXPECT_NE(error.find("variant z-up"), std::string::npos) << error;
+  EXPECT_NE(error.find("z-up"), std::string::npos) << error;
   EXPECT_NE(error.find("--variant"), std::string::npos) << error;
   both.variant = "z-up";
   EXPECT_EQ(choose_format(both).format.variant(), "z-up");
@@ -128,34 +130,111 @@ TEST(ChooseFormat, AsksForAStillHeadWhereOnlyGazeWasRecorded) {
   EXPECT_EQ(choose_format(asked).format.columns.head, nullptr);
 }
 
-TEST(RecordingFolder, FindsTheFilesAndCamerasOfAnEurocFolderFromAboveAndFromWithin) {
-  const RecordedFolder folder;
-  folder.write("V1/mav0/state_groundtruth_estimate0/data.csv", "#t\n");
-  folder.write("V1/mav0/cam0/data.csv", "#t\n");
-  folder.write("V1/mav0/cam0/sensor.yaml", "a: 1\n");
-  folder.write_image("V1/mav0/cam0/data/1.png", 4, 4);
-  for (const char* named : {"V1", "V1/mav0"}) {
-    const FoundRecording found = find_recording(folder / named, "", nullptr);
-    EXPECT_EQ(found.files.head, folder / "V1/mav0/state_groundtruth_estimate0/data.csv") << named;
-    EXPECT_EQ(found.preset, "euroc");
-    ASSERT_EQ(found.cameras.size(), 1u);
-    EXPECT_EQ(found.cameras[0].pictures, folder / "V1/mav0/cam0/data");
-    EXPECT_EQ(found.cameras[0].calibration, folder / "V1/mav0/cam0/sensor.yaml");
-  }
+FormatRequest of_file(const std::filesystem::path& head, const std::string& preset = "") {
+  FormatRequest asked;
+  asked.files.head = head;
+  asked.preset = preset;
+  return asked;
 }
 
-TEST(RecordingFolder, SaysWhatItLooksFor) {
+// The same poses as EuRoC (ns, w first, commas) and as TUM (s, w last, blanks) write them.
+TEST(ChooseFormat, NamesThePresetThatReadsRowsWithoutNames) {
   const RecordedFolder folder;
-  folder.write("a/notes.txt", "\n");
-  EXPECT_NE(error_of([&] { find_recording(folder / "a", "", nullptr); }).find("no folder of a recorder"),
-            std::string::npos);
-  EXPECT_NE(error_of([&] { find_recording(folder / "a", "euroc", nullptr); }).find("state_groundtruth_estimate0"),
-            std::string::npos);
+  std::string euroc, tum;
+  for (int i = 0; i < 60; ++i) {
+    const std::string z = number(std::sin(0.002 * i)), w = number(std::cos(0.002 * i));
+    euroc += std::to_string(1520530308000000000 + i * 10000000) + ",0,0.2,1.4," + w + ",0,0," + z + "\n";
+    tum += number(1305031102 + 0.01 * i) + " 0 1.5 0.2 0 " + z + " 0 " + w + "\n";
+  }
+  folder.write("euroc.csv", euroc);
+  folder.write("tum.txt", tum);
+  const std::string error = error_of([&] { choose_format(of_file(folder / "euroc.csv", "tum")); });
+  EXPECT_NE(error.find("can be read by preset euroc, not by tum"), std::string::npos) << error;
+  const std::string other = error_of([&] { choose_format(of_file(folder / "tum.txt", "euroc")); });
+  EXPECT_NE(other.find("can be read by preset tum, not by euroc"), std::string::npos) << other;
+}
+
+// Stray Scanner's second column is the frame's number: taken by their place, all columns would shift by one.
+TEST(ChooseFormat, RefusesAPresetThatCountsColumnsWhereTheirNamesAreAnothers) {
+  const RecordedFolder folder;
+  std::string rows = "timestamp, frame, x, y, z, qx, qy, qz, qw\n";
+  for (int i = 0; i < 60; ++i) rows += number(86421.5 + i / 60.0) + ", 000001, 0, 0, 0, 1, 0, 0, 0\n";
+  folder.write("odometry.csv", rows);
+  const std::string error = error_of([&] { choose_format(of_file(folder / "odometry.csv", "tum")); });
+  EXPECT_NE(error.find("names columns of preset stray-scanner"), std::string::npos) << error;
+}
+
+// w first, as ios_logger writes it: read as TUM's x y z w the level head is turned by 180 degrees about z.
+TEST(ChooseFormat, NamesThePresetWhoseOrderOfNumbersMakesALevelHead) {
+  const RecordedFolder folder;
+  std::string rows;
+  for (int i = 0; i < 60; ++i) {
+    const double half = std::sin(0.1 * i) / 8;
+    rows += number(1700000000 + i / 60.0) + ",0,1.5,0.2," + number(std::cos(half)) + ",0," +
+            number(std::sin(half)) + ",0\n";
+  }
+  folder.write("poses.txt", rows);
+  FormatRequest asked = of_file(folder / "poses.txt", "tum");
+  const std::string error = error_of([&] { choose_format(asked); });
+  EXPECT_NE(error.find("it does as preset ios-logger"), std::string::npos) << error;
+  asked.variant = "y-up";
+  EXPECT_EQ(choose_format(asked).format.variant(), "y-up") << "the user insists";
+  asked = of_file(folder / "poses.txt", "ios-logger");
+  EXPECT_TRUE(choose_format(asked).remarks.empty()) << "the user's own word";
+}
+
+TEST(ChooseFormat, SaysWhatIsWrongWithAFileThatCannotBeOpenedAsAnything) {
+  const RecordedFolder folder;
+  const auto fault = [&](const std::string& content) {
+    folder.write("f.txt", content);
+    return error_of([&] { choose_format(of_file(folder / "f.txt")); });
+  };
+  EXPECT_NE(fault("").find("is empty"), std::string::npos);
+  EXPECT_NE(fault("# t x y z\n").find("no rows"), std::string::npos) << fault("# t x y z\n");
+  EXPECT_NE(fault("a b\r1 2\r3 4\r").find("CR alone"), std::string::npos);
+  const std::string entity = fault(
+      "<?xml version=\"1.0\"?>\n<!DOCTYPE d [<!ENTITY a \"1\">]><Data><GazeData "
+      "TimeStamp=\"&a;\"/></Data>\n");
+  EXPECT_NE(entity.find("f.txt:2: "), std::string::npos) << entity;
+  EXPECT_NE(entity.find("entities"), std::string::npos) << entity;
+  const std::string broken = fault("<Data>\n<GazeData TimeStamp=\"1\"></Gaze>\n</Data>\n");
+  EXPECT_NE(broken.find("no well-formed XML"), std::string::npos) << broken;
+}
+
+TEST(ChooseFormat, NamesTheRoleOfAFileThatHoldsGazeAlone) {
+  const RecordedFolder folder;
+  folder.write("gaze.csv",
+               "timestamp [ns],worn,blink id,azimuth [deg],elevation [deg]\n1700000001000000000,1,,1,2\n");
+  folder.write("imu.csv",
+               "timestamp [ns],recording id,quaternion w,quaternion x,quaternion y,quaternion z\n"
+               "1700000001000000000,a,1,0,0,0\n");
+  FormatRequest asked = of_file(folder / "gaze.csv");
+  const std::string alone = error_of([&] { choose_format(asked); });
+  EXPECT_NE(alone.find("the gaze of preset neon and no head"), std::string::npos) << alone;
+  EXPECT_NE(alone.find("--still-head"), std::string::npos) << alone;
+  asked.files.gaze = folder / "imu.csv";
+  const std::string swapped = error_of([&] { choose_format(asked); });
+  EXPECT_NE(swapped.find("the other way around"), std::string::npos) << swapped;
+}
+
+TEST(FolderOfARecorder, OneTooHighNamesTheRecordingsInIt) {
+  const RecordedFolder folder;
+  folder.write("all/a/hmd_poses.csv", "\n");
+  const std::string one = error_of([&] { find_recording(folder / "all", "", nullptr); });
+  EXPECT_NE(one.find("all/a; name that folder"), std::string::npos) << one;
+  folder.write("all/b/ARposes.txt", "\n");
+  const std::string two = error_of([&] { find_recording(folder / "all", "", nullptr); });
+  EXPECT_NE(two.find("holds several recordings"), std::string::npos) << two;
+}
+
+TEST(FolderOfARecorder, OfAMapOfTheUsersIsSearchedByItsLayouts) {
+  const RecordedFolder folder;
   ColumnMap map;
   map.layouts.push_back({"*_head.csv", "", {}});
   folder.write("b/1_head.csv", "\n");
   folder.write("b/2_head.csv", "\n");
-  EXPECT_NE(error_of([&] { find_recording(folder / "b", "", &map); }).find("several recordings"), std::string::npos);
+  EXPECT_NE(error_of([&] { find_recording(folder / "b", "", &map); }).find("several recordings"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -56,13 +56,33 @@ TEST_F(GazePresets, OfSRanipalTellMirroredGazeByTheEyesConvergence) {
     const PresetImport got = import("vive-pro", log.name);
     ASSERT_EQ(got.poses.size(), 240u);
     ASSERT_EQ(got.gaze.size(), 240u);
-    EXPECT_EQ(got.format.variant, log.variant);
+    EXPECT_EQ(got.format.format.variant(), log.variant);
     expect_near(got.gaze[0].head_direction[0], glm::normalize(glm::dvec3(0.032, -0.05, -1)), 1e-8);
     expect_near(got.gaze[0].head_direction[1], glm::normalize(glm::dvec3(-0.032, -0.05, -1)), 1e-8);
     expect_near(got.position(0), {0, 1.5, -0.3}, 1e-12);
     EXPECT_FALSE(got.gaze[100].valid[0]);
     EXPECT_TRUE(got.gaze[100].valid[1]);
     EXPECT_TRUE(got.gaze[101].valid[0]);
+  }
+}
+
+// One ray for both eyes cannot diverge: what tells is that it counters the head. The head swings by 15
+// degrees (Unity's yaw turns right), the eyes stay on a point far ahead: they turn left by as much. 300 rows
+// of 120 Hz.
+TEST_F(GazePresets, OfSRanipalTellMirroredCombinedGazeByTheHeadsTurns) {
+  for (const bool negated : {false, true}) {
+    std::string table =
+        "time(100ns);helmet_pos_x;helmet_pos_y;helmet_pos_z;helmet_rot_x;helmet_rot_y;helmet_rot_z;"
+        "eye_valid_C;gaze_direct_C.x;gaze_direct_C.y;gaze_direct_C.z\n";
+    const auto yaw = [](int i) { return 0.26 * std::sin(0.05 * i); };
+    for (int i = 0; i < 300; ++i)
+      table += std::to_string(637850000000000000 + 83333LL * i) + ";" +
+               joined({0.001 * i, 1.5, 0.3, 0, glm::degrees(yaw(i)), 0}, ";") + ";31;" +
+               unit({(negated ? -1 : 1) * std::sin(yaw(i)), 0, std::cos(yaw(i))}, ";") + "\n";
+    folder_.write("combined.txt", table);
+    const PresetImport got = import("vive-pro", "combined.txt");
+    EXPECT_EQ(got.format.format.variant(), negated ? "negated" : "raw");
+    expect_near(got.gaze[20].head_direction[0], {-std::sin(yaw(20)), 0, -std::cos(yaw(20))}, 1e-6);
   }
 }
 
@@ -74,7 +94,7 @@ TEST_F(GazePresets, OfSRanipalReadTheRealRecordingsAsTheyAre) {
   for (const char* name : {"TESTNA01_360VR_Fist3.csv", "TESTNA05_360VR_Spread7.csv"}) {
     SCOPED_TRACE(name);
     const std::filesystem::path file = real_data() / "sessions" / "eyedentify3d" / "HTC_Vive_Pro" / name;
-    EXPECT_EQ(choose_format({file, {}}, "vive-pro", nullptr, "", {}).variant, "raw");
+    EXPECT_EQ(choose_format({{file, {}}, "vive-pro", nullptr, "", {}}).format.variant(), "raw");
   }
 }
 
@@ -160,7 +180,7 @@ TEST_F(GazePresets, OfTobiiXrAreReadFromXmlWithEitherRotation) {
     SCOPED_TRACE(name);
     folder_.write(name, tobii_log(euler));
     const PresetImport got = import("tobii-xr", name);
-    EXPECT_EQ(got.format.variant, euler ? "euler" : "quaternion");
+    EXPECT_EQ(got.format.format.variant(), euler ? "euler" : "quaternion");
     ASSERT_EQ(got.poses.size(), 60u);
     ASSERT_EQ(got.gaze.size(), 60u);
     EXPECT_EQ(got.valid(0), 60);

@@ -53,13 +53,11 @@ class PresetFiles : public ::testing::Test {
     PresetImport got;
     RecordingFiles files{folder_ / head, {}};
     if (gaze) files.gaze = folder_ / *gaze;
-    got.format = choose_format(files, preset, map, "", {});
-    ImportRequest request;
-    request.head_file = files.head;
-    request.gaze_file = files.gaze;
-    request.columns = got.format.columns;
-    got.report = import_rows(request, {[&](const PoseRow& row) { got.poses.push_back(row); },
-                                       [&](const GazeRow& row) { got.gaze.push_back(row); }});
+    const FormatRequest request{files, preset, map, "", {}};
+    got.format = choose_format(request);
+    got.report = import_rows(import_request(request, got.format.format.columns),
+                             {[&](const PoseRow& row) { got.poses.push_back(row); },
+                              [&](const GazeRow& row) { got.gaze.push_back(row); }});
     return got;
   }
   RecordedFolder folder_;

@@ -77,7 +77,7 @@ TEST_F(RecordingFolder, WithoutAKnownFileSaysWhatSuchFoldersHold) {
   EXPECT_INPUT_ERROR(find_recording(folder_.path(), ""), "mav0/state_groundtruth_estimate0/data.csv (euroc)");
   EXPECT_INPUT_ERROR(find_recording(folder_.path(), "hot3d"),
                      "holds no recording as preset hot3d knows it; such folders hold headset_trajectory.csv");
-  EXPECT_INPUT_ERROR(find_recording(folder_.path(), "tum"), "preset tum reads single files");
+  EXPECT_INPUT_ERROR(find_recording(folder_.path(), "ros"), "preset ros reads single files");
 }
 
 }  // namespace

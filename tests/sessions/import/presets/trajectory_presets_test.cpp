@@ -42,7 +42,7 @@ TEST_F(TrajectoryPresets, OfEurocTellTheBodiesByTheHorizon) {
     SCOPED_TRACE(log.variant);
     folder_.write("data.csv", log.text);
     const PresetImport got = import("euroc", "data.csv");
-    EXPECT_EQ(got.format.variant, log.variant);
+    EXPECT_EQ(got.format.format.variant(), log.variant);
     expect_heads(got, 200);
     EXPECT_EQ(got.poses[0].stamp_ns, 1520530308199447626);
     expect_near(got.position(100), log.position, 1e-9);
@@ -61,7 +61,7 @@ TEST_F(TrajectoryPresets, OfTumviLookAgainstTheBodysY) {
   }
   folder_.write("data.csv", text);
   const PresetImport got = import("euroc", "data.csv");
-  EXPECT_EQ(got.format.variant, "tumvi");
+  EXPECT_EQ(got.format.format.variant(), "tumvi");
   ASSERT_EQ(got.poses.size(), 60u);
   expect_near(got.forward(0), {0, 0, 1}, 1e-9);
   expect_near(got.up(0), {0, 1, 0}, 1e-9);
@@ -100,14 +100,14 @@ std::string matrix_table(const glm::dmat3& world, const glm::dmat3& body, bool t
 TEST_F(TrajectoryPresets, OfReplicaReadMatricesAtARate) {
   folder_.write("traj.txt", matrix_table(kZUp, kCamera, true));
   const PresetImport replica = import("replica", "traj.txt");
-  EXPECT_EQ(replica.format.variant, "replica");
+  EXPECT_EQ(replica.format.format.variant(), "replica");
   expect_heads(replica, 60);
   EXPECT_EQ(replica.poses[30].stamp_ns, 1000000000);
   expect_near(replica.position(30), {0.3, 0, -1.5}, 1e-9);
 
   folder_.write("traj.txt", matrix_table(kYUp, kYUp, false));
   const PresetImport y_up = import("replica", "traj.txt");
-  EXPECT_EQ(y_up.format.variant, "y-up");
+  EXPECT_EQ(y_up.format.format.variant(), "y-up");
   ASSERT_EQ(y_up.poses.size(), 60u);
   expect_near(y_up.position(30), {0.3, 1.5, 0}, 1e-9);
   expect_near(y_up.forward(0), {0, 0, -1}, 1e-12);
@@ -200,7 +200,7 @@ TEST_F(TrajectoryPresets, OfVideo360ReadDateText) {
 TEST_F(TrajectoryPresets, KnowRealRecordings) {
   if (real_data().empty()) GTEST_SKIP() << "no real recordings";
   const auto variant = [](const std::string& preset, const std::string& name) {
-    return choose_format({real_data() / "sessions" / name, {}}, preset, nullptr, "", {}).variant;
+    return choose_format({{real_data() / "sessions" / name, {}}, preset, nullptr, "", {}}).format.variant();
   };
   EXPECT_EQ(variant("euroc", "euroc_gt/V1_01_easy.csv"), "euroc");
   EXPECT_EQ(variant("aria-mps", "aria_mps_gen1/trajectory/closed_loop_trajectory.csv"), "gen1");

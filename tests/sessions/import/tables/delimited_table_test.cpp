@@ -50,6 +50,33 @@ TEST_F(DelimitedRows, AreReadByNameOrNumberInAnyOrder) {
   EXPECT_EQ(read("a\tb\tc\n\t2\t3\n1\t\t3\n", separated_by('\t'), named({"a", "b", "c"})).rows, "|2|3;1||3");
 }
 
+// Below a header line in another order the columns are others, and no row counts; a line of units below a
+// header line that comes again is passed over with it.
+TEST_F(DelimitedRows, DoNotCountBelowAnotherHeaderLine) {
+  const TableText other =
+      read("t,x,y,z\n1,2,3,4\nt,y,x,z\n5,6,7,8\n9,10,11,12\n", separated_by(','), named({"t", "x"}));
+  EXPECT_EQ(other.rows, "1|2");
+  ASSERT_EQ(other.faults.size(), 3u);
+  EXPECT_NE(other.faults[0].find("t.csv:3: is another header line"), std::string::npos) << other.faults[0];
+  EXPECT_NE(other.faults[2].find("t.csv:5: stands below another header line (line 3)"), std::string::npos);
+  const TableText again =
+      read("t,x,y,z\ns,m,m,m\n1,2,3,4\nt,x,y,z\ns,m,m,m\n5,6,7,8\n", separated_by(','), named({"t", "x"}));
+  EXPECT_EQ(again.rows, "1|2;5|6");
+  EXPECT_EQ(again.counts.repeated_headers, 3) << "units, header and units";
+  EXPECT_EQ(read("id,tag,x,y\na,b,1,2\nLOST,LOST,,\n", separated_by(','), named({"id", "x"})).rows,
+            "a|1;LOST|");
+}
+
+// HoloLens 2's *_pv.txt: intrinsics of the camera above rows of another width. Numbers as wide as the rows
+// are a row where the map expects names.
+TEST_F(DelimitedRows, MayStandBelowALineOfOtherNumbers) {
+  TableFormat format = separated_by(',');
+  format.ragged = true;
+  EXPECT_EQ(read("960.5,540.2,1920,1080\n11,1400.5,0,0,1\n12,1400.5,0,0,1\n", format, numbered({1})).rows,
+            "11;12");
+  EXPECT_EQ(read("1.5,2,3\n4.5,5,6\n", format, numbered({1})).rows, "1.5;4.5");
+}
+
 TEST_F(DelimitedRows, MayEndWithSeparatorsInHeaderOrRows) {
   for (const char* header : {"a,b", "a,b,", "a,b,,"})
     for (const char* row : {"1,2", "1,2,", "1,2, ,"})
