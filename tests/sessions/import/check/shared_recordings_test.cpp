@@ -210,8 +210,9 @@ TEST(SharedRecordings, RaiseNoneOfTheWarningsOfWrongAxesClocksAndDeadTrackers) {
   for (const Known& known : recordings())
     // Left and right are exchanged in the gaze file with vergence: its rays meet behind the head, at the
     // distance that it calls depth. Beside the head, which its eyes counter, this is a note.
-    if (!known.still_head)
+    if (!known.still_head) {
       EXPECT_EQ(warnings_of(real_data() / "sessions", known), "") << known.file << " " << known.gaze;
+    }
 }
 
 }  // namespace
