@@ -143,6 +143,21 @@ TEST_F(ProposalOf, CentimetresAndARotatorAreUnreals) {
   expect_read_as(person, found);
 }
 
+// Roll, pitch and yaw in metres are nobody's for certain, and no gaze.
+TEST_F(ProposalOf, RollPitchAndYawInMetresAreAskedFor) {
+  const MadeRecording person = walking_person(12, 20);
+  const Proposal asked = proposal(written(
+      person, "stamp,x,y,z,roll,pitch,yaw", kRightForwardUp, kRightForwardUp, kRightForwardUp,
+      [](const WrittenPose& row) {
+        const glm::dmat3& m = row.rotation;
+        return text_of_numbers({row.seconds}) + "," + text_of(row.position) + "," +
+               text_of_numbers({glm::degrees(std::atan2(m[1][2], m[2][2])), glm::degrees(-std::asin(m[0][2])),
+                                glm::degrees(std::atan2(m[0][1], m[0][0]))});
+      }));
+  expect_asked(asked, "In which order and sense the angles turn");
+  EXPECT_FALSE(holds(all(asked), "gaze")) << all(asked);
+}
+
 TEST_F(ProposalOf, TwoAnglesOfTheGazeAreAskedFor) {
   const MadeRecording person = walking_person(13, 20);
   expect_asked(proposal(written(person, kQuaternions + ",gaze_azimuth,gaze_elevation", kRightUpForward,

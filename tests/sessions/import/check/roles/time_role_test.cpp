@@ -1,4 +1,4 @@
-#include "sessions/import/check/time_role.h"
+#include "sessions/import/check/roles/time_role.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +59,12 @@ TEST(TimeRole, ReadsDates) {
       time_of("When,x", [](int i) { return "2016-12-13 21:21:13." + std::to_string(100 + 11 * i) + ",1"; });
   EXPECT_EQ(role.time.kind, TimeColumns::Kind::date);
   EXPECT_EQ(role.time.column.name, "When");
+}
+
+TEST(TimeRole, BelievesTheFirstColumnWhateverItIsCalled) {
+  const TimeRole role = time_of("Zeit,x", [](int i) { return std::to_string(5000 + 11 * i) + ",1"; });
+  EXPECT_EQ(role.time.unit, TimeUnit::ms);
+  EXPECT_EQ(role.time.column.name, "Zeit");
 }
 
 TEST(TimeRole, TakesNoNumberOfTheRowForATime) {

@@ -1,4 +1,4 @@
-#include "sessions/import/check/rotation_roles.h"
+#include "sessions/import/check/roles/rotation_roles.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <string>
 
-#include "sessions/import/check/position_role.h"
+#include "sessions/import/check/roles/position_role.h"
 #include "tests/sessions/import/check/written_person.h"
 #include "tests/sessions/recorded_folder.h"
 

@@ -1,4 +1,4 @@
-#include "sessions/import/check/matrix_columns.h"
+#include "sessions/import/check/roles/matrix_columns.h"
 
 #include <algorithm>
 #include <cmath>
