@@ -71,16 +71,28 @@ std::string command_line(const ConvertOptions& options, const Proposal& proposal
   return line;
 }
 
-std::string text_of(const Proposal& proposal, const std::string& line, bool map_written) {
+// What writes the map that the command line needs.
+std::string writing_line(const ConvertOptions& options, const Proposal& proposal) {
+  std::string line = "herr convert --check " + quoted(path_word(options.head));
+  if (options.gaze) line += " --gaze " + quoted(path_word(*options.gaze));
+  if (options.still.head) line += " --still-head";
+  if (options.still.gaze) line += " --still-gaze";
+  return proposal.map_json.empty() ? "" : line + " --write-map MAP.json";
+}
+
+std::string text_of(const ConvertOptions& options, const Proposal& proposal, const std::string& line,
+                    bool map_written) {
   std::string text = std::string("confidence: ") + word_of(proposal.certainty) + "\n";
   for (const std::string& reason : proposal.reasons) text += "  " + whole_text(reason) + "\n";
   if (!proposal.questions.empty()) text += "please say:\n";
   for (const std::string& question : proposal.questions) text += "  " + whole_text(question) + "\n";
+  const bool needs_map = !proposal.map_json.empty() && !map_written;
+  if (!line.empty() && needs_map) text += "first:       " + writing_line(options, proposal) + "\n";
   if (!line.empty()) text += "recommended: " + line + "\n";
-  if (proposal.map_json.empty() || map_written) return text;
+  if (!needs_map) return text;
   return text +
          (line.empty() ? "a draft of a map, to be completed by the answers (or give --write-map FILE):\n"
-                       : "with this in MAP.json (or give --write-map FILE):\n") +
+                       : "MAP.json:\n") +
          proposal.map_json;
 }
 
@@ -104,7 +116,7 @@ int run_format_check(const ConvertOptions& options, const FormatRequest& request
   const bool write = !options.write_map.empty() && !proposal.map_json.empty();
   if (write) write_whole_file(options.write_map, proposal.map_json);
   const std::string line = command_line(options, proposal);
-  print_result(options.json ? json_of(proposal, line) : text_of(proposal, line, write));
+  print_result(options.json ? json_of(proposal, line) : text_of(options, proposal, line, write));
   return proposal.certainty == Proposal::Certainty::cannot_tell ? kExitInconclusive : kExitDone;
 }
 

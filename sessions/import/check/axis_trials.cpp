@@ -214,6 +214,9 @@ AxisVerdict settle_axes(const RecordingFiles& files, const std::vector<AxisReadi
   if (!verdict.trial.error && !verdict.trial.words.empty())
     verdict.reasons.push_back(std::string("With the axes of ") + verdict.axes->words + " " +
                               verdict.trial.words + ".");
+  if (verdict.map)
+    verdict.reasons.push_back(
+        "Whether a recording is mirrored shows in no data: the hand of the axes is the one that is usual.");
   if (verdict.walks_ahead && verdict.map)
     verdict.reasons.push_back("The head goes where it looks over " +
                               share_text(verdict.trial.figures.forwards_share.value_or(1)) + " of the way.");

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sessions/import/check/axis_trials.h"
-#include "sessions/import/check/column_names.h"
-#include "sessions/import/check/sniffed_table.h"
+#include "sessions/import/check/roles/column_names.h"
+#include "sessions/import/check/roles/sniffed_table.h"
 #include "sessions/import/map/map_words.h"
 #include "sessions/import/presets/recording_folder.h"
 #include "sessions/import/rows/head_reader.h"

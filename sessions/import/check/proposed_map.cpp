@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "sessions/import/check/axis_trials.h"
-#include "sessions/import/check/column_names.h"
-#include "sessions/import/check/gaze_role.h"
-#include "sessions/import/check/position_role.h"
-#include "sessions/import/check/rotation_roles.h"
-#include "sessions/import/check/sniffed_table.h"
-#include "sessions/import/check/time_role.h"
+#include "sessions/import/check/roles/column_names.h"
+#include "sessions/import/check/roles/gaze_role.h"
+#include "sessions/import/check/roles/position_role.h"
+#include "sessions/import/check/roles/rotation_roles.h"
+#include "sessions/import/check/roles/sniffed_table.h"
+#include "sessions/import/check/roles/time_role.h"
 
 namespace herr {
 namespace {
@@ -147,8 +147,9 @@ void judge_angles(const RotationRole& rotation, bool centimetres, const AxisVerd
 std::optional<GazeColumns> gaze_columns(const RecordingFiles& files, FoundColumns& found,
                                         ProposedMap& proposed) {
   const bool own_file = files.gaze.has_value();
+  const bool beside_head = !own_file && !found.rotations.roles.empty();
   const std::optional<SniffedTable> table = own_file ? sniff_table(*files.gaze) : found.head_table;
-  const std::optional<GazeRole> role = table ? find_gaze(*table) : std::nullopt;
+  const std::optional<GazeRole> role = table ? find_gaze(*table, beside_head) : std::nullopt;
   if (!role) {
     if (own_file)
       proposed.questions.push_back(table
@@ -253,7 +254,7 @@ ProposedMap propose_map(const RecordingFiles& files, const StillParts& still) {
   found.head_table = std::move(*table);
   found.time = find_time(found.head_table);
   found.rotations = find_rotations(found.head_table, found.time);
-  if (found.rotations.roles.empty() && !files.gaze && find_gaze(found.head_table)) {
+  if (found.rotations.roles.empty() && !files.gaze && find_gaze(found.head_table, false)) {
     proposed.reasons.push_back("No columns are the rotation of a head: it is a log of gaze alone.");
     return propose_gaze(files.head, found, std::move(proposed));
   }

@@ -19,8 +19,8 @@ inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 100000;
 struct TrialImport {
   std::optional<InputError> error;  // what reading threw
   PlausibilityFigures figures;
-  std::string rarity;           // that its rows are too rare for a head; or empty
-  double unusable_share = 0;    // of the poses or the gaze, the larger; without lost tracking
+  std::string rarity;                // that its rows are too rare for a head; or empty
+  double unusable_share = 0;         // of the poses or the gaze, the larger; without lost tracking
   std::string words, gaze_words;     // of the head; of the eyes, or empty
   std::vector<std::string> remarks;  // what the clock did, where ids change: whole sentences
   double pose_hz = 0, gaze_hz = 0;

@@ -1,4 +1,4 @@
-#include "sessions/import/check/sniffed_table.h"
+#include "sessions/import/check/roles/sniffed_table.h"
 
 #include <algorithm>
 #include <array>

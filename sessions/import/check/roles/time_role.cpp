@@ -1,4 +1,4 @@
-#include "sessions/import/check/time_role.h"
+#include "sessions/import/check/roles/time_role.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "sessions/import/check/column_names.h"
+#include "sessions/import/check/roles/column_names.h"
 #include "sessions/import/text/date_text.h"
 #include "sessions/text/fixed_text.h"
 
@@ -96,7 +96,8 @@ std::optional<ClockColumn> clock_column(const SniffedTable& table, std::size_t c
   const bool named = !table.names.empty();
   const NameWords name = words_of(named ? table.names[column] : "");
   clock.score = named ? time_score(name) : column == 0 ? 3 : -1;
-  if (clock.score <= 0 && (column > 0 || named)) return std::nullopt;
+  // A name that says nothing is believed in the first column alone.
+  if (clock.score < 0 || (clock.score == 0 && column > 0)) return std::nullopt;
   clock.unit = guessed_unit(values->front(), *step);
   if (const auto by_name = named_unit(name)) {
     clock.against_name = !usual_rate(1 / (*step * by_name->seconds));
@@ -119,7 +120,7 @@ void say_clock(const SniffedTable& table, const ClockColumn& clock, TimeRole& ro
   role.time.unit = clock.unit->unit;
   role.step_s = clock.step * clock.unit->seconds;
   const std::string rate = fixed_text(1 / role.step_s, 1) + " Hz";
-  role.reasons.push_back("The time stands in " + called + ", in " + clock.unit->word + ": it grows by " +
+  role.reasons.push_back("The time stands in " + called + ", in " + clock.unit->word + ": rows come at " +
                          rate + ".");
   if (clock.against_name)
     role.questions.push_back("Whether " + called + " is in " + clock.unit->word +
@@ -151,7 +152,7 @@ bool find_two_columns(const SniffedTable& table, TimeRole& role) {
   role.time.nanoseconds = table.ref(*nanoseconds);
   role.step_s = *step;
   role.reasons.push_back("The time stands in " + table.called(*seconds) + " (whole seconds) and " +
-                         table.called(*nanoseconds) + " (nanoseconds): it grows by " +
+                         table.called(*nanoseconds) + " (nanoseconds): rows come at " +
                          fixed_text(1 / *step, 1) + " Hz.");
   return true;
 }

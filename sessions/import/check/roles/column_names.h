@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sessions/import/check/sniffed_table.h"
+#include "sessions/import/check/roles/sniffed_table.h"
 
 namespace herr {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/check/sniffed_table.h"
-#include "sessions/import/check/time_role.h"
+#include "sessions/import/check/roles/sniffed_table.h"
+#include "sessions/import/check/roles/time_role.h"
 #include "sessions/import/map/column_map.h"
 
 namespace herr {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sessions/import/check/sniffed_table.h"
+#include "sessions/import/check/roles/sniffed_table.h"
 #include "sessions/import/map/column_map.h"
 
 namespace herr {

@@ -1,4 +1,4 @@
-#include "sessions/import/check/rotation_roles.h"
+#include "sessions/import/check/roles/rotation_roles.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "sessions/import/check/column_names.h"
-#include "sessions/import/check/matrix_columns.h"
+#include "sessions/import/check/roles/column_names.h"
+#include "sessions/import/check/roles/matrix_columns.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/check/rotation_roles.h"
-#include "sessions/import/check/sniffed_table.h"
+#include "sessions/import/check/roles/rotation_roles.h"
+#include "sessions/import/check/roles/sniffed_table.h"
 
 namespace herr {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sessions/import/check/sniffed_table.h"
-#include "sessions/import/check/time_role.h"
+#include "sessions/import/check/roles/sniffed_table.h"
+#include "sessions/import/check/roles/time_role.h"
 #include "sessions/import/map/column_map.h"
 
 namespace herr {
@@ -17,8 +17,9 @@ struct GazeRole {
   std::optional<GazeSpace> space;      // where the names tell
   std::vector<std::string> reasons, questions;
 };
-// None: nothing is called so. A question without rays: there is gaze, and nobody can say where.
-std::optional<GazeRole> find_gaze(const SniffedTable& table);
+// `beside_head`: the table also holds a head, whose columns are called dir, yaw and pitch too. None: nothing
+// is called so. A question without rays: there is gaze, and nobody can say where.
+std::optional<GazeRole> find_gaze(const SniffedTable& table, bool beside_head);
 
 // The rows that a column of flags calls good, for the head's columns or those of an eye; passes all where
 // there is none. A column that speaks of validity otherwise than by 0 and 1 is asked for.

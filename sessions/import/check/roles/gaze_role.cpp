@@ -1,4 +1,4 @@
-#include "sessions/import/check/gaze_role.h"
+#include "sessions/import/check/roles/gaze_role.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "sessions/import/check/column_names.h"
-#include "sessions/import/check/rotation_roles.h"
+#include "sessions/import/check/roles/column_names.h"
+#include "sessions/import/check/roles/rotation_roles.h"
 
 namespace herr {
 namespace {
@@ -200,12 +200,9 @@ RowFilter find_flags(const SniffedTable& table, FlagOf of, std::vector<std::stri
   return filter;
 }
 
-std::optional<GazeRole> find_gaze(const SniffedTable& table) {
+std::optional<GazeRole> find_gaze(const SniffedTable& table, bool beside_head) {
   GazeRole role;
-  // In a file without a head, "dir" alone is the gaze's.
-  const bool only_gaze = std::none_of(table.names.begin(), table.names.end(), [](const std::string& name) {
-    return head_score(words_of(name)) > 0 || words_of(name).has_start({"rot", "quat", "q"});
-  });
+  const bool only_gaze = !beside_head;
   Sides sides = vectors_of(table, only_gaze);
   if (!sides.any()) {
     if (add_angles(table, only_gaze, role)) return role;

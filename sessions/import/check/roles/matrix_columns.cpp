@@ -1,4 +1,4 @@
-#include "sessions/import/check/matrix_columns.h"
+#include "sessions/import/check/roles/matrix_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +47,8 @@ std::vector<MatrixColumns> find_matrices(const SniffedTable& table) {
     for (std::size_t first = 0; first + size.numbers <= table.columns(); ++first) {
       std::vector<MatrixColumns> found;
       for (const bool column_major : {false, true}) {
+        // By columns it is a 3x3 followed by three numbers, of whatever kind.
+        if (size.kind == RotationKind::matrix_3x4 && column_major) continue;
         const MatrixColumns columns{size.kind, column_major, first, size.numbers};
         if (fits(table, columns)) found.push_back(columns);
       }

@@ -1,10 +1,10 @@
-#include "sessions/import/check/position_role.h"
+#include "sessions/import/check/roles/position_role.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "sessions/import/check/column_names.h"
+#include "sessions/import/check/roles/column_names.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {
@@ -63,7 +63,7 @@ void find_unit(const SniffedTable& table, const TimeRole& time, PositionRole& ro
   const LengthUnit& chosen = kLengths[unit];
   role.metres_per_unit = chosen.metres;
   role.reasons.push_back("The position stands in " + table.called(role.columns[0]) +
-                         " and its neighbours, in " + chosen.word + ": the head moves at up to " +
+                         " and its neighbours, in " + chosen.word + ": nine of ten steps are slower than " +
                          fixed_text(speed * chosen.metres, 2) + " m/s.");
   const bool others = std::any_of(kLengths.begin(), kLengths.end(), moves_as_heads);
   if (speed > 0 && others && !moves_as_heads(chosen))

@@ -1,4 +1,4 @@
-#include "sessions/import/check/column_names.h"
+#include "sessions/import/check/roles/column_names.h"
 
 #include <algorithm>
 #include <cctype>
