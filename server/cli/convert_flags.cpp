@@ -1,39 +1,39 @@
 #include "server/cli/convert_flags.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "server/cli/flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
+#include "sessions/import/text/date_text.h"
 
 namespace herr {
 namespace {
 
-constexpr double kLongestOffsetMs = 1e12;
-constexpr int kWidestZoneHours = 14;
+constexpr double kLongestOffsetMs = 4e12;  // what a session can hold
 
-// "+01:00", "-0530", "Z": minutes east of Greenwich.
-int parse_zone(const std::string& flag, const std::string& text) {
-  if (text == "Z" || text == "UTC") return 0;
-  const auto digit = [&](std::size_t i) { return text[i] >= '0' && text[i] <= '9'; };
-  const bool colon = text.size() == 6 && text[3] == ':';
-  const std::size_t minutes_at = colon ? 4 : 3;
-  const bool shaped = (colon || text.size() == 5) && (text[0] == '+' || text[0] == '-') && digit(1) &&
-                      digit(2) && digit(minutes_at) && digit(minutes_at + 1);
-  const int hours = shaped ? std::stoi(text.substr(1, 2)) : 0;
-  const int minutes = shaped ? std::stoi(text.substr(minutes_at, 2)) : 0;
-  if (!shaped || hours > kWidestZoneHours || minutes > 59)
-    throw UsageError(flag + ": '" + text + "' is no time zone; write +01:00, -05:30 or Z");
-  return (text[0] == '-' ? -1 : 1) * (60 * hours + minutes);
+// Minutes east of Greenwich.
+int zone_from(const std::string& flag, const std::string& text) {
+  const std::optional<int> minutes = parse_zone(text);
+  if (!minutes) throw UsageError(flag + ": '" + text + "' is no time zone; write +01:00, -05:30 or Z");
+  return *minutes;
 }
 
 double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
   const bool minus = text.starts_with("-");
-  const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
-  return minus ? -value : value;
+  try {
+    const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
+    return minus ? -value : value;
+  } catch (const UsageError&) {
+    throw UsageError(flag + ": '" + printable(text) + "' is no number from -" + shortest_text(highest) +
+                     " to " + shortest_text(highest));
+  }
 }
 
 // Given once for each camera.
@@ -94,7 +94,7 @@ void add_feed_flags(CLI::App& app, FeedOptions& feed) {
       feed.names);
   value_flag(app, "--camera-zone", "ZONE",
              "time zone of dates in tables, names and EXIF that state none: +01:00",
-             [&](const std::string& text) { feed.zone_minutes = parse_zone("--camera-zone", text); });
+             [&](const std::string& text) { feed.zone_minutes = zone_from("--camera-zone", text); });
   value_flag(app, "--camera-hz", "X",
              "no stamps were recorded: so many pictures a second from the first pose on",
              [&](const std::string& text) { feed.hz = parse_real_number("--camera-hz", text, 0.1, 1000); });
@@ -154,8 +154,12 @@ void check_convert_flags(const ConvertOptions& options) {
   if (options.head.empty()) throw UsageError("HEAD: missing; give the recording");
   if (!options.write_map.empty() && !options.check) throw UsageError("--write-map: give --check too");
   if (options.check && !options.out.empty()) throw UsageError("OUT: --check converts nothing; leave it out");
-  if (options.check && (!options.preset.empty() || !options.map.empty()))
-    throw UsageError("--check: proposes a format; leave --preset and --map out");
+  if (options.check && (!options.preset.empty() || !options.map.empty() || !options.variant.empty()))
+    throw UsageError("--check: proposes a format; leave --preset, --variant and --map out");
+  if (options.check && (options.still.head || options.still.gaze))
+    throw UsageError("--check: finds out what was not recorded; leave --still-head and --still-gaze out");
+  if (options.check && !options.feed.pictures.empty())
+    throw UsageError("--check: looks at head and gaze alone; leave --camera out");
   if (!options.check && options.out.empty())
     throw UsageError("OUT: missing; give the folder of the new session");
 }

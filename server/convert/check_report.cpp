@@ -26,6 +26,20 @@ const char* word_of(Proposal::Certainty certainty) {
   return "cannot tell";
 }
 
+// On one line and harmless to a terminal, however long.
+std::string whole_text(const std::string& text) {
+  constexpr std::size_t kPiece = 100;
+  std::string shown;
+  std::size_t from = 0;
+  while (text.size() - from > kPiece) {
+    std::size_t to = text.rfind(' ', from + kPiece);
+    if (to == std::string::npos || to <= from) break;
+    shown += printable(text.substr(from, to - from)) + " ";
+    from = to + 1;
+  }
+  return shown + printable(text.substr(from));
+}
+
 // As a shell reads it back.
 std::string quoted(const std::string& word) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+";
@@ -35,16 +49,23 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
+// A name that begins with a dash is no option.
+std::string path_word(const std::filesystem::path& path) {
+  const std::string word = path.string();
+  return word.starts_with("-") ? "./" + word : word;
+}
+
 // Empty where the data cannot tell.
 std::string command_line(const ConvertOptions& options, const Proposal& proposal) {
   if (proposal.certainty == Proposal::Certainty::cannot_tell) return "";
-  std::string line = "herr convert " + quoted(options.head.string()) + " OUT";
-  if (options.gaze) line += " --gaze " + quoted(options.gaze->string());
+  std::string line = "herr convert " + quoted(path_word(options.head)) + " OUT";
+  if (options.gaze) line += " --gaze " + quoted(path_word(*options.gaze));
   if (!proposal.preset.empty()) line += " --preset " + quoted(proposal.preset);
   if (!proposal.variant.empty()) line += " --variant " + quoted(proposal.variant);
   if (proposal.preset.empty())
-    line += " --map " +
-            (options.write_map.empty() ? std::string("MAP.json") : quoted(options.write_map.string()));
+    line += " --map " + quoted(!options.map.empty()        ? options.map.string()
+                               : options.write_map.empty() ? std::string("MAP.json")
+                                                           : options.write_map.string());
   if (proposal.still.head) line += " --still-head";
   if (proposal.still.gaze) line += " --still-gaze";
   return line;
@@ -52,12 +73,15 @@ std::string command_line(const ConvertOptions& options, const Proposal& proposal
 
 std::string text_of(const Proposal& proposal, const std::string& line, bool map_written) {
   std::string text = std::string("confidence: ") + word_of(proposal.certainty) + "\n";
-  for (const std::string& reason : proposal.reasons) text += "  " + printable(reason) + "\n";
-  for (const std::string& question : proposal.questions) text += "please say: " + printable(question) + "\n";
+  for (const std::string& reason : proposal.reasons) text += "  " + whole_text(reason) + "\n";
+  if (!proposal.questions.empty()) text += "please say:\n";
+  for (const std::string& question : proposal.questions) text += "  " + whole_text(question) + "\n";
   if (!line.empty()) text += "recommended: " + line + "\n";
-  if (!proposal.map_json.empty() && !map_written)
-    text += "with this in MAP.json (or give --write-map FILE):\n" + proposal.map_json;
-  return text;
+  if (proposal.map_json.empty() || map_written) return text;
+  return text +
+         (line.empty() ? "a draft of a map, to be completed by the answers (or give --write-map FILE):\n"
+                       : "with this in MAP.json (or give --write-map FILE):\n") +
+         proposal.map_json;
 }
 
 std::string json_of(const Proposal& proposal, const std::string& line) {
@@ -67,14 +91,16 @@ std::string json_of(const Proposal& proposal, const std::string& line) {
             {"variant", proposal.variant},
             {"reasons", proposal.reasons},
             {"questions", proposal.questions}};
-  json["map"] = proposal.map_json.empty() ? Json() : Json::parse(proposal.map_json);
+  const Json map = proposal.map_json.empty() ? Json() : Json::parse(proposal.map_json);
+  json["map"] = line.empty() ? Json() : map;
+  json["draft"] = line.empty() ? map : Json();  // of a map, to be completed by the answers
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
 
-int run_format_check(const ConvertOptions& options, const RecordingFiles& files) {
-  const Proposal proposal = propose_format(files);
+int run_format_check(const ConvertOptions& options, const FormatRequest& request) {
+  const Proposal proposal = propose_format(request);
   const bool write = !options.write_map.empty() && !proposal.map_json.empty();
   if (write) write_whole_file(options.write_map, proposal.map_json);
   const std::string line = command_line(options, proposal);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "server/convert/convert_options.h"
-#include "sessions/import/presets/fitting_columns.h"
+#include "sessions/import/presets/choose_format.h"
 
 namespace herr {
 
 // Returns an exit code: done, or inconclusive when the data cannot tell. Throws InputError, UsageError,
 // WriteError.
-int run_format_check(const ConvertOptions& options, const RecordingFiles& files);
+int run_format_check(const ConvertOptions& options, const FormatRequest& request);
 
 }  // namespace herr

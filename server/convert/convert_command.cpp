@@ -22,7 +22,9 @@
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/choose_format.h"
 #include "sessions/import/presets/recording_folder.h"
+#include "sessions/inspect/head_meter.h"
 #include "sessions/inspect/plausibility.h"
+#include "sessions/inspect/stream_summary.h"
 #include "sessions/record/session_recorder.h"
 
 namespace herr {
@@ -123,29 +125,49 @@ void check_options(const ConvertOptions& options) {
     throw UsageError("--still-gaze: with --still-head nothing is left of the recording; give one of the two");
 }
 
-// Rows on their way: into the session, and past the meter.
-ImportReport import_into(SessionRecorder& recorder, PlausibilityMeter& meter, const ImportRequest& request) {
+// What judges the rows on their way.
+struct ConversionMeters {
+  PlausibilityMeter plausibility;
+  HeadMeter head;
+};
+
+// Rows on their way: into the session, and past the meters.
+ImportReport import_into(SessionRecorder& recorder, ConversionMeters& meters, const ImportRequest& request) {
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                 stop_on_signal();
                                                 recorder.add_pose(row);
-                                                meter.add(row);
+                                                meters.plausibility.add(row);
+                                                meters.head.add(row, 1, 0);
                                               },
                                               [&](const GazeRow& row) {
                                                 stop_on_signal();
                                                 recorder.add_gaze(row);
-                                                meter.add(row, per_eye);
+                                                meters.plausibility.add(row, per_eye);
                                               }});
-  meter.finish();
+  meters.plausibility.finish();
   return report;
 }
 
-void judge(const PlausibilityMeter& meter, const ConvertOptions& options, ConvertReport& report) {
-  report.head_words = meter.words();
-  report.gaze_words = meter.gaze_words();
+StreamSummary summary_of(const ImportedStream& stream) {
+  StreamSummary summary;
+  summary.file = stream.file;
+  summary.rows = stream.rows;
+  summary.first_ns = stream.first_ns;
+  summary.last_ns = stream.last_ns;
+  summary.intervals = stream.intervals;
+  return summary;
+}
+
+void judge(const ConversionMeters& meters, const ConvertOptions& options, ConvertReport& report) {
+  report.head_words = meters.plausibility.words();
+  report.gaze_words = meters.plausibility.gaze_words();
   FindingList findings;
   const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
-  meter.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
+  meters.plausibility.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
+  if (const std::string fault = meters.head.unit_fault(); !fault.empty())
+    findings.add(Severity::warning, InputError(poses, 0, fault, "correct the units of the map, or take another preset"));
+  if (report.rows.has_gaze) judge_offset(summary_of(report.rows.poses), summary_of(report.rows.gaze), findings);
   for (const Finding& finding : findings.sorted()) report.warnings.push_back(finding.text());
   if (!report.rows.has_gaze) report.warnings.push_back("no gaze was recorded: the eyes look straight ahead");
 }
@@ -176,12 +198,13 @@ int convert(const ConvertOptions& options) {
   NewSessionFolder folder(options.out, options.overwrite);
   SessionHeader header = header_for(options, folder, format, std::move(profile));
   SessionRecorder recorder(folder.path());
-  PlausibilityMeter meter;
+  ConversionMeters meters;
   const HeadColumns* head = request.columns.head;
-  if (head == nullptr || head->rotation_kind == RotationKind::fixed) meter.expect_still_head();
-  if (options.still.gaze) meter.expect_still_gaze();
-  report.rows = import_into(recorder, meter, request);
-  judge(meter, options, report);
+  report.still = {head == nullptr || head->rotation_kind == RotationKind::fixed, options.still.gaze};
+  if (report.still.head) meters.plausibility.expect_still_head();
+  if (report.still.gaze) meters.plausibility.expect_still_gaze();
+  report.rows = import_into(recorder, meters, request);
+  judge(meters, options, report);
   for (std::size_t i = 0; i < feeds.size(); ++i) {
     header.cameras.push_back(feeds[i].camera);
     report.feeds.push_back(write_feed(options.feed, i, feeds[i], report.rows, recorder, stop_on_signal));
@@ -205,7 +228,7 @@ int run_convert(const ConvertOptions& options) {
     print_result(std::string(built_in(options.preset).json));
     return kExitDone;
   }
-  if (options.check) return run_format_check(options, recording_of(options).format.files);
+  if (options.check) return run_format_check(options, recording_of(options).format);
   check_options(options);
   try {
     return convert(options);

@@ -1,5 +1,6 @@
 #include "server/convert/convert_report.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -12,8 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Entries of a list in session.json, and bytes of one.
-constexpr std::size_t kMostRecorded = 64, kLongestRecorded = 1000;
+constexpr std::size_t kMostRecorded = SessionConversion::kMostEntries,
+                      kMostRecordedBytes = SessionConversion::kMostBytes;
 
 std::string shown(const std::filesystem::path& path) {
   return printable(path.string());
@@ -21,57 +22,64 @@ std::string shown(const std::filesystem::path& path) {
 
 struct CountedRemark {
   std::string key, sentence;
-  std::int64_t count = 0, first_line = 0;
+  std::int64_t count = 0;
+  std::string lines;  // " (lines 14, 30)", or empty
 };
 
+// " (line 12)", " (lines 12, 30, 41, ...)".
+std::string named_lines(const RowFateCounts& fates, std::size_t fate) {
+  const auto known = std::min<std::int64_t>(fates.rows[fate], RowFateCounts::kNamedLines);
+  std::string text;
+  for (std::int64_t i = 0; i < known; ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(fates.lines[fate][static_cast<std::size_t>(i)]);
+  if (fates.rows[fate] > known) text += ", ...";
+  return (known == 1 ? " (line " : " (lines ") + text + ")";
+}
+
 // Counts that are not 0, by what they mean.
-std::vector<CountedRemark> remarks_of(const ImportedStream& stream, bool is_gaze) {
+std::vector<CountedRemark> remarks_of(const ImportedStream& stream) {
   std::vector<CountedRemark> found;
-  const auto add = [&](std::string key, std::string sentence, std::int64_t count, std::int64_t line) {
-    if (count > 0) found.push_back({std::move(key), std::move(sentence), count, line});
-  };
   for (std::size_t i = 0; i < kRowFates; ++i) {
-    const RowFateText& text = row_fate_texts()[i];
-    const bool lost_gaze = is_gaze && i == static_cast<std::size_t>(RowFate::lost_tracking);
-    add(std::string(text.key),
-        lost_gaze ? "rows without gaze (blinks, lost pupils), written as not valid"
-                  : std::string(text.sentence),
-        stream.fates.rows[i], stream.fates.first_line[i]);
+    if (stream.fates.rows[i] == 0) continue;
+    const bool lost_gaze = stream.lost_rows_stay && static_cast<RowFate>(i) == RowFate::lost_tracking;
+    found.push_back({std::string(row_fate_texts()[i].key),
+                     lost_gaze ? "rows without gaze (blinks, lost pupils), written as not valid"
+                               : std::string(row_fate_texts()[i].sentence),
+                     stream.fates.rows[i], lost_gaze ? "" : named_lines(stream.fates, i)});
   }
-  add("one_eye_rows", "rows with one eye only", stream.one_eye_rows, 0);
-  add("repeated_values", "rows repeat the one before", stream.repeated_values, 0);
-  add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows, 0);
-  add("normalised_rows", "rows normalised: the length was off by more than rounding",
-      stream.reading.normalised, 0);
-  add("repeated_headers", "lines name the columns again and were passed over", stream.source.repeated_headers,
-      0);
-  add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows, 0);
-  add("blank_lines", "blank lines", stream.source.blank_lines, 0);
+  const auto add = [&](std::string key, std::string sentence, std::int64_t count) {
+    if (count > 0) found.push_back({std::move(key), std::move(sentence), count, ""});
+  };
+  add("one_eye_rows", "rows with one eye only", stream.one_eye_rows);
+  add("repeated_values", "rows repeat the one before", stream.repeated_values);
+  add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows);
+  add("normalised_rows", "rows normalised: the length was off by more than rounding", stream.reading.normalised);
+  add("repeated_headers", "lines of words (headers, units) were passed over", stream.source.repeated_headers);
+  add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows);
+  add("blank_lines", "blank lines", stream.source.blank_lines);
   return found;
 }
 
-std::string stream_text(const std::string& name, const ImportedStream& stream, bool is_gaze) {
+std::string stream_text(const std::string& name, const ImportedStream& stream) {
   const double seconds = static_cast<double>(stream.last_ns - stream.first_ns) * kSecondsPerNs;
   std::string text =
       name + ": " + std::to_string(stream.rows) + " rows over " + fixed_text(seconds, 2) + " s";
   if (stream.rows > 1) text += ", " + fixed_text(stream.rate_hz(), 1) + " Hz";
   if (!stream.file.empty()) text += "  (" + shown(stream.file) + ")";
   text += "\n";
-  if (const std::int64_t hitches = stream.intervals.hitches(); hitches > 0)
+  if (const std::int64_t hitches = stream.intervals.hitches(); hitches > 0) {
     text += "  " + std::to_string(hitches) + " intervals of more than 1.5 times the usual one, the widest " +
-            fixed_text(static_cast<double>(stream.intervals.widest_ns()) * 1e-6, 1) + " ms before line " +
-            std::to_string(stream.intervals.widest_line()) + "\n";
-  for (const CountedRemark& remark : remarks_of(stream, is_gaze)) {
-    text += "  " + std::to_string(remark.count) + " " + remark.sentence;
-    if (remark.first_line > 0)
-      text += remark.count == 1 ? " (line " + std::to_string(remark.first_line) + ")"
-                                : " (the first in line " + std::to_string(remark.first_line) + ")";
-    text += "\n";
+            fixed_text(static_cast<double>(stream.intervals.widest_ns()) * 1e-6, 1) + " ms";
+    const std::int64_t line = stream.intervals.widest_line();
+    text += line > 0 ? " before line " + std::to_string(line) + "\n" : "\n";
   }
+  for (const CountedRemark& remark : remarks_of(stream))
+    text += "  " + std::to_string(remark.count) + " " + remark.sentence + remark.lines + "\n";
+  for (const std::string& remark : stream.remarks) text += "  " + remark + "\n";
   return text;
 }
 
-Json stream_json(const ImportedStream& stream, bool is_gaze) {
+Json stream_json(const ImportedStream& stream) {
   Json json{{"file", printable(stream.file.string())},
             {"rows_read", stream.rows_read},
             {"rows", stream.rows},
@@ -81,13 +89,14 @@ Json stream_json(const ImportedStream& stream, bool is_gaze) {
             {"hitches", stream.intervals.hitches()},
             {"widest_interval_ns", stream.intervals.widest_ns()},
             {"widest_interval_line", stream.intervals.widest_line()},
-            {"lost_share", stream.lost_share()}};
+            {"lost_share", stream.lost_share()},
+            {"remarks", stream.remarks}};
   for (std::size_t i = 0; i < kRowFates; ++i)
     json[std::string(row_fate_texts()[i].key) + "_rows"] = stream.fates.rows[i];
   for (const char* key : {"one_eye_rows", "repeated_values", "sorted_rows", "normalised_rows",
                           "repeated_headers", "ragged_rows", "blank_lines"})
     json[key] = 0;
-  for (const CountedRemark& remark : remarks_of(stream, is_gaze))
+  for (const CountedRemark& remark : remarks_of(stream))
     if (json.contains(remark.key)) json[remark.key] = remark.count;
   return json;
 }
@@ -120,50 +129,66 @@ std::vector<std::string> assumed_of(const ConvertReport& report) {
   return assumed;
 }
 
-void add_left_out(const std::string& name, const ImportedStream& stream, bool is_gaze,
-                  SessionConversion& record) {
+void add_left_out(const std::string& name, const ImportedStream& stream, SessionConversion& record) {
   for (std::size_t i = 0; i < kRowFates && record.left_out.size() < kMostRecorded; ++i) {
-    if (stream.fates.rows[i] == 0) continue;
-    if (is_gaze && i == static_cast<std::size_t>(RowFate::lost_tracking)) continue;  // written as not valid
+    const bool kept = stream.lost_rows_stay && static_cast<RowFate>(i) == RowFate::lost_tracking;
+    if (stream.fates.rows[i] == 0 || kept) continue;
     record.left_out.push_back(
         {name, stream.fates.rows[i], stream.rows_read, std::string(row_fate_texts()[i].sentence)});
   }
 }
 
-// The first remark about a stream's clock says what its fates only count.
-std::string loss_sentence(const ImportedStream& stream, const std::vector<std::string>& remarks) {
+// Cut between letters, for session.json.
+std::string bounded(const std::string& sentence) {
+  if (sentence.size() <= kMostRecordedBytes) return sentence;
+  std::size_t end = kMostRecordedBytes - 3;
+  while (end > 0 && (static_cast<unsigned char>(sentence[end]) & 0xC0) == 0x80) --end;
+  return sentence.substr(0, end) + "...";
+}
+
+void add_sentences(const std::vector<std::string>& from, std::vector<std::string>& to) {
+  for (const std::string& sentence : from)
+    if (to.size() < kMostRecorded) to.push_back(bounded(sentence));
+}
+
+// What the clock did says more than the count of what that cost.
+std::string loss_sentence(const ImportedStream& stream) {
   std::int64_t lost = 0;
-  std::string causes;
+  std::size_t causes = 0, clock_causes = 0;
+  std::string words;
   for (std::size_t i = 0; i < kRowFates; ++i) {
-    if (!row_fate_texts()[i].loss || stream.fates.rows[i] == 0) continue;
-    lost += stream.fates.rows[i];
-    causes += (causes.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +
-              std::string(row_fate_texts()[i].sentence);
+    const auto fate = static_cast<RowFate>(i);
+    if (stream.lost(fate) == 0) continue;
+    lost += stream.lost(fate);
+    ++causes;
+    clock_causes += fate == RowFate::other_clock || fate == RowFate::repeated_stamp ? 1 : 0;
+    words += (words.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +
+             std::string(row_fate_texts()[i].sentence) + named_lines(stream.fates, i);
   }
-  for (const std::string& remark : remarks)
-    if (remark.find(std::to_string(stream.rows_read) + " rows") != std::string::npos)
-      return shown(stream.file) + ": " + remark;
+  if (causes == 1 && clock_causes == 1 && !stream.remarks.empty()) return shown(stream.file) + ": " + stream.remarks.front();
   return shown(stream.file) + ": " + std::to_string(lost) + " of " + std::to_string(stream.rows_read) +
-         " rows are not in the session: " + causes;
+         " rows are not in the session: " + words;
 }
 
 }  // namespace
 
 SessionConversion conversion_record(const ConvertReport& report) {
   SessionConversion record;
-  add_left_out("pose", report.rows.poses, false, record);
-  if (report.rows.has_gaze) add_left_out("gaze", report.rows.gaze, true, record);
+  add_left_out("pose", report.rows.poses, record);
+  if (report.rows.has_gaze) add_left_out("gaze", report.rows.gaze, record);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) {
     const FeedReport& feed = report.feeds[i];
     if (feed.left_out() > 0)
       record.left_out.push_back({"cam" + std::to_string(i), feed.left_out(), feed.pictures + feed.left_out(),
                                  "pictures: " + left_out_words(feed)});
   }
-  const std::vector<std::string> assumed = assumed_of(report);
-  for (const auto* sentences : {&assumed, &report.rows.remarks, &report.remarks})
-    for (const std::string& sentence : *sentences)
-      if (record.assumed.size() < kMostRecorded)
-        record.assumed.push_back(sentence.substr(0, kLongestRecorded));
+  add_sentences(assumed_of(report), record.assumed);
+  add_sentences(report.remarks, record.remarks);
+  add_sentences(report.rows.remarks, record.remarks);
+  add_sentences(report.rows.poses.remarks, record.remarks);
+  if (report.rows.gaze.remarks != report.rows.poses.remarks) add_sentences(report.rows.gaze.remarks, record.remarks);
+  record.still_head = report.still.head;
+  record.still_gaze = report.still.gaze;
   return record;
 }
 
@@ -171,7 +196,11 @@ std::vector<std::string> heavy_losses(const ConvertReport& report) {
   std::vector<std::string> sentences;
   for (const ImportedStream* stream : {&report.rows.poses, &report.rows.gaze})
     if (stream->rows_read > 0 && stream->lost_share() > kPartialShare)
-      sentences.push_back(loss_sentence(*stream, report.rows.remarks));
+      {
+      std::string sentence = loss_sentence(*stream);
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+        sentences.push_back(std::move(sentence));
+    }
   for (const FeedReport& feed : report.feeds) {
     const std::int64_t all = feed.pictures + feed.left_out();
     if (static_cast<double>(feed.left_out()) > kPartialShare * static_cast<double>(all))
@@ -185,10 +214,10 @@ std::string convert_text(const ConvertReport& report) {
   std::string text = "session: " + shown(report.out) + "\nformat: " + printable(report.format) + "\n";
   if (!report.head_words.empty()) text += "head: " + report.head_words + "\n";
   if (!report.gaze_words.empty()) text += "eyes: " + report.gaze_words + "\n";
-  text += stream_text("poses", report.rows.poses, false);
+  text += stream_text("poses", report.rows.poses);
   if (report.rows.has_gaze)
     text +=
-        stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze, true);
+        stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) text += feed_text(i, report.feeds[i]);
   for (const std::string& sentence : assumed_of(report)) text += "assumed: " + sentence + "\n";
   for (const auto* sentences :
@@ -202,9 +231,9 @@ std::string convert_json(const ConvertReport& report) {
             {"format", printable(report.format)},
             {"head", report.head_words},
             {"eyes", report.gaze_words}};
-  json["poses"] = stream_json(report.rows.poses, false);
+  json["poses"] = stream_json(report.rows.poses);
   if (report.rows.has_gaze) {
-    json["gaze"] = stream_json(report.rows.gaze, true);
+    json["gaze"] = stream_json(report.rows.gaze);
     json["gaze"]["kind"] = report.rows.gaze_combined ? "combined" : "per_eye";
   }
   json["cameras"] = Json::array();

@@ -15,6 +15,7 @@ struct ConvertReport {
   std::filesystem::path out;
   std::string format;  // "preset euroc, variant tumvi"
   ImportReport rows;
+  StillParts still;  // nothing was recorded of them
   std::vector<FeedReport> feeds;
   std::string head_words, gaze_words;  // where the head looks, how level it is; what the eyes do
   std::vector<std::string> remarks;    // how the format was chosen, what was assumed

@@ -79,6 +79,9 @@ Json conversion_json(const SessionConversion& conversion) {
     json["left_out"].push_back(
         {{"stream", entry.stream}, {"rows", entry.rows}, {"of", entry.of}, {"reason", entry.reason}});
   if (!conversion.assumed.empty()) json["assumed"] = conversion.assumed;
+  if (!conversion.remarks.empty()) json["remarks"] = conversion.remarks;
+  if (conversion.still_head) json["still"].push_back("head");
+  if (conversion.still_gaze) json["still"].push_back("gaze");
   return json;
 }
 

@@ -124,17 +124,16 @@ void parse_span(const JsonObject& root, ParsedSessionHeader& parsed) {
     root.fail("end_ns", "lies before start_ns", "exchange the two");
 }
 
-constexpr std::size_t kMostConversionEntries = 64, kLongestConversionText = 1000;
 constexpr std::int64_t kMostConversionRows = 1'000'000'000'000;
 
 const std::string& checked_sentence(const JsonObject& where, const char* key, const std::string& text) {
-  if (text.size() > kLongestConversionText)
+  if (text.size() > SessionConversion::kMostBytes)
     where.fail(key, "has " + std::to_string(text.size()) + " bytes", "write a sentence of at most 1000");
   return text;
 }
 
 void check_entry_count(const JsonObject& where, const char* key, std::size_t count) {
-  if (count > kMostConversionEntries)
+  if (count > SessionConversion::kMostEntries)
     where.fail(key, "has " + std::to_string(count) + " elements", "list at most 64");
 }
 
@@ -151,19 +150,30 @@ SessionConversion::LeftOut parse_left_out(const JsonObject& entry) {
   return left_out;
 }
 
+std::vector<std::string> parse_sentences(const JsonObject& entry, const char* key) {
+  std::vector<std::string> sentences;
+  if (!entry.has(key)) return sentences;
+  const nlohmann::json& list = entry.value(key);
+  if (!list.is_array()) entry.fail(key, "is no list", "write a list of sentences");
+  check_entry_count(entry, key, list.size());
+  for (const nlohmann::json& sentence : list) {
+    if (!sentence.is_string()) entry.fail(key, "holds what is no text", "write a list of sentences");
+    sentences.push_back(checked_sentence(entry, key, sentence.get<std::string>()));
+  }
+  return sentences;
+}
+
 SessionConversion parse_conversion(const JsonObject& entry) {
-  entry.allow_only({"left_out", "assumed"});
+  entry.allow_only({"left_out", "assumed", "remarks", "still"});
   SessionConversion conversion;
   const std::vector<JsonObject> left_out = entry.objects("left_out");
   check_entry_count(entry, "left_out", left_out.size());
   for (const JsonObject& each : left_out) conversion.left_out.push_back(parse_left_out(each));
-  if (!entry.has("assumed")) return conversion;
-  const nlohmann::json& assumed = entry.value("assumed");
-  if (!assumed.is_array()) entry.fail("assumed", "is no list", "write a list of sentences");
-  check_entry_count(entry, "assumed", assumed.size());
-  for (const nlohmann::json& sentence : assumed) {
-    if (!sentence.is_string()) entry.fail("assumed", "holds what is no text", "write a list of sentences");
-    conversion.assumed.push_back(checked_sentence(entry, "assumed", sentence.get<std::string>()));
+  conversion.assumed = parse_sentences(entry, "assumed");
+  conversion.remarks = parse_sentences(entry, "remarks");
+  for (const std::string& part : parse_sentences(entry, "still")) {
+    if (part != "head" && part != "gaze") entry.fail("still", "holds '" + printable(part) + "'", "list head or gaze");
+    (part == "head" ? conversion.still_head : conversion.still_gaze) = true;
   }
   return conversion;
 }

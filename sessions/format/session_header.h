@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -27,10 +28,17 @@ struct SessionConversion {
     std::int64_t rows = 0, of = 0;
     std::string reason;  // a sentence
   };
+  // Of each list, and of each sentence; longer ones are refused.
+  static constexpr std::size_t kMostEntries = 64, kMostBytes = 1000;
+
   std::vector<LeftOut> left_out;
   std::vector<std::string> assumed;  // sentences: "camera stamps were not recorded: 15 pictures a second"
+  std::vector<std::string> remarks;  // sentences: how the format was recognised, what the clock did
+  bool still_head = false, still_gaze = false;  // not recorded: they stand still on the user's word
 
-  bool empty() const { return left_out.empty() && assumed.empty(); }
+  bool empty() const {
+    return left_out.empty() && assumed.empty() && remarks.empty() && !still_head && !still_gaze;
+  }
 };
 
 // What session.json says.

@@ -19,10 +19,12 @@ namespace herr {
 struct ImportedStream {
   std::filesystem::path file;
   std::int64_t rows_read = 0, rows = 0;  // rows: written
+  bool lost_rows_stay = false;           // gaze: a row without tracking is written as not valid, no loss
   TimeNs first_ns = 0, last_ns = 0;
   IntervalCensus intervals;
 
   RowFateCounts fates;
+  std::vector<std::string> remarks;  // what the clock did: whole sentences
   std::int64_t sorted_rows = 0;      // put where they belong
   std::int64_t one_eye_rows = 0;     // gaze of one eye only
   std::int64_t repeated_values = 0;  // the same numbers as the row before: the tracker is slower than the log
@@ -30,7 +32,9 @@ struct ImportedStream {
   RowSourceCounts source;
 
   double rate_hz() const { return intervals.median_ns() > 0 ? 1e9 / intervals.median_ns() : 0; }
-  // Share of the rows read that are lost (RowFateText::loss), 0 to 1.
+  // How many rows that met this fate are not in the session, and are no second view of what is.
+  std::int64_t lost(RowFate fate) const;
+  // Share of the rows read that are lost, 0 to 1.
   double lost_share() const;
 };
 
@@ -40,7 +44,7 @@ struct ImportReport {
   bool gaze_combined = false;
   TimeNs shift_ns = 0;                // added to every stamp
   std::vector<std::string> assumed;   // "the head stands still at the origin", whole sentences
-  std::vector<std::string> remarks;   // what the clock did, where ids change: whole sentences, one each
+  std::vector<std::string> remarks;   // where ids change, what never changes: whole sentences, one each
   std::vector<std::string> warnings;  // one line each, "FILE:LINE: ...; ..."; the first hundred
 };
 

@@ -1,7 +1,9 @@
 #include "sessions/import/import_rows.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sessions/files/input_error.h"
@@ -22,7 +24,9 @@ constexpr TimeNs kSecondNs = 1'000'000'000;
 
 class RowsImport {
  public:
-  RowsImport(const ImportRequest& request, const ImportSink& sink) : request_(request), sink_(sink) {}
+  RowsImport(const ImportRequest& request, const ImportSink& sink) : request_(request), sink_(sink) {
+    report_.gaze.lost_rows_stay = true;
+  }
 
   ImportReport run() {
     find_streams();
@@ -46,7 +50,6 @@ class RowsImport {
     const auto [head, gaze] = request_.columns;
     if (head != nullptr && !request_.still.head)
       head_ = {request_.head_file, &head->table, &head->time, columns_of(*head)};
-    if (has_head() && head->part) head_.wanted.push_back(*head->part);
     if (gaze != nullptr && !request_.still.gaze)
       gaze_ = {request_.gaze_file.value_or(request_.head_file), &gaze->table, &gaze->time, columns_of(*gaze)};
     if (!has_head() && !has_gaze())
@@ -60,13 +63,14 @@ class RowsImport {
   void survey() {
     if (has_head()) head_survey_ = survey_file(head_, request_);
     if (has_gaze()) gaze_survey_ = one_table_ ? head_survey_ : survey_file(gaze_, request_);
+    carry_days();
     TimeNs lowest_ns = 0, last_ns = 0;
     for (const StampSurvey* survey : {&head_survey_, &gaze_survey_}) {
       lowest_ns = std::min(lowest_ns, survey->lowest_ns);
       last_ns = std::max(last_ns, survey->last_ns);
     }
-    add_remarks(head_survey_, has_head() && has_gaze() && !one_table_ ? "poses: " : "");
-    if (!one_table_) add_remarks(gaze_survey_, has_head() ? "gaze: " : "");
+    report_.poses.remarks = head_survey_.remarks;
+    report_.gaze.remarks = gaze_survey_.remarks;
     for (const StreamFile* stream : {&head_, &gaze_})
       if (stream->time != nullptr && stream->time->kind == TimeColumns::Kind::rate)
         report_.assumed.push_back("stamps were not recorded: " + plain_number_text(stream->time->rate_hz) +
@@ -90,8 +94,27 @@ class RowsImport {
                               " s was added to every stamp");
   }
 
-  void add_remarks(const StampSurvey& survey, const std::string& whose) {
-    for (const std::string& remark : survey.remarks) report_.remarks.push_back(whose + remark);
+  // Of stamps that name no day, those of one file may begin before midnight and those of the other behind it.
+  void carry_days() {
+    for (const auto& [file, survey] : {std::pair(&head_, &head_survey_), std::pair(&gaze_, &gaze_survey_)})
+      if (survey->carried_line > 0 && !(one_table_ && file == &gaze_))
+        report_.assumed.push_back("stamps name no " + period_word(*file) + ": from line " +
+                                  std::to_string(survey->carried_line) +
+                                  " on, where they start again, they are those of the next");
+    if (!has_head() || !has_gaze() || one_table_) return;
+    const TimeNs period_ns = period_of(*head_.time), ahead_ns = gaze_survey_.first_ns - head_survey_.first_ns;
+    if (period_ns == 0 || period_ns != period_of(*gaze_.time) || std::abs(ahead_ns) <= period_ns / 2) return;
+    StreamFile& late = ahead_ns > 0 ? head_ : gaze_;
+    StampSurvey& survey = ahead_ns > 0 ? head_survey_ : gaze_survey_;
+    late.later_ns = period_ns;
+    for (TimeNs* stamp : {&survey.first_ns, &survey.last_ns, &survey.lowest_ns}) *stamp += period_ns;
+    report_.assumed.push_back("stamps name no " + period_word(late) + ": the " +
+                              (ahead_ns > 0 ? "poses begin" : "gaze begins") + " in the next one");
+  }
+
+  static std::string period_word(const StreamFile& file) {
+    const TimeNs minutes = period_of(*file.time) / (60 * kSecondNs);
+    return minutes > 60 ? "day" : minutes > 1 ? "hour" : "minute";
   }
 
   // Calls take(row) for each pose of the file.
@@ -123,10 +146,11 @@ class RowsImport {
   void import_poses() {
     Pose before;
     ImportedStream& stream = report_.poses;
+    const bool recorded = request_.columns.head->rotation_kind != RotationKind::fixed;
     each_pose(stream, warnings_, [&](const PoseRow& row) {
       const Pose& pose = row.world_from_head;
       const bool same = before.position == pose.position && before.orientation == pose.orientation;
-      stream.repeated_values += same && stream.rows > 1 ? 1 : 0;
+      stream.repeated_values += same && recorded && stream.rows > 1 ? 1 : 0;
       before = pose;
       sink_.pose(row);
     });

@@ -61,15 +61,19 @@ void IdWatch::see(const RowSource& rows) {
   if (!place_) return;
   const std::string_view id = rows.text(*place_);
   if (!first_ && id == id_) return;
-  if (!first_ && changes_++ == 0) line_ = rows.line();
+  if (!first_ && changes_++ == 0) {
+    line_ = rows.line();
+    from_ = id_;
+    to_ = id;
+  }
   first_ = false;
   id_ = id;
 }
 
 void IdWatch::finish(std::vector<std::string>& remarks) const {
   if (changes_ == 0) return;
-  remarks.push_back("the id in column " + column_ + " changes at line " + std::to_string(line_) +
-                    ": another recording begins" +
+  remarks.push_back("the id in column " + column_ + " changes at line " + std::to_string(line_) + " from " +
+                    in_quotes(from_) + " to " + in_quotes(to_) + ": another recording begins" +
                     (changes_ > 1 ? " (and " + std::to_string(changes_ - 1) + " more times)" : ""));
 }
 

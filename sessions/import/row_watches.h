@@ -42,7 +42,7 @@ class IdWatch {
 
  private:
   std::optional<std::size_t> place_;
-  std::string column_, id_;
+  std::string column_, id_, from_, to_;  // from_, to_: of the first change
   bool first_ = true;
   std::int64_t changes_ = 0, line_ = 0;
 };

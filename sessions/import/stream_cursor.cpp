@@ -1,51 +1,41 @@
 #include "sessions/import/stream_cursor.h"
 
-#include <string_view>
+#include <algorithm>
+#include <utility>
+
+#include "sessions/import/text/date_text.h"
 
 namespace herr {
 namespace {
 
 constexpr std::size_t kMostWarnings = 100;
-
-std::string what_of(RowFate fate) {
-  switch (fate) {
-    case RowFate::backward_stamp:
-      return "the time stamp goes backwards";
-    case RowFate::repeated_stamp:
-      return "the time stamp repeats the one before";
-    case RowFate::wild_stamp:
-      return "the time stamp is far from its neighbours";
-    default:
-      return {};  // told by the remarks, or no row for a warning
-  }
-}
-
-// "Z", "+08", "+0800" or "+08:00" at the end.
-bool ends_with_zone(std::string_view text) {
-  if (text.ends_with('Z') || text.ends_with('z')) return true;
-  const std::size_t sign = text.find_last_of("+-");
-  const std::size_t time = text.find(':');
-  return sign != std::string_view::npos && time != std::string_view::npos && sign > time;
-}
+constexpr int kRowsForAZone = 100;
 
 }  // namespace
 
 bool assumes_utc(const StreamFile& file) {
   const TimeColumns& time = *file.time;
-  if (time.kind != TimeColumns::Kind::date || time.zone_minutes) return false;
-  if (!time.date_format.empty()) return time.date_format.find("%z") == std::string::npos;
+  if (time.kind != TimeColumns::Kind::date || time.zone_minutes || period_of(time) > 0) return false;
   const std::unique_ptr<RowSource> rows = open_rows(file.path, *file.table, file.wanted);
   const std::size_t place = rows->place(time.column);
-  try {
-    return rows->next() && !ends_with_zone(rows->text(place));
-  } catch (const InputError&) {
-    return true;
+  for (int row = 0; row < kRowsForAZone; ++row) {
+    try {
+      if (!rows->next()) break;
+      if (parse_date(rows->text(place), time.date_format, {}))
+        return !date_names_zone(rows->text(place), time.date_format);
+    } catch (const InputError&) {
+      continue;
+    }
   }
+  return true;
 }
 
 void Warnings::add(const InputError& error, const std::string& then) {
   if (texts_.size() >= kMostWarnings) return;
-  texts_.push_back(error.what() + then);
+  std::string text = error.what() + then;
+  // Poses and gaze of one file meet the same line.
+  if (std::find(texts_.begin(), texts_.end(), text) != texts_.end()) return;
+  texts_.push_back(std::move(text));
   if (texts_.size() == kMostWarnings - 1) texts_.push_back("further warnings are only counted");
 }
 
@@ -63,7 +53,7 @@ StampSurvey survey_file(const StreamFile& file, const ImportRequest& request) {
 StreamCursor::StreamCursor(const StreamFile& file, const StampSurvey& survey, TimeNs shift_ns,
                            bool keep_going, ImportedStream& stream, Warnings& warnings)
     : survey_(survey),
-      shift_ns_(shift_ns),
+      shift_ns_(shift_ns + file.later_ns),
       keep_going_(keep_going),
       stream_(stream),
       warnings_(warnings),
@@ -74,19 +64,23 @@ StreamCursor::StreamCursor(const StreamFile& file, const StampSurvey& survey, Ti
 
 bool StreamCursor::next() {
   while (!ended_) {
+    bool whole = false;
     try {
       if (!rows_->next()) break;
+      whole = true;
       ++stream_.rows_read;
       place_.move_to(rows_->line());
       if (const RowFate* left_out = fate()) {
         leave_out(*left_out, place_.line);
+        pass_over();
         continue;
       }
       stamp_ns_ = time_.read(*rows_) + shift_ns_;
       return true;
     } catch (const InputError& error) {
-      if (place_.line != rows_->line()) {  // a row that is not whole
+      if (!whole) {
         place_.move_to(rows_->line());
+        time_.pass_over();
         ++stream_.rows_read;
       }
       bad(error);
@@ -94,6 +88,15 @@ bool StreamCursor::next() {
   }
   ended_ = true;
   return false;
+}
+
+// The stamp of a row that is left out counts for those behind it, as in the survey.
+void StreamCursor::pass_over() {
+  try {
+    (void)time_.read(*rows_);
+  } catch (const InputError&) {
+    return;
+  }
 }
 
 const RowFate* StreamCursor::fate() {
@@ -105,12 +108,14 @@ const RowFate* StreamCursor::fate() {
 
 void StreamCursor::leave_out(RowFate fate, std::int64_t line) {
   stream_.fates.count(fate, line);
-  const std::string what = what_of(fate);
-  if (!what.empty()) warnings_.add(InputError(rows_->path(), line, what, "the row was left out"), "");
 }
 
 void StreamCursor::bad(const InputError& error) {
-  if (!keep_going_) throw error;
+  if (!keep_going_) {
+    if (stream_.rows == 0) throw error;  // they may all be so
+    throw InputError(error.file(), error.line(), error.problem(),
+                     error.remedy() + ", or leave out such rows with --keep-going");
+  }
   stream_.fates.count(RowFate::bad, error.line());
   warnings_.add(error, " (left out)");
 }

@@ -25,12 +25,13 @@ struct StreamFile {
   const TableFormat* table = nullptr;
   const TimeColumns* time = nullptr;
   std::vector<ColumnRef> wanted;  // all columns that its readers ask for
+  TimeNs later_ns = 0;  // added to its stamps: a day where they name none and another file's began before
 };
 
 // Reads the file's stamps. Throws InputError where all of them are equal.
 StampSurvey survey_file(const StreamFile& file, const ImportRequest& request);
 
-// Dates of which neither the map nor the first row names a zone are taken as UTC.
+// Dates of which neither the map nor the first legible row names a zone are taken as UTC.
 bool assumes_utc(const StreamFile& file);
 
 // One line each, at most a hundred.
@@ -66,6 +67,7 @@ class StreamCursor {
 
  private:
   const RowFate* fate();
+  void pass_over();
 
   const StampSurvey& survey_;
   TimeNs shift_ns_;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::int64_t kFewestWindows = 10;
 constexpr double kLeastWayM = 1;
+constexpr double kFastMps = 10;  // sprinters; a head that turns at leisure is as fast in millimetres
 
 std::optional<double> share_of(std::int64_t part, std::int64_t all, std::int64_t fewest) {
   if (all < fewest) return std::nullopt;
@@ -31,7 +32,10 @@ void PlausibilityMeter::add(const PoseRow& row) {
     const TimeNs interval_ns = row.stamp_ns - last_pose_->stamp_ns;
     const double per_second = 1e9 / static_cast<double>(interval_ns);
     const Pose &from = last_pose_->world_from_head, &to = row.world_from_head;
-    way_.add((to.position - from.position) * per_second, interval_ns);
+    const glm::dvec3 velocity = (to.position - from.position) * per_second;
+    ++intervals_;
+    fast_intervals_ += glm::length(velocity) > kFastMps ? 1 : 0;
+    way_.add(velocity, interval_ns);
     turn_.add(turn_per_second(from.orientation, to.orientation, per_second), interval_ns);
   }
   last_pose_ = row;
@@ -71,6 +75,7 @@ PlausibilityFigures PlausibilityMeter::figures() const {
   figures.mean_forward = attitude_.mean_of(AttitudeMeter::forward_axis);
   figures.head_turns = attitude_.turns();
   figures.head_moves = attitude_.moves();
+  figures.fast_share = share_of(fast_intervals_, intervals_, kFewestRows);
   const double way_m = attitude_.way_forwards_m() + attitude_.way_backwards_m();
   if (way_m >= kLeastWayM) figures.forwards_share = attitude_.way_forwards_m() / way_m;
 

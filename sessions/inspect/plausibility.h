@@ -33,6 +33,7 @@ struct PlausibilityFigures {
   double up_spread_deg = 0, right_spread_deg = 0, forward_spread_deg = 0;
   glm::dvec3 mean_up{0.0}, mean_right{0.0}, mean_forward{0.0};  // in the world, as long as they are steady
   bool head_turns = false, head_moves = false;                  // at all, to the last digit
+  std::optional<double> fast_share;       // of the intervals, in which the head goes faster than 10 m/s
   std::optional<double> forwards_share;   // of the way that is walked forwards or backwards
   std::optional<double> diverging_share;  // the eyes' rays diverge by more than 1 degree
   std::optional<double> same_ray_share;   // per-eye gaze: both rays are equal to the last digit
@@ -75,6 +76,7 @@ class PlausibilityMeter {
 
  private:
   void judge_attitude(const std::filesystem::path& file, FindingList& findings) const;
+  void judge_speed(const std::filesystem::path& file, FindingList& findings) const;
   void judge_stillness(const std::filesystem::path& file, FindingList& findings) const;
   void judge_eyes(const std::filesystem::path& file, FindingList& findings) const;
   void judge_countering(const std::filesystem::path& file, FindingList& findings) const;
@@ -86,6 +88,7 @@ class PlausibilityMeter {
   GazeCountering countering_;
   StreamSteadiness way_, turn_, gaze_turn_;
   GazeJumps jumps_;
+  std::int64_t intervals_ = 0, fast_intervals_ = 0;  // fast: the head goes faster than any person
   std::optional<PoseRow> last_pose_;
   std::optional<GazeRow> last_gaze_;
   bool still_head_meant_ = false, still_gaze_meant_ = false;

@@ -18,7 +18,9 @@ constexpr std::int64_t kFewestTurns = 50;
 constexpr double kAlwaysResting = 0.9;
 constexpr double kWalksBackwards = 0.2, kLongWayM = 5;
 
-const std::string kCorrectAxes = "correct head_axes or world_axes of the column map and convert again";
+const std::string kCorrectAxes = 
+    "convert again with another --variant, or with --map: the map of --show-map, its head_axes or world_axes "
+    "corrected";
 
 void tell(Severity severity, const std::filesystem::path& file, const std::string& problem,
           const std::string& remedy, FindingList& findings) {
@@ -31,6 +33,7 @@ void PlausibilityMeter::judge(const std::filesystem::path& pose_file, const std:
                               FindingList& findings) const {
   if (attitude_.rows() >= kFewestRows) {
     judge_attitude(pose_file, findings);
+    judge_speed(pose_file, findings);
     judge_stillness(pose_file, findings);
   }
   if (eyes_.rows_with_gaze() >= kFewestRows) {
@@ -58,6 +61,16 @@ void PlausibilityMeter::judge_attitude(const std::filesystem::path& file, Findin
          "the head goes backwards over " + percents(backwards_m / (forwards_m + backwards_m)) + " of " +
              fixed_text(forwards_m + backwards_m, 1) + " m of way",
          "if nobody walked backwards, forward and back are exchanged, or the handedness is wrong", findings);
+}
+
+void PlausibilityMeter::judge_speed(const std::filesystem::path& file, FindingList& findings) const {
+  const double fast = figures().fast_share.value_or(0);
+  if (fast <= kMostRows) return;
+  tell(Severity::warning, file, "the head goes faster than 10 m/s in " + percents(fast) + " of the rows",
+       "unless it was driven, positions are millimetres or centimetres (\"unit\" of the map's position), or "
+       "stamps "
+       "have another unit",
+       findings);
 }
 
 void PlausibilityMeter::judge_stillness(const std::filesystem::path& file, FindingList& findings) const {
@@ -92,7 +105,7 @@ void PlausibilityMeter::judge_eyes(const std::filesystem::path& file, FindingLis
   else if (known.same_ray_share.value_or(0) > kMostRows)
     tell(Severity::warning, file,
          "both eyes hold the same ray in " + percents(*known.same_ray_share) + " of the rows",
-         "the tracker wrote one ray for both eyes: gaze_kind is combined", findings);
+         "the tracker wrote one combined ray for both eyes: their own rays were not recorded", findings);
   if (known.diverging_share.value_or(0) <= kMostRows) return;
   // Eyes that counter the head sideways are not mirrored.
   const bool counters = known.evidence_x > 0;

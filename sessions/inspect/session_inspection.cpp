@@ -141,12 +141,15 @@ void name_streams(const SessionFiles& files, const SessionHeader& header, Sessio
   }
 }
 
-// A head or a gaze that stands still is no fault where the recording says so: `herr synth` and `herr convert`
-// write it.
+// A head or a gaze that stands still is no fault where the recording says so: `herr convert` in a field of its own,
+// `herr synth` in its provenance.
 void expect_what_was_meant(const SessionHeader& header, PlausibilityMeter& plausibility) {
-  const auto says = [&](const char* words) { return header.provenance.find(words) != std::string::npos; };
-  if (says("head still")) plausibility.expect_still_head();
-  if (says("gaze still")) plausibility.expect_still_gaze();
+  const bool made = header.provenance.starts_with("made by herr");
+  const auto says = [&](const char* words) {
+    return made && header.provenance.find(words) != std::string::npos;
+  };
+  if (header.conversion.still_head || says("head still")) plausibility.expect_still_head();
+  if (header.conversion.still_gaze || says("gaze still")) plausibility.expect_still_gaze();
 }
 
 template <typename Action>

@@ -3,12 +3,12 @@
 namespace herr {
 namespace {
 
-constexpr std::array<AxisConvention, 9> kConventions{{
+constexpr std::array<AxisConvention, 11> kConventions{{
     {"Unity (left-handed, y up)", {"right", "up", "forward"}, {"right", "up", "forward"}},
     {"OpenXR (right-handed, y up)", {"right", "up", "back"}, {"right", "up", "back"}},
     {"ROS (x forward, z up)", {"forward", "left", "up"}, {"forward", "left", "up"}},
     {"Unreal (left-handed, x forward, z up)", {"forward", "right", "up"}, {"forward", "right", "up"}},
-    {"z up, y forward", {"right", "forward", "up"}, {"right", "forward", "up"}},
+    {"a head with y forward and z up", {"right", "forward", "up"}, {"right", "forward", "up"}},
     {"a camera (y down, z forward) in a world with z up",
      {"right", "forward", "up"},
      {"right", "down", "forward"}},
@@ -19,6 +19,10 @@ constexpr std::array<AxisConvention, 9> kConventions{{
      {"right", "down", "forward"},
      {"right", "down", "forward"}},
     {"OpenXR's head in a world with z up", {"right", "forward", "up"}, {"right", "up", "back"}},
+    {"glasses (x left, y up, z forward) in a world with z up",
+     {"right", "forward", "up"},
+     {"left", "up", "forward"}},
+    {"aircraft (x forward, y right, z down)", {"forward", "right", "down"}, {"forward", "right", "down"}},
 }};
 
 }  // namespace

@@ -3,7 +3,6 @@
 // After: `herr convert --check` prints it and the command line that it recommends.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,14 +13,15 @@ namespace herr {
 struct Proposal {
   enum class Certainty { certain, likely, cannot_tell };
   Certainty certainty = Certainty::cannot_tell;
-  std::string preset, variant;  // empty: none fits, or none is needed
-  std::string map_json;         // no preset: a column map to be written to a file; empty when cannot_tell
-  StillParts still;             // what the recording lacks
+  std::string preset, variant;         // empty: none fits, or none is needed
+  std::string map_json;                // no preset: a column map; where it cannot tell, a draft or empty
+  StillParts still;                    // what the recording lacks
   std::vector<std::string> reasons;    // whole sentences: what was found, what speaks for and against
   std::vector<std::string> questions;  // cannot_tell: what the user has to say, and how
 };
 
-// Reads the first rows of the files. Throws InputError when they are no tables at all.
-Proposal propose_format(const RecordingFiles& files);
+// `request`: files, and what the user has said already. Reads the first rows of the files. Throws InputError
+// when they cannot be read at all.
+Proposal propose_format(const FormatRequest& request);
 
 }  // namespace herr

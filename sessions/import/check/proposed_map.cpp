@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
-#include "sessions/files/input_error.h"
-#include "sessions/import/check/axis_conventions.h"
-#include "sessions/import/check/column_roles.h"
+#include "sessions/import/check/axis_trials.h"
+#include "sessions/import/check/column_names.h"
+#include "sessions/import/check/gaze_role.h"
+#include "sessions/import/check/position_role.h"
+#include "sessions/import/check/rotation_roles.h"
 #include "sessions/import/check/sniffed_table.h"
-#include "sessions/import/presets/choose_format.h"
-#include "sessions/import/presets/trial_import.h"
+#include "sessions/import/check/time_role.h"
 
 namespace herr {
 namespace {
 
-constexpr double kLevel = 0.8;  // of the rows: people seldom lie on their side
-// Of the way: people walk forwards.
-constexpr double kForwards = 0.7;
-constexpr double kGazeAheadDeg = 40;  // people's eyes rest within it
-constexpr double kTallestM = 3;       // median |position| of a head in a room, roughly
+using Names = std::vector<std::string>;
+
+void append(const Names& more, Names& all) {
+  for (const std::string& text : more)
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+}
 
 ColumnGroup group_of(const SniffedTable& table, const std::vector<std::size_t>& columns) {
   ColumnGroup group;
@@ -28,186 +29,251 @@ ColumnGroup group_of(const SniffedTable& table, const std::vector<std::size_t>& 
   return group;
 }
 
-std::optional<double> median(const SniffedTable& table, std::size_t column) {
-  auto values = table.numbers(column);
-  if (!values) return std::nullopt;
-  std::erase_if(*values, [](double value) { return !std::isfinite(value); });
-  if (values->empty()) return std::nullopt;
-  const auto middle = values->begin() + static_cast<std::ptrdiff_t>(values->size() / 2);
-  std::nth_element(values->begin(), middle, values->end());
-  return std::abs(*middle);
+constexpr const char* kUnreadable =
+    "What the file is: it is no table of separated numbers (of XML, name the element of a row under \"xml\" "
+    "in a "
+    "map).";
+
+// Columns of the acceleration of gravity: as long as gravity, in m/s2 or in g.
+std::optional<ColumnGroup> gravity_of(const SniffedTable& table, Names& reasons) {
+  for (const LetterGroup& group : letter_groups(table)) {
+    if (!group.name.has_start({"grav"}) || !table.numbers(group.xyz[0])) continue;
+    const double x = table.values[group.xyz[0]].front(), y = table.values[group.xyz[1]].front(),
+                 z = table.values[group.xyz[2]].front();
+    const double length = std::sqrt(x * x + y * y + z * z);
+    if (std::abs(length - 9.81) > 0.2 && std::abs(length - 1) > 0.02) continue;
+    reasons.push_back("Gravity stands in " + table.called(group.xyz[0]) +
+                      " and its neighbours and decides which way is up.");
+    return group_of(table, group.columns());
+  }
+  return std::nullopt;
 }
 
-// Heads are 1 to 2 m above something: hundreds are centimetres, thousands millimetres.
-std::pair<double, const char*> length_unit(const SniffedTable& table,
-                                           const std::vector<std::size_t>& columns) {
-  double most = 0;
-  for (const std::size_t column : columns) most = std::max(most, median(table, column).value_or(0));
-  if (most > 100 * kTallestM) return {0.001, "mm"};
-  if (most > 10 * kTallestM) return {0.01, "cm"};
-  return {1, "m"};
-}
+// What is known before the axes are.
+struct FoundColumns {
+  SniffedTable head_table;
+  TimeRole time;
+  RotationRoles rotations;
+  std::optional<GazeColumns> gaze;
+  std::optional<GazeSpace> space;
+  bool gaze_by_angles = false;
+};
 
-HeadColumns head_columns(const SniffedTable& table, const TimeRole& time, const RotationRole& rotation,
-                         std::vector<std::string>& reasons) {
+HeadColumns head_columns(const FoundColumns& found, const RotationRole& rotation, ProposedMap& proposed,
+                         bool& centimetres) {
+  const SniffedTable& table = found.head_table;
   HeadColumns head;
   head.table = table.format;
-  head.time = time.time;
+  head.time = found.time.time;
   head.rotation_kind = rotation.kind;
   head.rotation = group_of(table, rotation.columns);
+  if (!rotation.up.empty()) head.up = group_of(table, rotation.up);
   head.radians_per_unit = rotation.radians_per_unit;
-  if (rotation.kind == RotationKind::euler_xyz) head.euler_order = rotation.unreal_names ? "xyz" : "zxy";
-  if (rotation.unreal_names) head.euler_sense = {-1, -1, 1};
-  if (rotation.kind == RotationKind::matrix_4x4) return head;
-  std::size_t time_column = table.columns();
-  for (std::size_t column = 0; column < table.columns(); ++column) {
-    const ColumnRef ref = table.ref(column);
-    if (ref.name == time.time.column.name && ref.number == time.time.column.number) time_column = column;
-  }
-  if (const auto position = find_position(table, rotation, time_column)) {
-    head.position = group_of(table, position->columns);
-    const auto [scale, word] = length_unit(table, position->columns);
-    head.metres_per_unit = scale;
-    reasons.push_back(position->reason + ", in " + word);
-  }
+  head.column_major = rotation.column_major;
+  const PositionRole position = find_position(table, rotation, found.time);
+  if (!position.columns.empty()) head.position = group_of(table, position.columns);
+  head.metres_per_unit = position.metres_per_unit;
+  centimetres = position.metres_per_unit == 0.01;
+  append(position.reasons, proposed.reasons);
+  append(position.questions, proposed.questions);
+  head.valid = find_flags(table, FlagOf::head, proposed.reasons, proposed.questions);
+  head.gravity = gravity_of(table, proposed.reasons);
   return head;
 }
 
-std::optional<GazeColumns> gaze_columns(const SniffedTable& table, bool in_head_file,
-                                        std::vector<std::string>& reasons) {
-  const auto role = find_gaze(table);
-  const auto time = find_time(table);
-  if (!role || !time) return std::nullopt;
-  GazeColumns gaze;
-  gaze.in_head_file = in_head_file;
-  gaze.table = table.format;
-  gaze.time = time->time;
-  for (const auto& columns : role->rays) {
-    DirectionColumns ray;
-    ray.vector = group_of(table, columns);
-    gaze.rays.push_back(std::move(ray));
+// The conventions that this kind of rotation may have, and the ways to apply angles.
+void add_readings(const RotationRole& rotation, ColumnMap map, bool centimetres, bool gaze,
+                  const std::optional<GazeSpace>& space, std::vector<AxisReading>& readings) {
+  using Axes = AxisConvention;
+  HeadColumns& head = map.head.front();
+  AxisReading reading;
+  reading.space = gaze ? space : std::nullopt;
+  reading.reason = rotation.reason;
+  if (rotation.kind != RotationKind::euler_xyz) {
+    if (rotation.kind == RotationKind::forward_up)
+      reading.conventions = {Axes::unity, Axes::openxr, Axes::ros};
+    else
+      for (std::size_t i = 0; i < axis_conventions().size(); ++i)
+        if (i != Axes::unreal) reading.conventions.push_back(i);
+    if (centimetres) {
+      reading.conventions.push_back(Axes::unreal);
+      reading.only_one = Axes::unreal;
+    }
+    reading.map = std::move(map);
+    readings.push_back(std::move(reading));
+    return;
   }
-  reasons.push_back(role->reason);
+  const auto add = [&](const char* order, std::vector<std::size_t> conventions,
+                       std::optional<std::size_t> only) {
+    head.euler_order = order;
+    reading.conventions = std::move(conventions);
+    reading.only_one = only;
+    reading.map = map;
+    readings.push_back(reading);
+  };
+  if (rotation.turns_named && centimetres) {
+    head.euler_sense = {-1, -1, 1};
+    add("xyz", {Axes::unreal}, Axes::unreal);
+  } else if (rotation.turns_named) {
+    add("xyz", {Axes::ros}, {});
+  } else {
+    // Degrees about x, y and z beside metres with y up are what Unity's loggers write.
+    const bool usual = rotation.radians_per_unit != 1;
+    add("zxy", {Axes::unity, Axes::openxr}, usual ? std::optional(std::size_t{Axes::unity}) : std::nullopt);
+    add("xyz", {Axes::ros, Axes::y_forward}, {});
+  }
+}
+
+// Order and sense of angles show in no data; an engine's names, units and ranges tell, where the data agree.
+void judge_angles(const RotationRole& rotation, bool centimetres, const AxisVerdict& verdict,
+                  ProposedMap& proposed) {
+  if (rotation.kind != RotationKind::euler_xyz) return;
+  const auto is = [&](std::size_t convention) { return verdict.axes == &axis_conventions()[convention]; };
+  if (rotation.turns_named && centimetres && is(AxisConvention::unreal)) {
+    proposed.reasons.push_back(
+        "Roll, pitch and yaw in degrees beside centimetres with z up are a rotator of Unreal: "
+        "positive pitch looks up, positive yaw turns right, positive roll leans right.");
+    return;
+  }
+  if (!rotation.turns_named && is(AxisConvention::unity) && rotation.radians_per_unit != 1 &&
+      (rotation.full_circle || verdict.walks_ahead || verdict.eyes_tell || verdict.map)) {
+    proposed.reasons.push_back(
+        std::string("Angles about x, y and z in degrees are those of Unity, applied about z, then "
+                    "x, then y") +
+        (rotation.full_circle ? ": they lie from 0 to 360." : "."));
+    return;
+  }
+  proposed.questions.push_back(
+      "In which order and sense the angles turn, and where the axes point: nothing in the "
+      "data tells Unity from other programs (\"order\", \"sense\", \"world_axes\" and "
+      "\"head_axes\" in the map).");
+}
+
+std::optional<GazeColumns> gaze_columns(const RecordingFiles& files, FoundColumns& found,
+                                        ProposedMap& proposed) {
+  const bool own_file = files.gaze.has_value();
+  const std::optional<SniffedTable> table = own_file ? sniff_table(*files.gaze) : found.head_table;
+  const std::optional<GazeRole> role = table ? find_gaze(*table) : std::nullopt;
+  if (!role) {
+    if (own_file)
+      proposed.questions.push_back(table
+                                       ? "Where the gaze stands: no columns of the gaze's file are called so "
+                                         "(\"gaze\" of the map)."
+                                       : kUnreadable);
+    return std::nullopt;
+  }
+  append(role->reasons, proposed.reasons);
+  append(role->questions, proposed.questions);
+  if (role->rays.empty()) return std::nullopt;
+  const TimeRole time = own_file ? find_time(*table) : found.time;
+  if (own_file) {
+    append(time.reasons, proposed.reasons);
+    append(time.questions, proposed.questions);
+  }
+  found.space = role->space;
+  found.gaze_by_angles = role->angles;
+  GazeColumns gaze;
+  gaze.in_head_file = !own_file;
+  gaze.table = table->format;
+  gaze.time = time.time;
+  gaze.rays = role->rays;
+  gaze.axes = directions({"right", "up", "forward"});
   return gaze;
 }
 
-struct Candidate {
-  const AxisConvention* axes = nullptr;
-  std::shared_ptr<const ColumnMap> map;
-  TrialImport trial;
-};
-
-Candidate try_axes(const RecordingFiles& files, ColumnMap map, const AxisConvention& axes) {
-  HeadColumns& head = map.head.front();
-  head.world_axes = directions(axes.world);
-  head.head_axes = directions(axes.head);
-  for (GazeColumns& gaze : map.gaze) gaze.axes = head.head_axes;
-  Candidate candidate;
-  candidate.axes = &axes;
-  candidate.map = std::make_shared<const ColumnMap>(std::move(map));
-  FormatRequest request;
-  request.files = files;
-  const GazeColumns* gaze = candidate.map->gaze.empty() ? nullptr : &candidate.map->gaze.front();
-  const ImportRequest import = import_request(request, {&candidate.map->head.front(), gaze});
-  candidate.trial = trial_import(import);
-  return candidate;
+// Unit vectors in columns without names beside the head's could be the gaze.
+void ask_unnamed(const FoundColumns& found, ProposedMap& proposed) {
+  const SniffedTable& table = found.head_table;
+  if (!table.names.empty() || found.rotations.roles.empty()) return;
+  const std::vector<std::size_t>& taken = found.rotations.roles.front().columns;
+  for (std::size_t first = 0; first + 3 <= table.columns(); ++first) {
+    const std::vector<std::size_t> columns{first, first + 1, first + 2};
+    const bool free = std::none_of(columns.begin(), columns.end(), [&](std::size_t column) {
+      return std::find(taken.begin(), taken.end(), column) != taken.end();
+    });
+    if (!free || unit_share(table, columns) < 0.9) continue;
+    proposed.questions.push_back("What " + table.called(first) +
+                                 " and the next two are, unit vectors without a name: the "
+                                 "gaze? (\"gaze\" of the map)");
+    return;
+  }
 }
 
-bool excluded(const Candidate& candidate) {
-  if (!implausible(candidate.trial).empty()) return true;
-  const PlausibilityFigures& f = candidate.trial.figures;
-  return (f.level_share && *f.level_share < kLevel) ||
-         (f.forwards_share && *f.forwards_share < 1 - kForwards);
+ColumnMap empty_map(const std::filesystem::path& file) {
+  ColumnMap map;
+  map.name = file.stem().string();
+  map.note = "proposed from the data of " + file.filename().string();
+  return map;
 }
 
-// What speaks for these axes beyond being level: walking ahead, eyes that rest ahead.
-int evidence(const Candidate& candidate, std::vector<std::string>& reasons) {
-  int found = 0;
-  if (candidate.trial.figures.forwards_share.value_or(0) > kForwards) {
-    reasons.push_back("the head looks where it walks");
-    ++found;
-  }
-  const PlausibilityFigures& f = candidate.trial.figures;
-  if (f.gaze_rows > 0 && f.median_gaze_deg > 0 && f.median_gaze_deg < kGazeAheadDeg) {
-    reasons.push_back("the eyes rest ahead of the head");
-    ++found;
-  }
-  if (eye_evidence(candidate.trial) > kChanceEvidence) {
-    reasons.push_back("the eyes turn against the head, as people's do");
-    ++found;
-  }
-  return found;
+// A log of gaze alone: which way its axes point shows only against a head.
+ProposedMap propose_gaze(const std::filesystem::path& file, FoundColumns& found, ProposedMap proposed) {
+  const RecordingFiles files{{}, file};
+  proposed.still.head = true;
+  auto gaze = gaze_columns(files, found, proposed);
+  if (!gaze) return proposed;
+  ColumnMap map = empty_map(file);
+  gaze->in_head_file = false;
+  map.gaze.push_back(std::move(*gaze));
+  proposed.map = std::move(map);
+  proposed.questions.push_back(
+      "Where the axes of the gaze point: without a head nothing tells (\"axes\" of the gaze in "
+      "the map).");
+  return proposed;
 }
 
-const AxisConvention& named_axes(bool unreal) {
-  return axis_conventions()[unreal ? 3 : 0];
+void settle(const RecordingFiles& files, const FoundColumns& found, ProposedMap& proposed) {
+  std::vector<AxisReading> readings;
+  bool centimetres = false;
+  for (const RotationRole& rotation : found.rotations.roles) {
+    ColumnMap map = empty_map(files.head);
+    map.head.push_back(head_columns(found, rotation, proposed, centimetres));
+    if (found.gaze && !found.gaze_by_angles) map.gaze.push_back(*found.gaze);
+    add_readings(rotation, std::move(map), centimetres, found.gaze.has_value(), found.space, readings);
+  }
+  const AxisVerdict verdict = settle_axes(files, readings);
+  append({readings[verdict.reading].reason}, proposed.reasons);
+  append(verdict.reasons, proposed.reasons);
+  append(verdict.questions, proposed.questions);
+  for (const RotationRole& rotation : found.rotations.roles)
+    if (rotation.reason == readings[verdict.reading].reason)
+      judge_angles(rotation, centimetres, verdict, proposed);
+  append(verdict.trial.remarks, proposed.reasons);
+  proposed.map = verdict.map ? verdict.map : verdict.draft;
+  if (found.gaze && found.gaze_by_angles) proposed.map->gaze.push_back(*found.gaze);
 }
 
 }  // namespace
 
-ProposedMap propose_map(const RecordingFiles& files) {
+ProposedMap propose_map(const RecordingFiles& files, const StillParts& still) {
   ProposedMap proposed;
-  const std::optional<SniffedTable> table = sniff_table(files.head);
+  proposed.still = still;
+  FoundColumns found;
+  if (files.head.empty()) return propose_gaze(*files.gaze, found, std::move(proposed));
+  auto table = sniff_table(files.head);
   if (!table) {
-    proposed.questions.push_back("what the file is: it is no table of separated fields");
+    proposed.questions.push_back(kUnreadable);
     return proposed;
   }
-  const auto time = find_time(*table);
-  const std::vector<RotationRole> rotations = find_rotations(*table);
-  if (!time)
-    proposed.questions.push_back(
-        "where the time stands: no column grows like a clock (\"time\" of a map; "
-        "\"rate_hz\" where none was written)");
-  else
-    proposed.reasons.push_back(time->reason);
-  if (rotations.empty())
-    proposed.questions.push_back(
-        "where the head's rotation stands: no columns are a unit quaternion, a matrix or "
-        "angles by their names (\"orientation\" of a map)");
-  if (!time || rotations.empty()) return proposed;
-
-  const RotationRole& first = rotations.front();
-  const bool angles = first.kind == RotationKind::euler_xyz;
-  std::vector<Candidate> candidates;
-  for (const RotationRole& rotation : rotations) {
-    if (rotation.kind != first.kind && !table->names.empty())
-      break;  // a quaternion wins over angles beside it
-    std::vector<std::string> reasons{rotation.reason};
-    ColumnMap map;
-    map.name = files.head.stem().string();
-    map.note = "proposed from the data of " + files.head.filename().string();
-    map.head.push_back(head_columns(*table, *time, rotation, reasons));
-    const std::optional<SniffedTable> gaze_table = files.gaze ? sniff_table(*files.gaze) : table;
-    if (gaze_table)
-      if (auto gaze = gaze_columns(*gaze_table, !files.gaze, reasons)) map.gaze.push_back(std::move(*gaze));
-    if (candidates.empty()) proposed.reasons.insert(proposed.reasons.end(), reasons.begin(), reasons.end());
-    if (angles) {  // names of angles belong to an engine
-      candidates.push_back(try_axes(files, std::move(map), named_axes(rotation.unreal_names)));
-      break;
-    }
-    for (const AxisConvention& axes : axis_conventions()) candidates.push_back(try_axes(files, map, axes));
+  found.head_table = std::move(*table);
+  found.time = find_time(found.head_table);
+  found.rotations = find_rotations(found.head_table, found.time);
+  if (found.rotations.roles.empty() && !files.gaze && find_gaze(found.head_table)) {
+    proposed.reasons.push_back("No columns are the rotation of a head: it is a log of gaze alone.");
+    return propose_gaze(files.head, found, std::move(proposed));
   }
-  std::erase_if(candidates, excluded);
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    std::vector<std::string> unused;
-    return evidence(a, unused) > evidence(b, unused);
-  });
-  std::vector<std::string> unused;
-  const int best = candidates.empty() ? 0 : evidence(candidates.front(), unused);
-  const int second = candidates.size() < 2 ? -1 : evidence(candidates[1], unused);
-  if (candidates.empty() || (best == second && !angles) || (best == 0 && !angles)) {
+  append(found.time.reasons, proposed.reasons);
+  append(found.time.questions, proposed.questions);
+  append(found.rotations.questions, proposed.questions);
+  ask_unnamed(found, proposed);
+  if (found.rotations.roles.empty()) {
     proposed.questions.push_back(
-        candidates.empty()
-            ? "where the axes point: with none of the usual ones the head is level"
-            : "where the axes point: the data fit " + std::to_string(candidates.size()) +
-                  " conventions, among them " + candidates.front().axes->name + " and " +
-                  candidates.back().axes->name + " (\"world_axes\" and \"head_axes\" of a map)");
+        "Where the head's rotation stands: no columns are a unit quaternion, a matrix, "
+        "forward and up, or angles by their names (\"orientation\" of a map).");
     return proposed;
   }
-  evidence(candidates.front(), proposed.reasons);
-  proposed.reasons.push_back("with the axes of " + std::string(candidates.front().axes->name) + " the head " +
-                             candidates.front().trial.words);
-  proposed.map = *candidates.front().map;
+  if (!still.gaze) found.gaze = gaze_columns(files, found, proposed);
+  settle(files, found, proposed);
   return proposed;
 }
 

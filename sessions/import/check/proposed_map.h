@@ -1,5 +1,5 @@
-// A column map for a table that no preset knows, tried with the axes of every convention. Before:
-// column_roles. After: proposal.
+// A column map for a recording that no preset knows, with the axes in which it looks like a person.
+// Before: the roles of columns, axis_trials. After: proposal.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,12 @@
 namespace herr {
 
 struct ProposedMap {
-  std::optional<ColumnMap> map;  // none: cannot tell
+  std::optional<ColumnMap> map;  // a map to convert with, or, where there are questions, a draft of one
+  StillParts still;
   std::vector<std::string> reasons, questions;
 };
 
-ProposedMap propose_map(const RecordingFiles& files);
+// `still.head`: the files hold no head. Throws InputError.
+ProposedMap propose_map(const RecordingFiles& files, const StillParts& still);
 
 }  // namespace herr

@@ -100,45 +100,97 @@ std::vector<std::string> first_lines(const std::filesystem::path& file) {
   return lines;
 }
 
-}  // namespace
-
-ColumnRef SniffedTable::ref(std::size_t column) const {
-  if (names.empty()) return {"", column + 1};
-  const bool once = std::count(names.begin(), names.end(), names[column]) == 1;
-  return once ? ColumnRef{names[column], 0} : ColumnRef{"", column + 1};
+// Of the lines above the rows, the one that names the columns; none where no line of words has their number.
+std::optional<std::size_t> names_line(const std::vector<std::vector<std::string>>& rows, std::size_t first,
+                                      std::size_t width) {
+  for (std::size_t line = 0; line < first; ++line)
+    if (rows[line].size() >= width) return line;
+  return std::nullopt;
 }
 
-std::optional<std::vector<double>> SniffedTable::numbers(std::size_t column) const {
+// A comment just above the rows that has a name for each column: "# timestamp tx ty tz qx qy qz qw".
+std::vector<std::string> names_of_comment(const std::string& comment, char separator, std::size_t width) {
+  const std::size_t start = comment.find_first_not_of("# \t");
+  if (start == std::string::npos) return {};
+  std::vector<std::string> names = cut(std::string_view(comment).substr(start), separator);
+  if (names.size() != width || has_number(names, '.')) names.clear();
+  return names;
+}
+
+std::vector<double> column_values(const SniffedTable& table, std::size_t column) {
   std::vector<double> values;
   std::size_t good = 0;
-  for (const auto& row : fields) {
-    const auto value = number_of(row[column], format.decimal);
+  for (const auto& row : table.fields) {
+    const auto value = number_of(row[column], table.format.decimal);
     good += value ? 1 : 0;
     values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
-  if (static_cast<double>(good) <= kMostNumbers * static_cast<double>(values.size())) return std::nullopt;
+  if (static_cast<double>(good) <= kMostNumbers * static_cast<double>(values.size())) values.clear();
   return values;
+}
+
+// Takes the header off the rows, and leaves rows of one width.
+void name_columns(SniffedTable& table, const std::string& last_comment) {
+  auto& rows = table.fields;
+  std::size_t first = 0;
+  while (first < rows.size() && !has_number(rows[first], table.format.decimal)) ++first;
+  const std::vector<std::vector<std::string>> numbers(rows.begin() + static_cast<std::ptrdiff_t>(first),
+                                                      rows.end());
+  std::size_t width = usual_width(numbers);
+  table.format.header = first > 0;
+  if (const auto line = names_line(rows, first, width)) {
+    table.names = rows[*line];
+    width = table.names.size();
+    if (*line > 0 && last_comment.empty()) {
+      table.format.header_lines = first;
+      table.format.names_line = *line + 1;
+    }
+  } else if (first > 0) {
+    table.format.header = true;
+    table.format.header_lines = first;
+  } else {
+    table.names = names_of_comment(last_comment, table.format.separator, width);
+  }
+  rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(first));
+  std::erase_if(rows, [&](const auto& row) {
+    return row.size() > width || row.size() + 2 < width || !has_number(row, table.format.decimal);
+  });
+  for (auto& row : rows) row.resize(width);
+}
+
+}  // namespace
+
+ColumnRef SniffedTable::ref(std::size_t column) const {
+  if (names.empty() || !format.header) return {"", column + 1};
+  const bool once = std::count(names.begin(), names.end(), names[column]) == 1;
+  return once && !names[column].empty() ? ColumnRef{names[column], 0} : ColumnRef{"", column + 1};
+}
+
+std::string SniffedTable::called(std::size_t column) const {
+  return names.empty() || names[column].empty() ? "column " + std::to_string(column + 1)
+                                                : "'" + names[column] + "'";
+}
+
+const std::vector<double>* SniffedTable::numbers(std::size_t column) const {
+  return values[column].empty() ? nullptr : &values[column];
 }
 
 std::optional<SniffedTable> sniff_table(const std::filesystem::path& file) {
   std::vector<std::string> lines = first_lines(file);
   SniffedTable table;
-  const bool comments =
-      std::any_of(lines.begin(), lines.end(), [](const std::string& line) { return line[0] == '#'; });
-  if (comments) table.format.comment = "#";
+  std::string last_comment;
+  for (std::size_t i = 0; i < lines.size() && lines[i][0] == '#'; ++i) last_comment = lines[i];
+  if (std::any_of(lines.begin(), lines.end(), [](const std::string& line) { return line[0] == '#'; }))
+    table.format.comment = "#";
   std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
   table.format.separator = separator_of(lines);
-  if (lines.empty() || table.format.separator == 0) return std::nullopt;
+  if (lines.empty() || lines[0][0] == '<' || table.format.separator == 0) return std::nullopt;
   for (const std::string& line : lines) table.fields.push_back(cut(line, table.format.separator));
   table.format.decimal = table.format.separator != ',' && decimal_commas(table.fields) ? ',' : '.';
-  table.format.header = !has_number(table.fields.front(), table.format.decimal);
-  if (table.format.header) {
-    table.names = table.fields.front();
-    table.fields.erase(table.fields.begin());
-  }
-  const std::size_t width = table.format.header ? table.names.size() : usual_width(table.fields);
-  std::erase_if(table.fields, [&](const auto& row) { return row.size() != width; });
-  if (table.fields.size() < 2 || width < 2) return std::nullopt;
+  name_columns(table, last_comment);
+  if (table.fields.size() < 2 || table.fields.front().size() < 2) return std::nullopt;
+  for (std::size_t column = 0; column < table.fields.front().size(); ++column)
+    table.values.push_back(column_values(table, column));
   return table;
 }
 

@@ -1,5 +1,5 @@
 // The beginning of a text table as it stands there: separator, decimal sign, names, fields. For a format that
-// nobody has described yet. Before: a file. After: column_roles.
+// nobody has described yet. Before: a file. After: the roles of its columns (time_role.h and its neighbours).
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,16 @@ namespace herr {
 
 struct SniffedTable {
   TableFormat format;
-  std::vector<std::string> names;                // empty: no header line
-  std::vector<std::vector<std::string>> fields;  // rows, then fields; rows of the usual width only
+  std::vector<std::string> names;  // empty: nothing names the columns; of a comment: refs go by number
+  std::vector<std::vector<std::string>> fields;  // rows, then fields
+  std::vector<std::vector<double>> values;       // columns, then rows; NaN: no number; empty: mostly none
 
-  std::size_t columns() const { return fields.empty() ? 0 : fields.front().size(); }
+  std::size_t columns() const { return values.size(); }
   // How messages and maps call a column.
   ColumnRef ref(std::size_t column) const;
-  // All fields of a column as numbers; none where most are no numbers. Those that are none count as NaN.
-  std::optional<std::vector<double>> numbers(std::size_t column) const;
+  std::string called(std::size_t column) const;  // "'pos_x'", "column 3"
+  // All fields of a column as numbers; null where most are no numbers. Those that are none count as NaN.
+  const std::vector<double>* numbers(std::size_t column) const;
 };
 
 // At most the first 2000 rows. Throws InputError; none where it is no table of at least two columns.

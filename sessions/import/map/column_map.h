@@ -112,7 +112,7 @@ struct HeadColumns {
   std::string euler_order;                  // the axes in the order in which the rotations are applied, "zxy"
   std::array<int, 3> euler_sense{1, 1, 1};  // -1: the file's angle about x, y, z turns the other way
   bool column_major = false;                // matrices
-  bool head_from_world = false;             // the file holds the inverse pose
+  bool head_from_world = false;             // the file holds the inverse pose; not of forward_up, fixed
   AxisDirections world_axes, head_axes;
   Pose body_from_head;  // in the file's axes; identity where the file records the head itself
   RowFilter valid;      // other rows are lost tracking and left out

@@ -32,6 +32,8 @@ void parse_details(const JsonObject& entry, const RotationWord& word, HeadColumn
   if (kind != RotationKind::euler_xyz) refuse_beside(entry, word.word, {"order", "sense"});
   if (kind != RotationKind::forward_up) refuse_beside(entry, word.word, {"up"});
   if (!is_matrix(kind)) refuse_beside(entry, word.word, {"major"});
+  if (kind == RotationKind::fixed || kind == RotationKind::forward_up)
+    refuse_beside(entry, word.word, {"inverse"});
   if (kind == RotationKind::euler_xyz) {
     parse_euler(entry, head);
   } else if (kind == RotationKind::rotation_vector) {

@@ -1,7 +1,6 @@
 #include "sessions/import/presets/choose_format.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -9,74 +8,26 @@
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/proven_angles.h"
-#include "sessions/import/presets/recording_folder.h"
+#include "sessions/import/presets/recognised_formats.h"
 #include "sessions/import/presets/trial_import.h"
 
 namespace herr {
 namespace {
 
-std::shared_ptr<const ColumnMap> parsed(const BuiltInMap& map) {
-  return std::make_shared<const ColumnMap>(parse_column_map(map.json, std::string(map.name) + ".json"));
-}
-
-const std::filesystem::path& any_file(const FormatRequest& request) {
-  return request.files.head.empty() ? *request.files.gaze : request.files.head;
-}
-
-FittingResult fitting(const FormatRequest& request, const std::shared_ptr<const ColumnMap>& map,
-                      const std::string& preset) {
-  return fitting_columns(request.files, map, preset, request.variant, request.still);
-}
-
-// Of all built-in maps, those that ask for the most columns by name: a table of bare numbers fits any map
-// that counts columns.
-std::vector<FittingColumns> recognised(const FormatRequest& request) {
-  std::vector<FittingColumns> all;
-  for (const BuiltInMap& map : built_in_maps()) {
-    FittingResult result = fitting(request, parsed(map), std::string(map.name));
-    std::move(result.fitting.begin(), result.fitting.end(), std::back_inserter(all));
-  }
-  std::size_t most = 0;
-  for (const FittingColumns& one : all) most = std::max(most, one.named_columns);
-  std::erase_if(all, [most](const FittingColumns& one) { return one.named_columns < most; });
-  // Of several, those that call their files so.
-  const auto by_name = [&](const FittingColumns& one) {
-    return named_in_layouts(any_file(request), *one.map);
-  };
-  if (std::any_of(all.begin(), all.end(), by_name)) std::erase_if(all, std::not_fn(by_name));
-  return all;
-}
-
-// The presets of a list, each once: "euroc, tum".
-std::string presets_in(const std::vector<FittingColumns>& formats) {
+void check_variant(const FormatRequest& request, const ColumnMap& map) {
+  const std::vector<std::string> known = variants_of(map);
+  if (request.variant.empty() || std::find(known.begin(), known.end(), request.variant) != known.end()) return;
   std::string names;
-  std::string last;
-  for (const FittingColumns& one : formats) {
-    if (one.preset == last) continue;
-    names += (names.empty() ? "" : ", ") + one.preset;
-    last = one.preset;
-  }
-  return names;
-}
-
-// What a preset or map that does not fit lacks, and the preset that fits instead.
-[[noreturn]] void fail_misfit(const FormatRequest& request, const InputError& missing) {
-  FormatRequest any = request;
-  any.variant.clear();
-  const std::vector<FittingColumns> others = recognised(any);
-  std::string remedy = missing.remedy();
-  if (!others.empty() && others.front().named_columns > 0)
-    remedy = "its columns are those of preset " + presets_in(others) + ", not of " +
-             (request.preset.empty() ? "this map" : request.preset);
-  throw InputError(missing.file(), missing.line(), missing.problem(), remedy);
+  for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+  throw InputError(any_file(request), 0,
+                   "cannot be read as variant '" + printable(request.variant) + "' of " + map.name,
+                   known.empty() ? "leave --variant out: there are no variants" : "its variants are: " + names);
 }
 
 std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
   if (!request.map && request.preset.empty()) {
     std::vector<FittingColumns> formats = recognised(request);
-    if (formats.empty())
-      throw InputError(any_file(request), 0, "has the columns of no preset",
-                       "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
+    if (formats.empty()) fail_unrecognised(request);
     return formats;
   }
   std::shared_ptr<const ColumnMap> map = request.map;
@@ -86,15 +37,12 @@ std::vector<FittingColumns> all_fitting(const FormatRequest& request) {
                                     [&](const BuiltInMap& one) { return one.name == request.preset; });
     map = parsed(*found);
   }
+  check_variant(request, *map);
   FittingResult result = fitting(request, map, request.preset);
-  if (result.fitting.empty()) {
-    if (result.missing) fail_misfit(request, *result.missing);
-    throw InputError(any_file(request), 0,
-                     "fits no part of map '" + map->name + "'" +
-                         (request.variant.empty() ? "" : " that is of variant '" + request.variant + "'"),
-                     "check --variant and --map");
-  }
-  return std::move(result.fitting);
+  if (!result.fitting.empty()) return std::move(result.fitting);
+  if (result.missing) fail_misfit(request, *result.missing);
+  throw InputError(any_file(request), 0, "holds nothing that map '" + map->name + "' reads",
+                   "check --preset, --map and --gaze");
 }
 
 struct Tried {
@@ -103,11 +51,27 @@ struct Tried {
   std::string against;  // what makes it implausible, or empty
 };
 
+// "preset euroc, variant tumvi (why); preset tum, variant robot, camera (why)".
 std::string list_of(const std::vector<Tried>& tried) {
+  const bool any_read =
+      std::any_of(tried.begin(), tried.end(), [](const Tried& one) { return !one.trial.error; });
   std::string text;
-  for (const Tried& one : tried)
-    text += (text.empty() ? "" : "; ") + one.format.words() +
-            (one.against.empty() ? "" : " (" + one.against + ")");
+  const Tried* last = nullptr;
+  const auto close = [&] {
+    text += last != nullptr && !last->against.empty() ? " (" + last->against + ")" : "";
+  };
+  for (const Tried& one : tried) {
+    if (any_read && one.trial.error) continue;
+    if (last != nullptr && last->format.map == one.format.map && last->against == one.against &&
+        !one.format.variant().empty()) {
+      text += ", " + one.format.variant();
+      continue;
+    }
+    close();
+    text += (text.empty() ? "" : "; ") + one.format.words();
+    last = &one;
+  }
+  close();
   return text;
 }
 
@@ -118,6 +82,8 @@ bool differ(const Tried& a, const Tried& b) {
 std::string told_apart(const Tried& chosen, const std::vector<Tried>& others) {
   std::string text = chosen.format.words() + " was taken";
   for (const Tried& one : others) {
+    const bool stranger = one.format.map != chosen.format.map && !one.against.empty();
+    if (stranger || one.trial.error) continue;  // other formats of as many numbers
     const std::string why = one.against.empty() ? better_because(chosen.trial, one.trial) : one.against;
     if (!why.empty()) text += "; with " + one.format.words() + " " + why;
   }
@@ -165,8 +131,28 @@ std::optional<ChosenFormat> winner(const Contest& contest) {
   return std::nullopt;
 }
 
+// A preset that reads rows like any other of as many numbers, and only makes no sense of them.
+void refuse_wrong_preset(const FormatRequest& request, const Contest& contest) {
+  FormatRequest any = request;
+  any.preset.clear();
+  const std::vector<FittingColumns> all = recognised(any);
+  const Contest others = contest_of(any, all, kTrialRows);
+  std::vector<FittingColumns> good;
+  for (const Tried& one : others.good)
+    if (one.format.preset != request.preset) good.push_back(one.format);
+  if (good.empty()) return;
+  throw InputError(any_file(request), 0, "looks like no person's head and eyes as " + list_of(contest.bad),
+                   "it does as preset " + presets_in(good) + "; give --variant or --map to insist");
+}
+
 // The user named the format: what fits it best is taken, and warnings follow.
 ChosenFormat insisted(const FormatRequest& request, const Contest& contest) {
+  if (std::all_of(contest.bad.begin(), contest.bad.end(),
+                  [](const Tried& one) { return one.trial.error.has_value(); }))
+    throw InputError(*contest.bad.front().trial.error);
+  if (!request.map && !request.preset.empty() && request.variant.empty() &&
+      contest.bad.front().format.named_columns == 0)
+    refuse_wrong_preset(request, contest);
   const std::string remark =
       "looks like no person's head and eyes in any of its formats: " + list_of(contest.bad);
   const auto legible = std::find_if(contest.bad.begin(), contest.bad.end(), [&](const Tried& one) {
@@ -185,14 +171,16 @@ ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
   if (only_gaze_differs(contest.good))
     return {first.format,
             {first.format.words() + " was taken, and the data would also allow " +
-             contest.good[1].format.words() + ": give --variant where that is meant"}};
+             contest.good[1].format.words() + ": give --variant where that is meant"},
+            contest.good[1].format.words()};
   const bool one_map = std::all_of(contest.good.begin(), contest.good.end(),
                                    [&](const Tried& one) { return one.format.map == first.format.map; });
   for (const Tried& one : contest.good)
     if (one_map && !one.format.variant().empty() && one.format.variant() == one.format.map->otherwise)
       return {one.format,
               {one.format.words() + " was taken, as the data cannot tell: " + list_of(contest.good) +
-               " fit alike; give --variant where another is meant"}};
+               " fit alike; give --variant where another is meant"},
+              list_of(contest.good)};
   throw InputError(any_file(request), 0,
                    "fits several formats, and its data cannot tell which: " + list_of(contest.good),
                    "give --preset, and --variant where one is named");
@@ -200,6 +188,7 @@ ChosenFormat undecided(const FormatRequest& request, const Contest& contest) {
 
 ChosenFormat choose(const FormatRequest& request, const std::vector<FittingColumns>& formats) {
   Contest contest = contest_of(request, formats, kTrialRows);
+  if (formats.size() == 1 && contest.bad.empty()) return {formats.front(), {}};
   if (auto chosen = winner(contest)) return std::move(*chosen);
   if (contest.good.size() > 1) contest = contest_of(request, formats, kLongTrialRows);  // more of it may tell
   if (auto chosen = winner(contest)) return std::move(*chosen);
@@ -224,8 +213,10 @@ ChosenFormat chosen_of(const FormatRequest& request) {
     if (!file.empty() && !path_exists(file)) throw InputError(file, 0, "does not exist", "name a recording");
   std::vector<FittingColumns> formats = all_fitting(request);
   const bool recognised_itself = !request.map && request.preset.empty();
-  if (formats.size() == 1 && !recognised_itself) return {std::move(formats.front()), {}};
-  if (formats.size() > 1) return choose(request, formats);
+  const bool counted = !recognised_itself && !request.map && formats.front().named_columns == 0;
+  if (counted) refuse_named_columns(request);
+  if (formats.size() > 1 || (counted && request.variant.empty())) return choose(request, formats);
+  if (!recognised_itself) return {std::move(formats.front()), {}};
   // The only format that has these columns: what is wrong in it is for its import to say.
   return {formats.front(), {formats.front().words() + " was recognised by its columns"}};
 }

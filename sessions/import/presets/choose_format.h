@@ -24,6 +24,7 @@ struct FormatRequest {
 struct ChosenFormat {
   FittingColumns format;
   std::vector<std::string> remarks;  // "variant gen2 was taken: ...", whole sentences
+  std::string alike{};               // formats that fit the data as well, in words; empty: none, it was told
 };
 
 // Throws InputError that names what is missing, and the format that fits instead; where several fit and the

@@ -14,7 +14,8 @@ namespace {
 // What an alternative lacks in a file.
 struct Misfit {
   InputError error;
-  std::size_t missing_columns = 0;
+  std::size_t missing_columns = 0, wanted_columns = 0;
+  bool unreadable = false;  // no column was looked for
 };
 
 constexpr int kFirstRows = 20;
@@ -66,13 +67,13 @@ std::optional<Misfit> misfit(const std::filesystem::path& file, const Columns& c
       try {
         (void)rows->place(column);
       } catch (const InputError& error) {
-        if (!found) found = Misfit{error, 0};
+        if (!found) found = Misfit{error, 0, wanted.size()};
         ++found->missing_columns;
       }
     }
     return found ? found : illegible(file, columns);
   } catch (const InputError& error) {
-    return Misfit{error, wanted.size()};
+    return Misfit{error, wanted.size(), wanted.size(), true};
   }
 }
 
@@ -149,8 +150,14 @@ Fits<GazeColumns> gaze_fits(const RecordingFiles& files, const ColumnMap& map, c
   }
   if (!there.empty()) {
     Fits<GazeColumns> fits = fits_in(*file, there);
-    // A head's log that could hold gaze need not.
-    if (fits.columns.empty() && !files.gaze) return {{nullptr}, {}};
+    // A head's log that could hold gaze need not; one that names half of it was meant to.
+    const bool half_there = fits.nearest && !fits.nearest->unreadable && fits.nearest->missing_columns > 0 &&
+                            2 * fits.nearest->missing_columns < fits.nearest->wanted_columns;
+    if (fits.columns.empty() && !files.gaze && !half_there) return {{nullptr}, {}};
+    if (fits.columns.empty() && !files.gaze)
+      fits.nearest->error = InputError(fits.nearest->error.file(), fits.nearest->error.line(),
+                                       fits.nearest->error.problem() + ", and holds other columns of the gaze",
+                                       "correct the name, or give --still-gaze where no gaze is meant");
     return fits;
   }
   if (files.gaze)
@@ -174,6 +181,17 @@ std::string FittingColumns::words() const {
   return text;
 }
 
+// Of head and gaze, each once, in the order of the map.
+std::vector<std::string> variants_of(const ColumnMap& map) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const HeadColumns& head : map.head) add(head.variant);
+  for (const GazeColumns& gaze : map.gaze) add(gaze.variant);
+  return names;
+}
+
 FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr<const ColumnMap>& map,
                               const std::string& preset, const std::string& variant,
                               const StillParts& still) {
@@ -189,10 +207,10 @@ FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr
       result.fitting.push_back(std::move(fitting));
     }
   if (!result.fitting.empty()) return result;
-  if (heads.nearest)
-    result.missing = heads.nearest->error;
-  else if (gazes.nearest)
-    result.missing = gazes.nearest->error;
+  if (const auto& nearest = heads.nearest ? heads.nearest : gazes.nearest) {
+    result.missing = nearest->error;
+    result.unreadable = nearest->unreadable;
+  }
   return result;
 }
 

@@ -33,11 +33,15 @@ struct FittingColumns {
 struct FittingResult {
   std::vector<FittingColumns> fitting;
   std::optional<InputError> missing;  // what the nearest alternative lacks, where nothing fits
+  bool unreadable = false;  // `missing`: the file cannot even be opened as a table or XML of that kind
 };
 
 // `variant` empty: all.
 FittingResult fitting_columns(const RecordingFiles& files, const std::shared_ptr<const ColumnMap>& map,
                               const std::string& preset, const std::string& variant, const StillParts& still);
+
+// Names of the siblings of head and gaze; empty: there are none.
+std::vector<std::string> variants_of(const ColumnMap& map);
 
 // All gaze alternatives of `variant` (empty: of those without one) whose columns are in the file.
 std::vector<const GazeColumns*> fitting_gaze(const std::filesystem::path& file, const ColumnMap& map,

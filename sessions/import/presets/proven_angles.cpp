@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "sessions/files/input_error.h"
 #include "sessions/import/rows/gaze_reader.h"
 #include "sessions/import/tables/row_source.h"
 
@@ -52,6 +53,23 @@ double sum_deviation(const GazeRow& eyes, const GazeRow& combined) {
   return std::asin(std::fmin(1, glm::length(glm::cross(sum / length, combined.head_direction[0]))));
 }
 
+using TrialReaders = std::vector<std::array<GazeReader, 2>>;
+
+// Of the current row, by each formula. Throws InputError.
+void read_trials(const RowSource& rows, const TrialReaders& readers, std::vector<FormulaTrial>& trials,
+                 std::int64_t& used) {
+  const std::array<glm::dvec3, 2> no_eyes{};
+  std::array<GazeRow, 2> row;
+  ReadingCounts counts;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    for (std::size_t k = 0; k < 2; ++k) readers[t][k].read(rows, nullptr, no_eyes, row[k], counts);
+    if (!row[0].valid[0] || !row[0].valid[1] || !row[1].valid[0]) continue;
+    const double angle = sum_deviation(row[0], row[1]);
+    trials[t].square_sum += angle * angle;
+    if (t == 0) ++used;
+  }
+}
+
 }  // namespace
 
 const GazeColumns* proven_angles(const std::filesystem::path& file,
@@ -63,20 +81,16 @@ const GazeColumns* proven_angles(const std::filesystem::path& file,
     for (const GazeColumns* gaze : {trial.eyes, trial.combined})
       for (const ColumnRef& column : columns_of(*gaze)) wanted.push_back(column);
   const std::unique_ptr<RowSource> rows = open_rows(file, trials[0].eyes->table, wanted);
-  std::vector<std::array<GazeReader, 2>> readers;
+  TrialReaders readers;
   for (const FormulaTrial& trial : trials)
     readers.push_back({GazeReader(*rows, *trial.eyes), GazeReader(*rows, *trial.combined)});
-  const std::array<glm::dvec3, 2> no_eyes{};
-  std::array<GazeRow, 2> row;
-  ReadingCounts counts;
   std::int64_t used = 0;
-  for (std::int64_t i = 0; i < kMostRows && rows->next(); ++i) {
-    for (std::size_t t = 0; t < trials.size(); ++t) {
-      for (std::size_t k = 0; k < 2; ++k) readers[t][k].read(*rows, nullptr, no_eyes, row[k], counts);
-      if (!row[0].valid[0] || !row[0].valid[1] || !row[1].valid[0]) continue;
-      const double angle = sum_deviation(row[0], row[1]);
-      trials[t].square_sum += angle * angle;
-      if (t == 0) ++used;
+  for (std::int64_t i = 0; i < kMostRows; ++i) {
+    try {
+      if (!rows->next()) break;
+      read_trials(*rows, readers, trials, used);
+    } catch (const InputError&) {
+      continue;  // the import meets it again
     }
   }
   const GazeColumns* proven = nullptr;

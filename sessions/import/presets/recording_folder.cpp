@@ -94,6 +94,35 @@ std::optional<FolderFit> best_fit(const fs::path& folder, const ColumnMap& map) 
   return best;
 }
 
+bool holds(const fs::path& folder, const ColumnMap& map) {
+  return std::any_of(map.layouts.begin(), map.layouts.end(), [&](const RecordingLayout& layout) {
+    return !paths_of(folder, layout.head.empty() ? layout.gaze : layout.head).empty();
+  });
+}
+
+constexpr std::size_t kMostSubfolders = 100;  // that are looked into
+
+// A folder one too high names the recordings in it.
+void refuse_folder_of_recordings(const fs::path& folder, const std::vector<ColumnMap>& maps) {
+  std::error_code error;
+  std::vector<std::string> names = list_folder(folder, error);
+  std::sort(names.begin(), names.end());
+  if (names.size() > kMostSubfolders) names.resize(kMostSubfolders);
+  std::vector<std::string> recordings;
+  for (const std::string& name : names)
+    if (std::any_of(maps.begin(), maps.end(),
+                    [&](const ColumnMap& map) { return holds(folder / name, map); }))
+      recordings.push_back(printable((folder / name).string()));
+  if (recordings.empty()) return;
+  std::string text = recordings[0];
+  for (std::size_t i = 1; i < std::min<std::size_t>(recordings.size(), 3); ++i) text += ", " + recordings[i];
+  if (recordings.size() > 3) text += ", ...";
+  throw InputError(
+      folder, 0,
+      "holds " + std::string(recordings.size() == 1 ? "a recording" : "several recordings") + " in " + text,
+      recordings.size() == 1 ? "name that folder" : "name one of these folders");
+}
+
 // "hmd_poses.csv (quest-capture), ...", of each map its first layout.
 std::string known_layouts(const std::vector<ColumnMap>& maps) {
   std::string text;
@@ -124,6 +153,7 @@ FoundRecording find_recording(const std::filesystem::path& folder, const std::st
                      "holds files of several formats: " + fits[0].head + " (" + fits[0].recording.preset +
                          ") and " + fits[1].head + " (" + fits[1].recording.preset + ")",
                      "say which one with --preset");
+  refuse_folder_of_recordings(folder, maps);
   const std::string layouts = known_layouts(maps);
   if (layouts.empty())
     throw InputError(folder, 0, "is a folder, but preset " + preset + " reads single files",

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sessions/files/input_error.h"
+#include "sessions/inspect/head_meter.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {
@@ -49,6 +49,13 @@ class RowsHash {
   std::uint64_t hash_ = 0;
 };
 
+// Lost tracking says nothing against the columns.
+double unusable_share(const ImportedStream& stream) {
+  if (stream.rows_read == 0) return 0;
+  const auto untracked = static_cast<double>(stream.lost(RowFate::lost_tracking));
+  return stream.lost_share() - untracked / static_cast<double>(stream.rows_read);
+}
+
 std::string share_words(double share) {
   return std::to_string(std::llround(100 * share)) + " % of the rows";
 }
@@ -60,33 +67,45 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   request.most_rows = most_rows;
   TrialImport trial;
   PlausibilityMeter meter;
+  HeadMeter head;
   RowsHash hash;
+  double heights_m = 0;
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   try {
     const ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                         meter.add(row);
+                                                        head.add(row, 1, 0);
                                                         hash.add(row);
+                                                        heights_m += row.world_from_head.position.y;
                                                       },
                                                       [&](const GazeRow& row) {
                                                         meter.add(row, per_eye);
                                                         hash.add(row);
                                                       }});
-    trial.lost_share = std::max(report.poses.lost_share(), report.has_gaze ? report.gaze.lost_share() : 0);
+    trial.unusable_share = std::max(unusable_share(report.poses), unusable_share(report.gaze));
+    trial.remarks = report.poses.remarks;
+    trial.remarks.insert(trial.remarks.end(), report.remarks.begin(), report.remarks.end());
+    trial.pose_hz = report.poses.rate_hz();
+    trial.gaze_hz = report.has_gaze ? report.gaze.rate_hz() : 0;
   } catch (const InputError& error) {
-    trial.error = error.what();
+    trial.error = error;
     return trial;
   }
   meter.finish();
   trial.figures = meter.figures();
+  trial.unit_fault = head.unit_fault();
+  trial.mean_height_m = heights_m / static_cast<double>(std::max<std::int64_t>(1, trial.figures.pose_rows));
   trial.words = meter.words();
+  trial.gaze_words = meter.gaze_words();
   trial.rows_hash = hash.value();
   return trial;
 }
 
 std::string implausible(const TrialImport& trial) {
   const PlausibilityFigures& f = trial.figures;
-  if (trial.error) return *trial.error;
-  if (trial.lost_share > kMost) return share_words(trial.lost_share) + " cannot be used";
+  if (trial.error) return "its rows cannot be read";
+  if (!trial.unit_fault.empty()) return trial.unit_fault;
+  if (trial.unusable_share > kMost) return share_words(trial.unusable_share) + " cannot be used";
   if (f.level_share && *f.level_share < kMost)
     return "the head is not level in " + share_words(1 - *f.level_share);
   if (f.diverging_share && *f.diverging_share > kNearlyAll)

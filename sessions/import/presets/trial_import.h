@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "sessions/files/input_error.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/inspect/plausibility.h"
 
@@ -15,10 +17,14 @@ namespace herr {
 inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 100000;
 
 struct TrialImport {
-  std::optional<std::string> error;  // what reading threw
+  std::optional<InputError> error;  // what reading threw
   PlausibilityFigures figures;
-  std::string words;            // of the head
-  double lost_share = 0;        // of the poses or the gaze, the larger
+  std::string unit_fault;       // that its rate or its speed is nobody's: a unit is wrong
+  double unusable_share = 0;    // of the poses or the gaze, the larger; without lost tracking
+  std::string words, gaze_words;     // of the head; of the eyes, or empty
+  std::vector<std::string> remarks;  // what the clock did, where ids change: whole sentences
+  double pose_hz = 0, gaze_hz = 0;
+  double mean_height_m = 0;     // of the head above the world's origin
   std::uint64_t rows_hash = 0;  // of all stamps, poses and rays: equal for columns that mean the same
 };
 

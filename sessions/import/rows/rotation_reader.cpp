@@ -73,11 +73,7 @@ RotationReader::RotationReader(RowSource& rows, const HeadColumns& columns)
     rows.fail("the map has " + std::to_string(rotation_.numbers()) + " numbers for a rotation of " +
                   std::to_string(numbers_in(columns)),
               "check the orientation of the map");
-  if (columns.rotation_kind != RotationKind::forward_up) return;
-  up_ = Places(rows, columns.up);
-  if (columns.head_from_world)
-    rows.fail("forward and up are directions in the world and have no inverse",
-              "leave inverse out of the orientation of the map");
+  if (columns.rotation_kind == RotationKind::forward_up) up_ = Places(rows, columns.up);
 }
 
 bool RotationReader::in_our_axes() const {

@@ -18,22 +18,6 @@ constexpr TimeNs kSecond = 1'000'000'000;
 // closer to the number as written.
 constexpr TimeNs kDoubleNs = TimeNs{1} << 52;
 
-// 0 for units that count from another zero.
-constexpr int ns_per(TimeUnit unit) {
-  switch (unit) {
-    case TimeUnit::s:
-      return 1'000'000'000;
-    case TimeUnit::ms:
-      return 1'000'000;
-    case TimeUnit::us:
-      return 1000;
-    case TimeUnit::ns:
-      return 1;
-    default:
-      return 0;
-  }
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -125,7 +109,8 @@ std::optional<TimeNs> in_range(long double ns, TimeNs offset_ns) {
 
 }  // namespace
 
-TimeReader::TimeReader(RowSource& rows, const TimeColumns& columns) : columns_(&columns) {
+TimeReader::TimeReader(RowSource& rows, const TimeColumns& columns)
+    : columns_(&columns), period_ns_(period_of(columns)) {
   if (columns.kind == TimeColumns::Kind::rate) return;
   place_ = rows.place(columns.column);
   if (columns.kind == TimeColumns::Kind::seconds_nanoseconds)
@@ -133,7 +118,7 @@ TimeReader::TimeReader(RowSource& rows, const TimeColumns& columns) : columns_(&
 }
 
 TimeNs TimeReader::read(const RowSource& rows) {
-  if (columns_->kind != TimeColumns::Kind::rate) return moved(rows, recorded(rows));
+  if (columns_->kind != TimeColumns::Kind::rate) return moved(rows, carried(recorded(rows)));
   const long double ns = static_cast<long double>(row_++) * kSecond / columns_->rate_hz * columns_->scale;
   const auto stamp = in_range(ns, columns_->offset_ns);
   if (!stamp) rows.fail("the rate of the map puts the row beyond 126 years", "check its rate_hz and scale");
@@ -151,19 +136,38 @@ TimeNs TimeReader::recorded(const RowSource& rows) const {
   }
 }
 
+// A time of day that falls by more than half a day is the next day's, and one that then rises by as much the
+// day's before: a wild stamp carries no other along.
+TimeNs TimeReader::carried(TimeNs recorded_ns) {
+  if (period_ns_ == 0) return recorded_ns;
+  if (!before_ns_) before_ns_ = recorded_ns;
+  const TimeNs step_ns = recorded_ns - *before_ns_;
+  if (step_ns < -period_ns_ / 2)
+    carried_ns_ += period_ns_;
+  else if (step_ns > period_ns_ / 2 && carried_ns_ > 0)
+    carried_ns_ -= period_ns_;
+  before_ns_ = recorded_ns;
+  return recorded_ns + carried_ns_;
+}
+
 TimeNs TimeReader::moved(const RowSource& rows, TimeNs recorded_ns) const {
   const double scale = columns_->scale;
   if (scale == 1 && columns_->offset_ns == 0) return recorded_ns;
   auto ns = static_cast<long double>(recorded_ns);
   const bool number = columns_->kind == TimeColumns::Kind::number;
-  if (number && std::abs(scale) > 1 && std::abs(recorded_ns) < kDoubleNs && ns_per(columns_->unit) > 0)
-    ns = static_cast<long double>(rows.number(place_)) * ns_per(columns_->unit);
+  if (number && std::abs(scale) > 1 && std::abs(recorded_ns) < kDoubleNs &&
+      !counts_from_a_year(columns_->unit))
+    ns = static_cast<long double>(rows.number(place_)) * static_cast<long double>(ns_per(columns_->unit));
   const auto stamp = in_range(ns * scale, columns_->offset_ns);
   if (!stamp)
     rows.fail_field(place_,
                     "is " + in_quotes(rows.text(place_)) + ", with scale and offset no time stamp in range",
                     "check scale, offset_s and the unit of the map's time");
   return *stamp;
+}
+
+TimeNs period_of(const TimeColumns& time) {
+  return time.kind == TimeColumns::Kind::date ? date_period_ns(time.date_format) : 0;
 }
 
 void add_columns(const TimeColumns& time, std::vector<ColumnRef>& columns) {

@@ -5,9 +5,10 @@ namespace {
 
 // In the order of RowFate.
 constexpr std::array<RowFateText, kRowFates> kTexts{{
-    {"lost_tracking", "rows without tracking", false},
+    {"lost_tracking", "rows left out: without tracking", true},
     {"wild_stamp", "rows left out: the stamp is far from its neighbours", true},
-    {"other_clock", "rows left out: before the newest stamp, the clock was reset", true},
+    {"other_clock", "rows left out: of another clock than the rows that stay (it was reset, or jumped)",
+     true},
     {"backward_stamp", "rows left out: the stamp goes backwards", true},
     {"repeated_stamp", "rows left out: the stamp repeats the one before", true},
     {"bad", "rows left out: they cannot be read", true},

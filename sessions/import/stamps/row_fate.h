@@ -12,9 +12,9 @@
 namespace herr {
 
 enum class RowFate : std::size_t {
-  lost_tracking,   // poses: left out; gaze: written as not valid for both eyes, no loss
+  lost_tracking,   // poses: left out, a loss; gaze: written as not valid for both eyes, no loss
   wild_stamp,      // far from its neighbours
-  other_clock,     // before the newest stamp: the clock was reset, or two recordings in one file
+  other_clock,     // many rows that do not fit in time between those that stay: a reset, a jump
   backward_stamp,  // earlier than the row before
   repeated_stamp,  // equal to the row before: the first stays
   bad,             // --keep-going: cannot be read
@@ -31,11 +31,14 @@ struct RowFateText {
 std::span<const RowFateText, kRowFates> row_fate_texts();
 
 struct RowFateCounts {
-  std::array<std::int64_t, kRowFates> rows{}, first_line{};
+  static constexpr std::size_t kNamedLines = 8;
+  std::array<std::int64_t, kRowFates> rows{};
+  std::array<std::array<std::int64_t, kNamedLines>, kRowFates> lines{};  // the first ones of each
 
   void count(RowFate fate, std::int64_t line) {
     const auto i = static_cast<std::size_t>(fate);
-    if (rows[i]++ == 0) first_line[i] = line;
+    if (rows[i] < static_cast<std::int64_t>(kNamedLines)) lines[i][static_cast<std::size_t>(rows[i])] = line;
+    ++rows[i];
   }
   std::int64_t operator[](RowFate fate) const { return rows[static_cast<std::size_t>(fate)]; }
 };

@@ -1,6 +1,7 @@
 #include "sessions/import/stamps/stamp_remarks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sessions/text/plain_values.h"
 
@@ -13,6 +14,13 @@ constexpr TimeNs kPauseNs = 60'000'000'000;  // and more than StampRuns::far: wo
 
 std::string seconds_text(double ns) {
   return plain_number_text(ns / 1e9) + " s";
+}
+
+// Of a pause; from two days on also in days.
+std::string pause_text(double ns) {
+  constexpr double kDayNs = 86'400e9;
+  return seconds_text(ns) +
+         (ns < 2 * kDayNs ? "" : " (" + std::to_string(std::llround(ns / kDayNs)) + " days)");
 }
 
 std::string of_rows(std::int64_t some, const ClockCounts& clock) {
@@ -53,7 +61,7 @@ std::string pause_remark(const StampRuns& stamps) {
     if (before != nullptr && stamps.far(before->highest_ns, run.first_ns) &&
         run.first_ns - before->highest_ns > kPauseNs && pauses++ == 0)
       text = "the recording pauses for " +
-             seconds_text(static_cast<double>(run.first_ns - before->highest_ns)) + " at line " +
+             pause_text(static_cast<double>(run.first_ns - before->highest_ns)) + " at line " +
              std::to_string(run.first.line) + ": two recordings in one file?";
     before = &run;
   }

@@ -103,16 +103,24 @@ class Surveyor {
 StampSurvey survey_stamps(RowSource& rows, TimeReader& time, std::size_t sort_rows, std::int64_t most_rows) {
   Surveyor surveyor(sort_rows);
   RowPlace place;
+  std::int64_t carried_line = 0;
   for (std::int64_t row = 0; most_rows == 0 || row < most_rows; ++row) {
+    bool whole = false;
     try {
       if (!rows.next()) break;
+      whole = true;
       place.move_to(rows.line());
       surveyor.add(time.read(rows), place);
     } catch (const InputError&) {
-      if (place.line != rows.line()) place.move_to(rows.line());
+      if (whole) continue;
+      place.move_to(rows.line());
+      time.pass_over();
     }
+    if (time.carried_ns() > 0 && carried_line == 0) carried_line = place.line;
   }
-  return surveyor.result();
+  StampSurvey survey = surveyor.result();
+  if (time.carried_ns() > 0) survey.carried_line = carried_line;
+  return survey;
 }
 
 }  // namespace herr

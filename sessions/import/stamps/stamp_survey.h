@@ -43,6 +43,7 @@ struct StampSurvey {
   // is left out as thinned. 0: none.
   TimeNs thin_below_ns = 0;
   bool all_equal = false;
+  std::int64_t carried_line = 0;  // where stamps that name no day start again (TimeReader::carried_ns), or 0
   // What a reader should be told, whole sentences: "the clock starts again at line 62". May be empty.
   std::vector<std::string> remarks;
 };

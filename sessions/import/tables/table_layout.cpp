@@ -10,6 +10,8 @@
 namespace herr {
 namespace {
 
+using Lines = std::span<const SampleLine>;
+
 bool begins_as_a_name(std::string_view field) {
   if (field.starts_with('(')) field.remove_prefix(1);
   if (field.empty()) return false;
@@ -33,12 +35,17 @@ void name_columns(TableLayout& layout, const SampleLine& line) {
   layout.names.assign(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(layout.columns));
 }
 
-using Lines = std::span<const SampleLine>;
-
-// Numbers alone, one at least with decimals: a row where the map expects a header line.
-bool is_row(const SampleLine& line, char separator) {
-  std::vector<std::string_view> fields;
-  cut_fields(line.text, separator, fields);
+// Numbers alone, one at least with decimals, as many as in the next line: a row where the map expects a
+// header line.
+bool is_row(Lines lines, char separator) {
+  std::vector<std::string_view> fields, below;
+  cut_fields(lines[0].text, separator, fields);
+  const auto next =
+      std::find_if(lines.begin() + 1, lines.end(), [](const SampleLine& line) { return !line.comment; });
+  if (next != lines.end()) {
+    cut_fields(next->text, separator, below);
+    if (below.size() != fields.size()) return false;
+  }
   bool decimals = false;
   for (const std::string_view field : fields) {
     if (number_evidence(field, '.') < 2 && number_evidence(field, ',') < 2) return false;
@@ -70,7 +77,7 @@ void take_header(TableLayout& layout, const TableFormat& format, std::span<const
       return;
     }
   }
-  if (is_row(*first, layout.separator)) {
+  if (is_row(lines.subspan(static_cast<std::size_t>(first - lines.begin())), layout.separator)) {
     layout.header_line = 0;
     layout.header_text.clear();
     layout.names.clear();
@@ -175,7 +182,9 @@ TableLayout choose_layout(const TableSample& sample, const TableFormat& format,
     for (const char decimal : decimals) {
       // One column more outweighs all numbers of the sample.
       const std::int64_t score = there * 10'000'000 + number_score(layout, wanted, rows, decimal);
-      if (best && score <= best_score) {
+      // With no column there, the one that parts the lines at all, so that messages speak of what is there.
+      const bool parts_more = best && there == 0 && score == best_score && layout.columns > best->columns;
+      if (best && score <= best_score && !parts_more) {
         best->decimal_open |= score == best_score && best->separator == separator;
         continue;
       }

@@ -52,6 +52,15 @@ std::optional<DateFormatFault> fault_of_time(const SeenFields& seen) {
 
 }  // namespace
 
+TimeNs date_period_ns(std::string_view format) {
+  SeenFields seen;
+  for (std::size_t i = 0; i + 1 < format.size(); ++i)
+    if (format[i] == '%') seen.add(format[++i]);
+  constexpr TimeNs kMinute = 60'000'000'000;
+  if (format.empty() || seen.any("Yymbdj")) return 0;
+  return seen.any("HI") ? 24 * 60 * kMinute : seen.has('M') ? 60 * kMinute : kMinute;
+}
+
 std::optional<DateFormatFault> date_format_fault(std::string_view format) {
   if (format.empty()) return std::nullopt;
   SeenFields seen;

@@ -22,6 +22,10 @@ std::optional<TimeNs> parse_date(std::string_view text, std::string_view format,
 // Whether this date names its zone itself.
 bool date_names_zone(std::string_view text, std::string_view format);
 
+// After how long the dates of a format start again: a day where it names none, an hour where it names no hour
+// either, a minute without both; 0: never.
+TimeNs date_period_ns(std::string_view format);
+
 // What is wrong with a format ("has %Q"), with what it should be; empty: it is sound.
 struct DateFormatFault {
   std::string problem, remedy;

@@ -169,6 +169,14 @@ const char* word_of(TimeUnit unit) {
   return "";
 }
 
+TimeNs ns_per(TimeUnit unit) {
+  return static_cast<TimeNs>(kPowersOfTen[static_cast<std::size_t>(power_of(unit))]);
+}
+
+bool counts_from_a_year(TimeUnit unit) {
+  return ticks_before_1970(unit) != 0;
+}
+
 std::optional<TimeNs> parse_stamp(std::string_view text, TimeUnit unit, char decimal) {
   Decimal number;
   if (!read_decimal(text, decimal, number)) return std::nullopt;

@@ -23,6 +23,11 @@ enum class TimeUnit {
 std::optional<TimeUnit> time_unit(std::string_view word);
 const char* word_of(TimeUnit unit);
 
+// How long one is.
+TimeNs ns_per(TimeUnit unit);
+// Whether it counts from a year of its own, not from the zero of the file's clock.
+bool counts_from_a_year(TimeUnit unit);
+
 // Decimal digits with optional sign, `decimal` point and exponent, rounded to the nearest nanosecond (halves
 // away from zero). None when it is no such number or lies beyond +-kLastStampNs. Allocates nothing.
 std::optional<TimeNs> parse_stamp(std::string_view text, TimeUnit unit, char decimal = '.');

@@ -153,7 +153,18 @@ TEST_F(ImportRows, CountsRowsWithoutNumbersAsLostTracking) {
       import(kHead + poses(10) + "1.111111,nan,nan,nan,nan,nan,nan,nan\n" + poses(10, 1.122222));
   EXPECT_EQ(got.poses.size(), 20u);
   EXPECT_EQ(fates(got.report.poses), "lost_tracking 1@12");
-  EXPECT_EQ(got.report.poses.lost_share(), 0);
+  EXPECT_NEAR(got.report.poses.lost_share(), 1.0 / 21, 1e-12);
+}
+
+TEST_F(ImportRows, NamesTheOptionsForRowsThatAreBadOrLate) {
+  EXPECT_INPUT_ERROR(import(kHead + poses(10) + "1.111111,abc,1.6,0,0,0,0,1\n" + poses(10, 1.122222)),
+                     "--keep-going");
+  const std::string all_bad =
+      error_of([&] { import(kHead + "1.1,abc,1.6,0,0,0,0,1\n1.2,abc,1.6,0,0,0,0,1\n"); });
+  EXPECT_FALSE(holds(all_bad, "--keep-going")) << all_bad << ": the columns are wrong, not a row";
+  const Imported late = import(kHead + poses(10) + pose(1.095) + poses(10, 1.111111));
+  ASSERT_EQ(late.report.warnings.size(), 1u);
+  EXPECT_TRUE(holds(late.report.warnings[0], "--sort")) << late.report.warnings[0];
 }
 
 TEST_F(ImportRows, ThrowsOrCountsBadRows) {

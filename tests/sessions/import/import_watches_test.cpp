@@ -22,7 +22,7 @@ TEST_F(WatchedImport, NamesAnIdThatChanges) {
   for (int i = 0; i < 30; ++i) head += std::string(i < 12 ? "a" : "b") + "," + pose(1 + i * 0.01);
   const Imported got = import(head);
   EXPECT_EQ(got.poses.size(), 30u);
-  EXPECT_EQ(all(got.report.remarks), "the id in column 'id' changes at line 14: another recording begins");
+  EXPECT_EQ(all(got.report.remarks), "the id in column 'id' changes at line 14 from 'a' to 'b': another recording begins");
 }
 
 // The map's y points up. Gravity along -y agrees; along -z, up is z; within 20 degrees it may be tilted.

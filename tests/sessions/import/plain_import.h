@@ -93,7 +93,7 @@ inline std::string fates(const ImportedStream& stream) {
   for (std::size_t i = 0; i < kRowFates; ++i)
     if (stream.fates.rows[i] > 0)
       text += (text.empty() ? "" : ", ") + std::string(row_fate_texts()[i].key) + " " +
-              std::to_string(stream.fates.rows[i]) + "@" + std::to_string(stream.fates.first_line[i]);
+              std::to_string(stream.fates.rows[i]) + "@" + std::to_string(stream.fates.lines[i][0]);
   return text;
 }
 

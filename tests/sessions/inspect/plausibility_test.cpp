@@ -67,6 +67,11 @@ const std::vector<Fault>& faults() {
          for (PoseRow& row : r.poses) row.world_from_head.orientation = glm::dquat(1, 0, 0, 0);
        },
        "its orientation stands still"},
+      {"position in millimetres",
+       [](MadeRecording& r) {
+         for (PoseRow& row : r.poses) row.world_from_head.position *= 1000;
+       },
+       "the head goes faster than 10 m/s"},
       {"position stands still",
        [](MadeRecording& r) {
          for (PoseRow& row : r.poses) row.world_from_head.position = {0, 1.6, 0};

@@ -104,6 +104,8 @@ TEST(MapFaults, OfRotationsAreNamed) {
        {R"({"quaternion_xyz": "m", "major": "row"})", "major does not go with quaternion_xyz"},
        {R"({"forward": "f"})", "orientation.up is missing"},
        {R"({"fixed": true, "up": "u"})", "up does not go with fixed"},
+       {R"({"fixed": true, "inverse": true})", "inverse does not go with fixed"},
+       {R"({"forward": "f", "up": "u", "inverse": true})", "inverse does not go with forward"},
        {R"({"fixed": false})", "fixed is false"},
        {R"({"quaternions": "q"})", "did you mean 'quaternion_"}},
       before, "", true);

@@ -66,6 +66,26 @@ TEST_F(GazePresets, OfSRanipalTellMirroredGazeByTheEyesConvergence) {
   }
 }
 
+// One ray for both eyes cannot diverge: what tells is that it counters the head. The head swings by 15
+// degrees (Unity's yaw turns right), the eyes stay on a point far ahead: they turn left by as much. 300 rows
+// of 120 Hz.
+TEST_F(GazePresets, OfSRanipalTellMirroredCombinedGazeByTheHeadsTurns) {
+  for (const bool negated : {false, true}) {
+    std::string table =
+        "time(100ns);helmet_pos_x;helmet_pos_y;helmet_pos_z;helmet_rot_x;helmet_rot_y;helmet_rot_z;"
+        "eye_valid_C;gaze_direct_C.x;gaze_direct_C.y;gaze_direct_C.z\n";
+    const auto yaw = [](int i) { return 0.26 * std::sin(0.05 * i); };
+    for (int i = 0; i < 300; ++i)
+      table += std::to_string(637850000000000000 + 83333LL * i) + ";" +
+               joined({0.001 * i, 1.5, 0.3, 0, glm::degrees(yaw(i)), 0}, ";") + ";31;" +
+               unit({(negated ? -1 : 1) * std::sin(yaw(i)), 0, std::cos(yaw(i))}, ";") + "\n";
+    folder_.write("combined.txt", table);
+    const PresetImport got = import("vive-pro", "combined.txt");
+    EXPECT_EQ(got.format.format.variant(), negated ? "negated" : "raw");
+    expect_near(got.gaze[20].head_direction[0], {-std::sin(yaw(20)), 0, -std::cos(yaw(20))}, 1e-6);
+  }
+}
+
 // In these recordings the eyes diverge in 39 % and 49 % of the rows with both, read as SRanipal writes them,
 // and in 61 % and 51 % with x negated: no proof. Gaze against head motion is: over 50 ms the horizontal gaze
 // of both eyes goes against turns faster than 10 degrees a second in 93 % and 89 % of the rows.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <string>
 
@@ -88,6 +89,13 @@ TEST_F(ProvenAngles, AreNotKnownWhereFormulasAgree) {
   EXPECT_EQ(proven(), -1);
   folder_.write("gaze.csv", "t,y,p,ly,lp,ry,rp\n0,nan,0,-0.03,0,0.03,0\n");
   EXPECT_EQ(proven(), -1) << "no row with all rays";
+}
+
+// A row that is not whole and one without a number are the import's business.
+TEST_F(ProvenAngles, PassBadRowsOver) {
+  write_gaze(spherical_ray, spherical_angles, 9);
+  std::ofstream(folder_ / "gaze.csv", std::ios::app) << "20,0.1\n21,lost,0,0.1,0,0.1,0\n";
+  EXPECT_EQ(proven(), 2);
 }
 
 // The first two rows of a file that the services for Gen 2 glasses wrote (projectaria_tools,

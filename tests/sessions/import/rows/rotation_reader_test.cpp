@@ -192,8 +192,6 @@ TEST(RotationsOfRows, AreForwardAndUpInTheFilesWorld) {
   EXPECT_INPUT_ERROR(read_head(columns, names, "0 0 0 0 1 0"),
                      "the forward direction has the length 0, not 1");
   EXPECT_INPUT_ERROR(read_head(columns, names, "0 0 1 0 5 0"), "the up direction has the length 5, not 1");
-  columns.head_from_world = true;
-  EXPECT_INPUT_ERROR(read_head(columns, names, "0 0 1 0 1 0"), "forward and up are directions in the world");
 }
 
 TEST(RotationsOfRows, HaveAsManyNumbersAsTheirKind) {

@@ -50,6 +50,16 @@ TEST_F(DelimitedRows, AreReadByNameOrNumberInAnyOrder) {
   EXPECT_EQ(read("a\tb\tc\n\t2\t3\n1\t\t3\n", separated_by('\t'), named({"a", "b", "c"})).rows, "|2|3;1||3");
 }
 
+// HoloLens 2's *_pv.txt: intrinsics of the camera above rows of another width. Numbers as wide as the rows
+// are a row where the map expects names.
+TEST_F(DelimitedRows, MayStandBelowALineOfOtherNumbers) {
+  TableFormat format = separated_by(',');
+  format.ragged = true;
+  EXPECT_EQ(read("960.5,540.2,1920,1080\n11,1400.5,0,0,1\n12,1400.5,0,0,1\n", format, numbered({1})).rows,
+            "11;12");
+  EXPECT_EQ(read("1.5,2,3\n4.5,5,6\n", format, numbered({1})).rows, "1.5;4.5");
+}
+
 TEST_F(DelimitedRows, MayEndWithSeparatorsInHeaderOrRows) {
   for (const char* header : {"a,b", "a,b,", "a,b,,"})
     for (const char* row : {"1,2", "1,2,", "1,2, ,"})
