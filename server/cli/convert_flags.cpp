@@ -31,8 +31,8 @@ double parse_signed_number(const std::string& flag, const std::string& text, dou
     const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
     return minus ? -value : value;
   } catch (const UsageError&) {
-    throw UsageError(flag + ": '" + printable(text) + "' is no number from -" + shortest_text(highest) + " to " +
-                     shortest_text(highest));
+    throw UsageError(flag + ": '" + printable(text) + "' is no number from -" + shortest_text(highest) +
+                     " to " + shortest_text(highest));
   }
 }
 
