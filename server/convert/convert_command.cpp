@@ -165,8 +165,10 @@ void judge(const ConversionMeters& meters, const ConvertOptions& options, Conver
   const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
   meters.plausibility.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
   if (const std::string fault = meters.head.rarity(); !fault.empty())
-    findings.add(Severity::warning, InputError(poses, 0, fault, "correct the units of the map, or take another preset"));
-  if (report.rows.has_gaze) judge_offset(summary_of(report.rows.poses), summary_of(report.rows.gaze), findings);
+    findings.add(Severity::warning,
+                 InputError(poses, 0, fault, "correct the units of the map, or take another preset"));
+  if (report.rows.has_gaze)
+    judge_offset(summary_of(report.rows.poses), summary_of(report.rows.gaze), findings);
   for (const Finding& finding : findings.sorted()) report.warnings.push_back(finding.text());
   if (!report.rows.has_gaze) report.warnings.push_back("no gaze was recorded: the eyes look straight ahead");
 }

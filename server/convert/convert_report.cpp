@@ -53,7 +53,8 @@ std::vector<CountedRemark> remarks_of(const ImportedStream& stream) {
   add("one_eye_rows", "rows with one eye only", stream.one_eye_rows);
   add("repeated_values", "rows repeat the one before", stream.repeated_values);
   add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows);
-  add("normalised_rows", "rows normalised: the length was off by more than rounding", stream.reading.normalised);
+  add("normalised_rows", "rows normalised: the length was off by more than rounding",
+      stream.reading.normalised);
   add("repeated_headers", "lines of words (headers, units) were passed over", stream.source.repeated_headers);
   add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows);
   add("blank_lines", "blank lines", stream.source.blank_lines);
@@ -165,7 +166,8 @@ std::string loss_sentence(const ImportedStream& stream) {
     words += (words.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +
              std::string(row_fate_texts()[i].sentence) + named_lines(stream.fates, i);
   }
-  if (causes == 1 && clock_causes == 1 && !stream.remarks.empty()) return shown(stream.file) + ": " + stream.remarks.front();
+  if (causes == 1 && clock_causes == 1 && !stream.remarks.empty())
+    return shown(stream.file) + ": " + stream.remarks.front();
   return shown(stream.file) + ": " + std::to_string(lost) + " of " + std::to_string(stream.rows_read) +
          " rows are not in the session: " + words;
 }
@@ -186,7 +188,8 @@ SessionConversion conversion_record(const ConvertReport& report) {
   add_sentences(report.remarks, record.remarks);
   add_sentences(report.rows.remarks, record.remarks);
   add_sentences(report.rows.poses.remarks, record.remarks);
-  if (report.rows.gaze.remarks != report.rows.poses.remarks) add_sentences(report.rows.gaze.remarks, record.remarks);
+  if (report.rows.gaze.remarks != report.rows.poses.remarks)
+    add_sentences(report.rows.gaze.remarks, record.remarks);
   record.still_head = report.still.head;
   record.still_gaze = report.still.gaze;
   return record;
@@ -195,8 +198,7 @@ SessionConversion conversion_record(const ConvertReport& report) {
 std::vector<std::string> heavy_losses(const ConvertReport& report) {
   std::vector<std::string> sentences;
   for (const ImportedStream* stream : {&report.rows.poses, &report.rows.gaze})
-    if (stream->rows_read > 0 && stream->lost_share() > kPartialShare)
-      {
+    if (stream->rows_read > 0 && stream->lost_share() > kPartialShare) {
       std::string sentence = loss_sentence(*stream);
       if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
         sentences.push_back(std::move(sentence));
@@ -216,8 +218,7 @@ std::string convert_text(const ConvertReport& report) {
   if (!report.gaze_words.empty()) text += "eyes: " + report.gaze_words + "\n";
   text += stream_text("poses", report.rows.poses);
   if (report.rows.has_gaze)
-    text +=
-        stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze);
+    text += stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) text += feed_text(i, report.feeds[i]);
   for (const std::string& sentence : assumed_of(report)) text += "assumed: " + sentence + "\n";
   for (const auto* sentences :

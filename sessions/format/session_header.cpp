@@ -172,7 +172,8 @@ SessionConversion parse_conversion(const JsonObject& entry) {
   conversion.assumed = parse_sentences(entry, "assumed");
   conversion.remarks = parse_sentences(entry, "remarks");
   for (const std::string& part : parse_sentences(entry, "still")) {
-    if (part != "head" && part != "gaze") entry.fail("still", "holds '" + printable(part) + "'", "list head or gaze");
+    if (part != "head" && part != "gaze")
+      entry.fail("still", "holds '" + printable(part) + "'", "list head or gaze");
     (part == "head" ? conversion.still_head : conversion.still_gaze) = true;
   }
   return conversion;

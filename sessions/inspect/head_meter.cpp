@@ -82,7 +82,8 @@ std::string HeadMeter::rarity() const {
 
 void HeadMeter::judge(const std::filesystem::path& file, FindingList& findings) const {
   if (const std::string fault = rarity(); !fault.empty())
-    findings.add(Severity::warning, InputError(file, 0, fault, "correct the units of the column map and convert again"));
+    findings.add(Severity::warning,
+                 InputError(file, 0, fault, "correct the units of the column map and convert again"));
   if (jumps_ > 0)
     findings.add(
         {Severity::warning,

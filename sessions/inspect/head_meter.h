@@ -18,7 +18,8 @@ class HeadMeter {
   // `norm`: length of the quaternion as it was written.
   void add(const PoseRow& row, double norm, std::int64_t line);
   void judge(const std::filesystem::path& file, FindingList& findings) const;
-  // That the rows are too rare for a head: the unit of time is wrong. Without a full stop; empty where it is not.
+  // That the rows are too rare for a head: the unit of time is wrong. Without a full stop; empty where it is
+  // not.
   std::string rarity() const;
 
   // Speeds are taken over kWindowNs or the rows' own interval if that is longer, but not across gaps of more

@@ -141,8 +141,8 @@ void name_streams(const SessionFiles& files, const SessionHeader& header, Sessio
   }
 }
 
-// A head or a gaze that stands still is no fault where the recording says so: `herr convert` in a field of its own,
-// `herr synth` in its provenance.
+// A head or a gaze that stands still is no fault where the recording says so: `herr convert` in a field of
+// its own, `herr synth` in its provenance.
 void expect_what_was_meant(const SessionHeader& header, PlausibilityMeter& plausibility) {
   const bool made = header.provenance.starts_with("made by herr");
   const auto says = [&](const char* words) {

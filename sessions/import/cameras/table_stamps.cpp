@@ -11,7 +11,6 @@
 #include "sessions/import/rows/filter_reader.h"
 #include "sessions/import/rows/time_reader.h"
 #include "sessions/import/tables/row_source.h"
-#include "sessions/text/plain_values.h"
 #include "sessions/import/text/date_text.h"
 #include "sessions/text/plain_values.h"
 

@@ -16,12 +16,13 @@ namespace {
 
 void check_variant(const FormatRequest& request, const ColumnMap& map) {
   const std::vector<std::string> known = variants_of(map);
-  if (request.variant.empty() || std::find(known.begin(), known.end(), request.variant) != known.end()) return;
+  if (request.variant.empty() || std::find(known.begin(), known.end(), request.variant) != known.end())
+    return;
   std::string names;
   for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-  throw InputError(any_file(request), 0,
-                   "cannot be read as variant '" + printable(request.variant) + "' of " + map.name,
-                   known.empty() ? "leave --variant out: there are no variants" : "its variants are: " + names);
+  throw InputError(
+      any_file(request), 0, "cannot be read as variant '" + printable(request.variant) + "' of " + map.name,
+      known.empty() ? "leave --variant out: there are no variants" : "its variants are: " + names);
 }
 
 std::vector<FittingColumns> all_fitting(const FormatRequest& request) {

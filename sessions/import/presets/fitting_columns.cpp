@@ -158,9 +158,10 @@ Fits<GazeColumns> gaze_fits(const RecordingFiles& files, const ColumnMap& map, c
                             2 * fits.nearest->missing_columns < fits.nearest->wanted_columns;
     if (fits.columns.empty() && !files.gaze && !half_there) return {{nullptr}, {}};
     if (fits.columns.empty() && !files.gaze)
-      fits.nearest->error = InputError(fits.nearest->error.file(), fits.nearest->error.line(),
-                                       fits.nearest->error.problem() + ", and holds other columns of the gaze",
-                                       "correct the name, or give --still-gaze where no gaze is meant");
+      fits.nearest->error =
+          InputError(fits.nearest->error.file(), fits.nearest->error.line(),
+                     fits.nearest->error.problem() + ", and holds other columns of the gaze",
+                     "correct the name, or give --still-gaze where no gaze is meant");
     return fits;
   }
   if (files.gaze)

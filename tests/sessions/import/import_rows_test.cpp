@@ -165,7 +165,8 @@ TEST_F(ImportRows, NamesTheOptionsForRowsThatAreBadOrLate) {
   EXPECT_FALSE(holds(all_bad, "--keep-going")) << all_bad << ": the columns are wrong, not a row";
   const Imported late = import(kHead + poses(10) + pose(1.095) + poses(10, 1.111111));
   EXPECT_EQ(fates(late.report.poses), "backward_stamp 1@12");
-  EXPECT_TRUE(holds(std::string(row_fate_texts()[static_cast<std::size_t>(RowFate::backward_stamp)].sentence), "--sort"));
+  EXPECT_TRUE(holds(std::string(row_fate_texts()[static_cast<std::size_t>(RowFate::backward_stamp)].sentence),
+                    "--sort"));
 }
 
 TEST_F(ImportRows, ThrowsOrCountsBadRows) {
