@@ -194,7 +194,6 @@ std::string warnings_of(const fs::path& folder, const Known& known) {
   const ImportReport report = import_rows(
       import_request(request, chosen.format.columns),
       {[&](const PoseRow& row) { meter.add(row); }, [&](const GazeRow& row) { meter.add(row, per_eye); }});
-  meter.finish();
   FindingList findings;
   meter.judge(request.files.head, request.files.gaze.value_or(request.files.head), findings);
   std::string text;
