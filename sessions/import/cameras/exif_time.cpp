@@ -1,5 +1,7 @@
 #include "sessions/import/cameras/exif_time.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -76,6 +78,12 @@ std::string text_of_tag(const Tiff& tiff, std::size_t directory, std::uint16_t t
   return std::string(trimmed(text.substr(0, text.find('\0'))));
 }
 
+// Without blanks and ends of lines before it.
+std::string_view trimmed_lines(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return text;
+}
+
 bool all_digits(const std::string& text) {
   return std::all_of(text.begin(), text.end(), is_digit);
 }
@@ -113,6 +121,50 @@ std::string exif_of_jpeg(const InputFile& file) {
   return {};
 }
 
+int hex_value(char c) {
+  if (is_digit(c)) return c - '0';
+  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+// zlib's stream, of which no more than a megabyte is read; empty where it is damaged.
+std::string inflated(std::string_view packed) {
+  std::string bytes(kMostExifBytes, '\0');
+  auto size = static_cast<uLongf>(bytes.size());
+  const int result =
+      uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                 static_cast<uLong>(packed.size()));
+  bytes.resize(result == Z_OK ? size : 0);
+  return bytes;
+}
+
+// "Raw profile type exif", as ImageMagick and exiv2 write it into a text chunk: a name, a length, hexadecimal
+// digits of "Exif\0\0" and the TIFF structure. Empty where `text` is something else.
+std::string exif_of_raw_profile(std::string_view text) {
+  std::string_view rest = trimmed_lines(text);
+  if (!rest.starts_with("exif\n")) return {};
+  rest = trimmed_lines(rest.substr(5));
+  rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
+  std::string bytes;
+  int high = -1;
+  for (const char c : rest) {
+    const int value = hex_value(c);
+    if (value < 0) continue;
+    if (high >= 0) bytes += static_cast<char>(high << 4 | value);
+    high = high >= 0 ? -1 : value;
+  }
+  constexpr std::string_view kMagic("Exif\0\0", 6);
+  return bytes.starts_with(kMagic) ? bytes.substr(kMagic.size()) : bytes;
+}
+
+std::string exif_of_text_chunk(const std::string& type, std::string_view data) {
+  constexpr std::string_view kKeyword("Raw profile type exif\0", 22);
+  if (!data.starts_with(kKeyword)) return {};
+  data.remove_prefix(kKeyword.size());
+  if (type == "tEXt") return exif_of_raw_profile(data);
+  if (data.empty() || data.front() != 0) return {};  // the only method of compression
+  return exif_of_raw_profile(inflated(data.substr(1)));
+}
+
 // Chunks: length of the data, type, data, checksum.
 std::string exif_of_png(const InputFile& file) {
   std::int64_t at = 8;
@@ -123,6 +175,11 @@ std::string exif_of_png(const InputFile& file) {
     if (head.substr(4) == "eXIf") {
       if (length > kMostExifBytes) fail_exif(file.path(), "has EXIF data of more than a megabyte");
       return bytes_at(file, at + 8, length);
+    }
+    const std::string type = head.substr(4);
+    if ((type == "zTXt" || type == "tEXt") && length <= kMostExifBytes) {
+      const std::string exif = exif_of_text_chunk(type, bytes_at(file, at + 8, length));
+      if (!exif.empty()) return exif;
     }
     at += static_cast<std::int64_t>(12 + length);
   }

@@ -1,6 +1,6 @@
 // When a picture was taken, as its camera wrote it: three tags of EXIF (2.31: 0x9003, 0x9291, 0x9011) in the
-// APP1 segment of a JPEG or the eXIf chunk of a PNG; all else is passed over. Before: a picture. After:
-// picture_stamps.
+// APP1 segment of a JPEG, the eXIf chunk of a PNG, or the text chunk "Raw profile type exif" that exiv2 and
+// ImageMagick write instead; all else is passed over. Before: a picture. After: picture_stamps.
 #pragma once
 
 #include <filesystem>

@@ -215,6 +215,37 @@ TEST(PictureStamps, PicturesWithoutExifAreLeftOutAndSaid) {
   EXPECT_INPUT_ERROR(stamps_from_exif(find_camera_pictures(none.path()), {}), "have no EXIF time");
 }
 
+// A picture of 4 x 4 pixels that exiv2 0.27.6 gave the date: it writes no eXIf chunk but hexadecimal digits into a
+// compressed text chunk, as ImageMagick does.
+TEST(ExifTime, IsReadFromTheTextChunkThatExiv2Writes) {
+  const std::string hex =
+      "89504e470d0a1a0a0000000d494844520000000400000004080200000026930929000000877a5458745261772070726f"
+      "66696c6520747970652065786966000078da558ccb0d03300843ef4cd111cc27248c934aadd40d3a7e43e0524b80f320"
+      "a6d7f7f3a6478a2164632e0f771c5958c83e66a1c480c79ab0f2176dfc4bb30204394b2b663d9903c931eb3d3a3838e4"
+      "f2be53d1a19d470db25cf7997cba2a4b3abb64dc9ed9cfdea3bed30f27f42c37bfc08f300000000e49444154789c6388"
+      "42020cc47100b70310e14e3179cb0000000049454e44ae426082";
+  std::string png;
+  for (std::size_t i = 0; i < hex.size(); i += 2) png += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  const RecordedFolder folder;
+  folder.write("1.png", png);
+  const auto time = read_exif_time(folder / "1.png");
+  ASSERT_TRUE(time);
+  EXPECT_EQ(time->date, "2026:01:31 14:05:09");
+  EXPECT_EQ(time->sub_seconds, "250");
+  EXPECT_EQ(time->offset, "+01:00");
+  // Cut or damaged anywhere, it is none or is refused, never more than the file.
+  for (std::size_t i = 41; i + 12 < png.size(); i += 7) {
+    std::string damaged = png;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x55);
+    folder.write("2.png", damaged);
+    try {
+      (void)read_exif_time(folder / "2.png");
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+}
+
 TEST(ExifTime, BothByteOrdersAreReadAndNothingBeyondTheEnd) {
   for (const bool big_endian : {false, true}) {
     const std::string tiff = test::exif_of(

@@ -161,7 +161,7 @@ TEST(ChooseFormat, RefusesAPresetThatCountsColumnsWhereTheirNamesAreAnothers) {
   for (int i = 0; i < 60; ++i) rows += number(86421.5 + i / 60.0) + ", 000001, 0, 0, 0, 1, 0, 0, 0\n";
   folder.write("odometry.csv", rows);
   const std::string error = error_of([&] { choose_format(of_file(folder / "odometry.csv", "tum")); });
-  EXPECT_NE(error.find("names columns of preset stray-scanner"), std::string::npos) << error;
+  EXPECT_NE(error.find("those of preset stray-scanner, not of tum"), std::string::npos) << error;
 }
 
 // w first, as ios_logger writes it: read as TUM's x y z w the level head is turned by 180 degrees about z.
