@@ -22,7 +22,6 @@
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/choose_format.h"
 #include "sessions/import/presets/recording_folder.h"
-#include "sessions/inspect/head_meter.h"
 #include "sessions/inspect/plausibility.h"
 #include "sessions/inspect/stream_summary.h"
 #include "sessions/record/session_recorder.h"
@@ -125,25 +124,18 @@ void check_options(const ConvertOptions& options) {
     throw UsageError("--still-gaze: with --still-head nothing is left of the recording; give one of the two");
 }
 
-// What judges the rows on their way.
-struct ConversionMeters {
-  PlausibilityMeter plausibility;
-  HeadMeter head;
-};
-
-// Rows on their way: into the session, and past the meters.
-ImportReport import_into(SessionRecorder& recorder, ConversionMeters& meters, const ImportRequest& request) {
+// Rows on their way: into the session, and past the meter.
+ImportReport import_into(SessionRecorder& recorder, PlausibilityMeter& meter, const ImportRequest& request) {
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                 stop_on_signal();
                                                 recorder.add_pose(row);
-                                                meters.plausibility.add(row);
-                                                meters.head.add(row, 1, 0);
+                                                meter.add(row);
                                               },
                                               [&](const GazeRow& row) {
                                                 stop_on_signal();
                                                 recorder.add_gaze(row);
-                                                meters.plausibility.add(row, per_eye);
+                                                meter.add(row, per_eye);
                                               }});
   return report;
 }
@@ -158,13 +150,15 @@ StreamSummary summary_of(const ImportedStream& stream) {
   return summary;
 }
 
-void judge(const ConversionMeters& meters, const ConvertOptions& options, ConvertReport& report) {
-  report.head_words = meters.plausibility.words();
-  report.gaze_words = meters.plausibility.gaze_words();
+void judge(const PlausibilityMeter& meter, const ConvertOptions& options, ConvertReport& report) {
+  report.head_words = meter.words();
+  report.gaze_words = meter.gaze_words();
   FindingList findings;
   const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
-  meters.plausibility.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
-  if (const std::string fault = meters.head.rarity(); !fault.empty())
+  meter.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
+  if (const std::string fault =
+          rarity(report.rows.poses.rows, report.rows.poses.first_ns, report.rows.poses.last_ns);
+      !fault.empty())
     findings.add(Severity::warning,
                  InputError(poses, 0, fault, "correct the units of the map, or take another preset"));
   if (report.rows.has_gaze)
@@ -199,13 +193,13 @@ int convert(const ConvertOptions& options) {
   NewSessionFolder folder(options.out, options.overwrite);
   SessionHeader header = header_for(options, folder, format, std::move(profile));
   SessionRecorder recorder(folder.path());
-  ConversionMeters meters;
+  PlausibilityMeter meter;
   const HeadColumns* head = request.columns.head;
   report.still = {head == nullptr || head->rotation_kind == RotationKind::fixed, options.still.gaze};
-  if (report.still.head) meters.plausibility.expect_still_head();
-  if (report.still.gaze) meters.plausibility.expect_still_gaze();
-  report.rows = import_into(recorder, meters, request);
-  judge(meters, options, report);
+  if (report.still.head) meter.expect_still_head();
+  if (report.still.gaze) meter.expect_still_gaze();
+  report.rows = import_into(recorder, meter, request);
+  judge(meter, options, report);
   for (std::size_t i = 0; i < feeds.size(); ++i) {
     header.cameras.push_back(feeds[i].camera);
     report.feeds.push_back(write_feed(options.feed, i, feeds[i], report.rows, recorder, stop_on_signal));

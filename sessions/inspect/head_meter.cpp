@@ -8,16 +8,12 @@
 #include <utility>
 
 #include "sessions/streams/pose_sampler.h"
-#include "sessions/text/fixed_text.h"
 
 namespace herr {
 namespace {
 
 // Boxers turn their heads at 1000 degrees a second and sprinters run at 12 m/s.
 constexpr double kJumpDegPerS = 2000, kJumpMPerS = 20;
-// A row every two seconds tells of no head.
-constexpr double kRarestHz = 0.5;
-constexpr std::int64_t kFewestRows = 20;
 // Four decimals in a file change the norm by less.
 constexpr double kNormRounding = 2e-4;
 
@@ -30,8 +26,6 @@ double angle_deg(const glm::dquat& a, const glm::dquat& b) {
 
 void HeadMeter::add(const PoseRow& row, double norm, std::int64_t line) {
   const glm::dvec3& position = row.world_from_head.position;
-  if (rows_++ == 0) first_ns_ = row.stamp_ns;
-  last_ns_ = row.stamp_ns;
   if (!window_start_) {
     window_start_ = row;
     lower_m_ = upper_m_ = position;
@@ -71,19 +65,7 @@ void HeadMeter::measure(const PoseRow& from, const PoseRow& to, std::int64_t lin
   worst_jump_m_s_ = m_s;
 }
 
-std::string HeadMeter::rarity() const {
-  if (rows_ < kFewestRows) return "";
-  const double seconds = static_cast<double>(last_ns_ - first_ns_) * kSecondsPerNs;
-  const double rate_hz = static_cast<double>(rows_ - 1) / seconds;
-  if (rate_hz < kRarestHz)
-    return "a row comes every " + fixed_text(1 / rate_hz, 1) + " s: is the unit of time another?";
-  return "";
-}
-
 void HeadMeter::judge(const std::filesystem::path& file, FindingList& findings) const {
-  if (const std::string fault = rarity(); !fault.empty())
-    findings.add(Severity::warning,
-                 InputError(file, 0, fault, "correct the units of the column map and convert again"));
   if (jumps_ > 0)
     findings.add(
         {Severity::warning,

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "sessions/inspect/findings.h"
 #include "sessions/inspect/meters/linear_histogram.h"
@@ -18,9 +17,6 @@ class HeadMeter {
   // `norm`: length of the quaternion as it was written.
   void add(const PoseRow& row, double norm, std::int64_t line);
   void judge(const std::filesystem::path& file, FindingList& findings) const;
-  // That the rows are too rare for a head: the unit of time is wrong. Without a full stop; empty where it is
-  // not.
-  std::string rarity() const;
 
   // Speeds are taken over kWindowNs or the rows' own interval if that is longer, but not across gaps of more
   // than a second.
@@ -39,8 +35,6 @@ class HeadMeter {
   void measure(const PoseRow& from, const PoseRow& to, std::int64_t line);
 
   std::optional<PoseRow> window_start_;
-  std::int64_t rows_ = 0;
-  TimeNs first_ns_ = 0, last_ns_ = 0;
   LinearHistogram turn_deg_s_{1, 3000}, move_m_s_{0.01, 3000};
   TimeProfile turn_profile_, move_profile_;
   double path_m_ = 0, turned_deg_ = 0, worst_norm_error_ = 0;

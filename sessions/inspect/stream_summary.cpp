@@ -14,6 +14,8 @@ constexpr std::size_t kGapsShown = 4;
 // Two samples lost and more than a frame of a 60 Hz display: one sees it.
 constexpr double kVisibleGapIntervals = 2.5;
 constexpr TimeNs kVisibleGapNs = 25'000'000;
+constexpr double kRarestS = 2;  // rows further apart tell of no head
+constexpr std::int64_t kFewestJudgedRows = 20;
 constexpr double kManyRepeats = 0.05;    // fewer are a head at rest
 constexpr double kRateTolerance = 0.02;  // of the nominal rate
 constexpr TimeNs kClockSlackNs = 1'000'000'000;
@@ -85,7 +87,18 @@ std::vector<StreamGap> StreamSummary::longest_gaps() const {
   return gaps;
 }
 
+std::string rarity(std::int64_t rows, TimeNs first_ns, TimeNs last_ns) {
+  if (rows < kFewestJudgedRows) return "";
+  const double every_s =
+      static_cast<double>(last_ns - first_ns) * kSecondsPerNs / static_cast<double>(rows - 1);
+  if (every_s <= kRarestS) return "";
+  return "a row comes every " + fixed_text(every_s, 1) + " s: is the unit of time another?";
+}
+
 void judge_stream(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings) {
+  if (const std::string rare = &poses == &stream ? rarity(stream.rows, stream.first_ns, stream.last_ns) : "";
+      !rare.empty())
+    findings.add(Severity::warning, InputError(stream.file, 0, rare, "convert it again with the right unit"));
   judge_gaps(poses, stream, findings);
   const double share =
       stream.rows > 1 ? static_cast<double>(stream.repeated_values) / static_cast<double>(stream.rows - 1)

@@ -49,6 +49,10 @@ struct StreamSummary {
   std::vector<StreamGap> longest_;  // intervals of any length, longest first
 };
 
+// That rows are too rare for a head's: the unit of time is wrong. Without a full stop; empty where they are
+// not.
+std::string rarity(std::int64_t rows, TimeNs first_ns, TimeNs last_ns);
+
 // Findings about gaps, repeated values and the stated rate. `poses`: of the same recording; may be `stream`.
 void judge_stream(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings);
 

@@ -38,7 +38,7 @@ FACE = {
         "sessions/import/presets/choose_format.h", "sessions/import/presets/fitting_columns.h",
         "sessions/import/presets/recording_folder.h",
         "sessions/import/text/date_text.h",
-        "sessions/inspect/findings.h", "sessions/inspect/head_meter.h", "sessions/inspect/number_words.h",
+        "sessions/inspect/findings.h", "sessions/inspect/number_words.h",
         "sessions/inspect/plausibility.h", "sessions/inspect/stream_summary.h",
         "sessions/inspect/session_inspection.h",
         "sessions/inspect/time_profile.h",

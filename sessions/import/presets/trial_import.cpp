@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sessions/inspect/head_meter.h"
 #include "sessions/inspect/plausibility_words.h"
+#include "sessions/inspect/stream_summary.h"
 #include "sessions/text/fixed_text.h"
 
 namespace herr {
@@ -68,14 +68,12 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
   request.most_rows = most_rows;
   TrialImport trial;
   PlausibilityMeter meter;
-  HeadMeter head;
   RowsHash hash;
   double heights_m = 0;
   const bool per_eye = request.columns.gaze != nullptr && request.columns.gaze->rays.size() > 1;
   try {
     const ImportReport report = import_rows(request, {[&](const PoseRow& row) {
                                                         meter.add(row);
-                                                        head.add(row, 1, 0);
                                                         hash.add(row);
                                                         heights_m += row.world_from_head.position.y;
                                                       },
@@ -84,6 +82,7 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
                                                         hash.add(row);
                                                       }});
     trial.unusable_share = std::max(unusable_share(report.poses), unusable_share(report.gaze));
+    trial.rarity = rarity(report.poses.rows, report.poses.first_ns, report.poses.last_ns);
     trial.remarks = report.poses.remarks;
     trial.remarks.insert(trial.remarks.end(), report.remarks.begin(), report.remarks.end());
     trial.pose_hz = report.poses.rate_hz();
@@ -93,7 +92,6 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
     return trial;
   }
   trial.figures = meter.figures();
-  trial.rarity = head.rarity();
   trial.mean_height_m = heights_m / static_cast<double>(std::max<std::int64_t>(1, trial.figures.pose_rows));
   trial.words = meter.words();
   trial.gaze_words = meter.gaze_words();

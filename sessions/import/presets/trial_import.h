@@ -14,7 +14,7 @@
 namespace herr {
 
 // Of each stream; where they do not tell, more of it may, at a price that a log of an hour does not feel.
-inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 100000;
+inline constexpr std::int64_t kTrialRows = 20000, kLongTrialRows = 60000;
 
 struct TrialImport {
   std::optional<InputError> error;  // what reading threw

@@ -215,8 +215,8 @@ TEST(PictureStamps, PicturesWithoutExifAreLeftOutAndSaid) {
   EXPECT_INPUT_ERROR(stamps_from_exif(find_camera_pictures(none.path()), {}), "have no EXIF time");
 }
 
-// A picture of 4 x 4 pixels that exiv2 0.27.6 gave the date: it writes no eXIf chunk but hexadecimal digits into a
-// compressed text chunk, as ImageMagick does.
+// A picture of 4 x 4 pixels that exiv2 0.27.6 gave the date: it writes no eXIf chunk but hexadecimal digits
+// into a compressed text chunk, as ImageMagick does.
 TEST(ExifTime, IsReadFromTheTextChunkThatExiv2Writes) {
   const std::string hex =
       "89504e470d0a1a0a0000000d494844520000000400000004080200000026930929000000877a5458745261772070726f"
@@ -225,7 +225,8 @@ TEST(ExifTime, IsReadFromTheTextChunkThatExiv2Writes) {
       "f2be53d1a19d470db25cf7997cba2a4b3abb64dc9ed9cfdea3bed30f27f42c37bfc08f300000000e49444154789c6388"
       "42020cc47100b70310e14e3179cb0000000049454e44ae426082";
   std::string png;
-  for (std::size_t i = 0; i < hex.size(); i += 2) png += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  for (std::size_t i = 0; i < hex.size(); i += 2)
+    png += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
   const RecordedFolder folder;
   folder.write("1.png", png);
   const auto time = read_exif_time(folder / "1.png");
