@@ -15,18 +15,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The shortest text that reads back as the same number: recording and replaying lose no bit.
-void append_number(std::string& row, double value) {
-  char digits[32];
-  // + 0.0 turns -0 into 0.
-  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value + 0.0);
-  row += ',';
-  row.append(digits, end);
-}
+// A row in the making, on the stack: a stamp and at most eight numbers a row need no more.
+class RowText {
+ public:
+  explicit RowText(TimeNs stamp_ns) { end_ = std::to_chars(text_, text_ + sizeof text_, stamp_ns).ptr; }
 
-void append_vector(std::string& row, const glm::dvec3& v) {
-  for (const double value : {v.x, v.y, v.z}) append_number(row, value);
-}
+  // The shortest text that reads back as the same number: recording and replaying lose no bit.
+  RowText& number(double value) {
+    *end_++ = ',';
+    // + 0.0 turns -0 into 0.
+    end_ = std::to_chars(end_, text_ + sizeof text_, value + 0.0).ptr;
+    return *this;
+  }
+  RowText& vector(const glm::dvec3& v) { return number(v.x).number(v.y).number(v.z); }
+  RowText& flag(bool value) {
+    *end_++ = ',';
+    *end_++ = value ? '1' : '0';
+    return *this;
+  }
+  std::string_view line() {
+    *end_ = '\n';
+    return {text_, static_cast<std::size_t>(end_ + 1 - text_)};
+  }
+
+ private:
+  char text_[512];  // ten numbers of at most 25 characters, and a stamp
+  char* end_ = text_;
+};
 
 void ensure_folder(const fs::path& folder) {
   if (const std::error_code error = make_folders(folder))
@@ -57,7 +72,7 @@ SessionRecorder::Stream& SessionRecorder::stream(const std::string& name, const 
   return streams_.emplace(name, std::move(made)).first->second;
 }
 
-void SessionRecorder::add(Stream& stream, TimeNs stamp_ns, const std::string& row, bool may_repeat) {
+void SessionRecorder::add(Stream& stream, TimeNs stamp_ns, std::string_view row, bool may_repeat) {
   if (stamp_ns < stream.last_ns || (stamp_ns == stream.last_ns && !may_repeat))
     throw std::logic_error("a recorded stamp does not grow");
   stream.last_ns = stamp_ns;
@@ -70,26 +85,25 @@ void SessionRecorder::add(Stream& stream, TimeNs stamp_ns, const std::string& ro
 }
 
 void SessionRecorder::add_pose(const PoseRow& row) {
-  std::string text = std::to_string(row.stamp_ns);
-  append_vector(text, row.world_from_head.position);
   const glm::dquat& q = row.world_from_head.orientation;
-  for (const double value : {q.x, q.y, q.z, q.w}) append_number(text, value);
-  add(stream("pose/data.csv", "timestamp_ns,px,py,pz,qx,qy,qz,qw\n"), row.stamp_ns, text + "\n");
+  RowText text(row.stamp_ns);
+  text.vector(row.world_from_head.position).number(q.x).number(q.y).number(q.z).number(q.w);
+  if (pose_stream_ == nullptr) pose_stream_ = &stream("pose/data.csv", "timestamp_ns,px,py,pz,qx,qy,qz,qw\n");
+  add(*pose_stream_, row.stamp_ns, text.line());
 }
 
 void SessionRecorder::add_gaze(const GazeRow& row, std::optional<double> openness) {
   if (gaze_has_openness_.value_or(openness.has_value()) != openness.has_value())
     throw std::logic_error("some gaze rows have an openness and some have not");
   gaze_has_openness_ = openness.has_value();
-  std::string text = std::to_string(row.stamp_ns);
-  for (std::size_t eye = 0; eye < 2; ++eye) {
-    append_vector(text, row.valid[eye] ? row.head_direction[eye] : glm::dvec3(0));
-    text += row.valid[eye] ? ",1" : ",0";
-  }
-  if (openness) append_number(text, *openness);
-  const std::string columns =
-      std::string("timestamp_ns,lx,ly,lz,l_valid,rx,ry,rz,r_valid") + (openness ? ",openness\n" : "\n");
-  add(stream("gaze/data.csv", columns), row.stamp_ns, text + "\n");
+  RowText text(row.stamp_ns);
+  for (std::size_t eye = 0; eye < 2; ++eye)
+    text.vector(row.valid[eye] ? row.head_direction[eye] : glm::dvec3(0)).flag(row.valid[eye]);
+  if (openness) text.number(*openness);
+  if (gaze_stream_ == nullptr)
+    gaze_stream_ = &stream("gaze/data.csv", std::string("timestamp_ns,lx,ly,lz,l_valid,rx,ry,rz,r_valid") +
+                                                (openness ? ",openness\n" : "\n"));
+  add(*gaze_stream_, row.stamp_ns, text.line());
 }
 
 void SessionRecorder::add_camera_frame(std::size_t camera, const CameraRow& row) {

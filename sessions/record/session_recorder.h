@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "sessions/files/append_file.h"
 #include "sessions/format/session_header.h"
@@ -50,11 +51,14 @@ class SessionRecorder {
     TimeNs last_ns = -1, flushed_ns = -1;
   };
   Stream& stream(const std::string& name, const std::string& first_line);
-  void add(Stream& stream, TimeNs stamp_ns, const std::string& row, bool may_repeat = false);
+  void add(Stream& stream, TimeNs stamp_ns, std::string_view row, bool may_repeat = false);
 
   std::filesystem::path folder_;
   std::optional<bool> gaze_has_openness_;  // known from the first row
-  std::map<std::string, Stream> streams_;  // by file name relative to the folder
+  std::map<std::string, Stream>
+      streams_;                    // by file name relative to the folder; its elements stay where they are
+  Stream* pose_stream_ = nullptr;  // of streams_, found once
+  Stream* gaze_stream_ = nullptr;
 };
 
 }  // namespace herr
