@@ -69,7 +69,8 @@ void add_format_flags(CLI::App& app, ConvertOptions& options) {
       "print the preset's column map, to be changed and used with --map");
   app.add_flag_callback(
       "--check", [&] { options.check = true; },
-      "convert nothing: say what the recording seems to be and which command converts it");
+      "convert nothing: say what the recording seems to be and which command converts it; ends with 4 where "
+      "it cannot tell");
   file_flag(app, "--write-map", "with --check: where a proposed column map goes",
             [&](const std::string& text) { options.write_map = text; });
   app.add_flag_callback(
@@ -110,7 +111,7 @@ void add_feed_flags(CLI::App& app, FeedOptions& feed) {
       [&](const std::string& text) { feed.hfov_deg = parse_real_number("--camera-hfov", text, 1, 170); });
   repeated_flag(
       app, "--camera-calibration", "FILE",
-      "lens and its place instead: EuRoC's sensor.yaml, Kalibr's camchain.yaml, Project Aria's JSON",
+      "lens and its place instead: EuRoC's sensor.yaml, Kalibr's camchain-imucam.yaml, Project Aria's JSON",
       feed.calibration);
   repeated_flag(app, "--camera-label", "NAME", "which camera of that calibration", feed.label);
   app.add_flag_callback(
@@ -140,7 +141,7 @@ void add_convert_flags(CLI::App& app, ConvertOptions& options) {
       "--overwrite", [&] { options.overwrite = true; }, "replace the session that is there");
   app.add_flag_callback(
       "--keep-going", [&] { options.keep_going = true; },
-      "leave bad rows out instead of stopping at the first");
+      "leave bad rows out instead of stopping at the first; above 5 % lost it ends with 5, as always");
   app.add_flag_callback(
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
 }

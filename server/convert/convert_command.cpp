@@ -18,6 +18,7 @@
 #include "server/settings/flag_values.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/import/check/bare_formats.h"
 #include "sessions/import/import_rows.h"
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/choose_format.h"
@@ -120,6 +121,8 @@ void check_options(const ConvertOptions& options) {
   check_feed_options(options.feed);
   check_scene_name("--scene", options.scene);
   if (options.head == options.out) throw UsageError("OUT: is the recording itself; choose another folder");
+  if (options.still.gaze && options.gaze)
+    throw UsageError("--still-gaze: --gaze is given too, and would not be read; give one of the two");
   if (options.still.head && options.still.gaze)
     throw UsageError("--still-gaze: with --still-head nothing is left of the recording; give one of the two");
 }
@@ -156,9 +159,7 @@ void judge(const PlausibilityMeter& meter, const ConvertOptions& options, Conver
   FindingList findings;
   const fs::path& poses = report.rows.poses.file.empty() ? options.head : report.rows.poses.file;
   meter.judge(poses, report.rows.gaze.file.empty() ? poses : report.rows.gaze.file, findings);
-  if (const std::string fault =
-          rarity(report.rows.poses.rows, report.rows.poses.first_ns, report.rows.poses.last_ns);
-      !fault.empty())
+  if (const std::string fault = rarity(report.rows.poses.intervals); !fault.empty())
     findings.add(Severity::warning,
                  InputError(poses, 0, fault, "correct the units of the map, or take another preset"));
   if (report.rows.has_gaze)
@@ -175,11 +176,22 @@ void finish_header(const ConvertReport& report, const ChosenFormat& format, Sess
   header.conversion = conversion_record(report);
 }
 
+// Formats whose files name no columns fit many tables by accident; the user's word settles it.
+void check_bare_format(const FormatRequest& request, const ChosenFormat& format) {
+  if (request.map || !request.preset.empty() || format.format.named_columns > 0 ||
+      is_its_own_file(format, request))
+    return;
+  throw InputError(request.files.head.empty() ? *request.files.gaze : request.files.head, 0,
+                   "has the columns of no preset; by their number it could be " + format.format.words(),
+                   "give --preset where that is meant; 'herr convert --check FILE' proposes a map");
+}
+
 int convert(const ConvertOptions& options) {
   const Recording recording = recording_of(options);
   const std::vector<FeedSource> sources = feed_sources(options.feed, recording.cameras);
   DisplayProfile profile = load_display_profile(options.profile);
   const ChosenFormat format = choose_format(recording.format);
+  check_bare_format(recording.format, format);
   ConvertReport report;
   report.out = options.out;
   report.format = format.format.words();

@@ -85,18 +85,24 @@ std::string stamps_set_aside(const CameraPictures& pictures, const std::optional
   return has_exif_time(pictures) ? "EXIF" : "";
 }
 
+constexpr const char* kAheadOfTheHead = "the camera sits at the head's origin and looks straight ahead";
+
 void set_lens(const FeedContext& context, const FeedSource& source, std::size_t index,
               const std::optional<CameraTable>& table, Feed& feed) {
   const ImageSize& size = feed.pictures.size;
   if (context.options.hfov_deg != 0) {
     feed.camera.model = pinhole_camera(size.width_px, size.height_px, context.options.hfov_deg);
-    feed.assumed.emplace_back("the camera sits at the head's origin and looks straight ahead");
+    feed.assumed.emplace_back(kAheadOfTheHead);
+    if (!source.calibration.empty())
+      feed.remarks.push_back("--camera-hfov sets aside the lens and place of " +
+                             printable(source.calibration.filename().string()));
   } else if (!source.calibration.empty()) {
     feed.camera = read_camera_calibration(source.calibration, {source.label, index}, size,
                                           context.head != nullptr ? *context.head : HeadColumns{});
   } else if (table && !table->format.columns.lens.empty()) {
     const ColumnLens lens = lens_from_columns(table->file, table->format.columns, size);
     feed.camera.model = lens.model;
+    feed.assumed.emplace_back(kAheadOfTheHead);
     feed.assumed.insert(feed.assumed.end(), lens.remarks.begin(), lens.remarks.end());
   } else {
     throw InputError(source.pictures, 0, "has pictures of an unknown lens",
@@ -146,10 +152,16 @@ std::vector<Feed> open_feeds(const FeedOptions& options, const std::vector<FeedS
     try {
       feeds.push_back(open_feed(context, sources[i], i));
     } catch (const InputError& error) {
-      if (!sources[i].of_folder) throw;
+      if (!sources[i].of_folder || context.options.any_stamps_or_lens()) throw;
       remarks.push_back("pictures were left out: " + std::string(error.what()));
     }
   }
+  if (feeds.size() == 2 && !sources[0].calibration.empty() && options.hfov_deg == 0 &&
+      feeds[0].camera.head_from_camera.position == feeds[1].camera.head_from_camera.position)
+    throw InputError(sources[1].calibration, 0, "places both cameras at one point",
+                     "give --camera-calibration once for each camera, or --camera-label");
+  if (feeds.size() < sources.size() && !feeds.empty())
+    remarks.push_back("the pictures of " + printable(feeds[0].folder.string()) + " are shown to both eyes");
   return feeds;
 }
 

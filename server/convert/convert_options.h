@@ -23,7 +23,11 @@ struct FeedOptions {
   double offset_ms = 0;                            // added to every stamp of a picture
   double hfov_deg = 0;                             // width of the view of a pinhole; 0: not given
   std::optional<double> distance_m;                // of the feed's sphere about the displayed eye
-  bool none = false;                               // leave the pictures of the recording's folder out
+  // The user said where stamps or lenses come from.
+  bool any_stamps_or_lens() const {
+    return !stamps.empty() || !calibration.empty() || !label.empty() || !names.empty() || hz || hfov_deg != 0;
+  }
+  bool none = false;  // leave the pictures of the recording's folder out
 };
 
 struct ConvertOptions {

@@ -16,6 +16,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostRecorded = SessionConversion::kMostEntries,
                       kMostRecordedBytes = SessionConversion::kMostBytes;
 
+// Rows with a fault of their own that the text tells; the counts are of all.
+constexpr std::size_t kShownRows = 5;
+
 std::string shown(const std::filesystem::path& path) {
   return printable(path.string());
 }
@@ -221,9 +224,13 @@ std::string convert_text(const ConvertReport& report) {
     text += stream_text(report.rows.gaze_combined ? "gaze (combined)" : "gaze (per eye)", report.rows.gaze);
   for (std::size_t i = 0; i < report.feeds.size(); ++i) text += feed_text(i, report.feeds[i]);
   for (const std::string& sentence : assumed_of(report)) text += "assumed: " + sentence + "\n";
-  for (const auto* sentences :
-       {&report.remarks, &report.rows.remarks, &report.rows.warnings, &report.warnings})
+  for (const auto* sentences : {&report.remarks, &report.rows.remarks})
     for (const std::string& sentence : *sentences) text += "note: " + sentence + "\n";
+  const std::vector<std::string>& rows = report.rows.warnings;  // one a row
+  for (std::size_t i = 0; i < std::min(rows.size(), kShownRows); ++i) text += "note: " + rows[i] + "\n";
+  if (rows.size() > kShownRows)
+    text += "note: " + std::to_string(rows.size() - kShownRows) + " more such lines stand in --json\n";
+  for (const std::string& sentence : report.warnings) text += "note: " + sentence + "\n";
   return text;
 }
 

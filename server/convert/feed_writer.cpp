@@ -67,6 +67,8 @@ void write_stamped(const FeedOptions& options, std::size_t camera, const Feed& f
   report.repeated_stamps = stamped.repeated_stamps;
   report.assumed = stamped.assumed;
   report.remarks = stamped.remarks;
+  if (options.offset_ms != 0)
+    report.assumed.push_back("stamps were moved by " + shortest_text(options.offset_ms) + " ms");
   check_span(feed, rows.poses, move_ns, report);
   for (const StampedPicture& picture : stamped.pictures) {
     pass_by();

@@ -176,7 +176,7 @@ Json conversion_json(const SessionConversion& conversion) {
   for (const SessionConversion::LeftOut& part : conversion.left_out)
     left_out.push_back(
         {{"stream", part.stream}, {"rows", part.rows}, {"of", part.of}, {"reason", part.reason}});
-  return {{"left_out", left_out}, {"assumed", conversion.assumed}};
+  return {{"left_out", left_out}, {"assumed", conversion.assumed}, {"remarks", conversion.remarks}};
 }
 
 Json session_json(const InspectReport& report) {

@@ -50,7 +50,8 @@ std::string conversion_text(const SessionConversion& conversion) {
   for (const SessionConversion::LeftOut& part : conversion.left_out)
     text += named_line("left out", printable(part.stream) + ": " + std::to_string(part.rows) + " of " +
                                        std::to_string(part.of) + ": " + printable(part.reason));
-  for (const std::string& sentence : conversion.assumed) text += named_line("converted", printable(sentence));
+  for (const auto* sentences : {&conversion.assumed, &conversion.remarks})
+    for (const std::string& sentence : *sentences) text += named_line("converted", printable(sentence));
   return text;
 }
 

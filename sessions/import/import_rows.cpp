@@ -208,7 +208,8 @@ class RowsImport {
 
   // Poses at the gaze's stamps: the gaze is read twice, so that poses come first.
   void stand_still() {
-    report_.assumed.push_back("the head stands still at the origin, level: no poses were given");
+    report_.assumed.push_back(
+        "the head stands still at the origin, level, whatever was recorded: so it was asked for");
     ImportedStream pass;
     std::vector<std::string> texts;
     Warnings warnings(texts);
@@ -219,7 +220,7 @@ class RowsImport {
   }
 
   void look_ahead() {
-    report_.assumed.push_back("the gaze looks straight ahead: none was given");
+    report_.assumed.push_back("the gaze looks straight ahead, whatever was recorded: so it was asked for");
     ImportedStream pass;
     std::vector<std::string> texts;
     Warnings warnings(texts);

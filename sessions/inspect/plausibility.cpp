@@ -102,7 +102,7 @@ std::string PlausibilityMeter::words() const {
 }
 
 std::string PlausibilityMeter::gaze_words() const {
-  if (eyes_.rows_with_gaze() == 0) return "";
+  if (eyes_.rows_with_gaze() == 0 || still_gaze_meant_) return "";
   const PlausibilityFigures known = figures();
   std::string text;
   const auto say = [&](const std::optional<double>& share, std::int64_t windows, const char* way) {
@@ -112,7 +112,7 @@ std::string PlausibilityMeter::gaze_words() const {
   };
   say(known.countering_x, countering_.horizontal().telling(), "sideways");
   say(known.countering_y, countering_.vertical().telling(), "up and down");
-  if (text.empty()) text = "the head turns too little to tell whether the eyes counter it";
+  if (text.empty()) text = "too few turns of head and eyes to tell whether these counter those";
   return text;
 }
 

@@ -87,17 +87,15 @@ std::vector<StreamGap> StreamSummary::longest_gaps() const {
   return gaps;
 }
 
-std::string rarity(std::int64_t rows, TimeNs first_ns, TimeNs last_ns) {
-  if (rows < kFewestJudgedRows) return "";
-  const double every_s =
-      static_cast<double>(last_ns - first_ns) * kSecondsPerNs / static_cast<double>(rows - 1);
+std::string rarity(const IntervalCensus& intervals) {
+  if (intervals.intervals() < kFewestJudgedRows) return "";
+  const double every_s = intervals.median_ns() * kSecondsPerNs;
   if (every_s <= kRarestS) return "";
-  return "a row comes every " + fixed_text(every_s, 1) + " s: is the unit of time another?";
+  return "a row comes every " + fixed_text(every_s, 1) + " s in the median: is the unit of time another?";
 }
 
 void judge_stream(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings) {
-  if (const std::string rare = &poses == &stream ? rarity(stream.rows, stream.first_ns, stream.last_ns) : "";
-      !rare.empty())
+  if (const std::string rare = &poses == &stream ? rarity(stream.intervals) : ""; !rare.empty())
     findings.add(Severity::warning, InputError(stream.file, 0, rare, "convert it again with the right unit"));
   judge_gaps(poses, stream, findings);
   const double share =

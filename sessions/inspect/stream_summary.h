@@ -51,7 +51,7 @@ struct StreamSummary {
 
 // That rows are too rare for a head's: the unit of time is wrong. Without a full stop; empty where they are
 // not.
-std::string rarity(std::int64_t rows, TimeNs first_ns, TimeNs last_ns);
+std::string rarity(const IntervalCensus& intervals);
 
 // Findings about gaps, repeated values and the stated rate. `poses`: of the same recording; may be `stream`.
 void judge_stream(const StreamSummary& poses, const StreamSummary& stream, FindingList& findings);

@@ -33,7 +33,7 @@ FACE = {
         "sessions/import/cameras/camera_calibration.h", "sessions/import/cameras/camera_pictures.h",
         "sessions/import/cameras/column_lens.h", "sessions/import/cameras/exif_time.h",
         "sessions/import/cameras/name_pattern.h", "sessions/import/cameras/picture_stamps.h",
-        "sessions/import/check/proposal.h", "sessions/import/import_report.h", "sessions/import/import_rows.h",
+        "sessions/import/check/bare_formats.h", "sessions/import/check/proposal.h", "sessions/import/import_report.h", "sessions/import/import_rows.h",
         "sessions/import/presets/built_in_maps.h", "sessions/import/presets/camera_table.h",
         "sessions/import/presets/choose_format.h", "sessions/import/presets/fitting_columns.h",
         "sessions/import/presets/recording_folder.h",

@@ -135,7 +135,11 @@ void judge_angles(const RotationRole& rotation, bool centimetres, const AxisVerd
     proposed.reasons.push_back(
         std::string("Angles about x, y and z in degrees are those of Unity, applied about z, then "
                     "x, then y") +
-        (rotation.full_circle ? ": they lie from 0 to 360." : "."));
+        (rotation.full_circle ? ": they lie from 0 to 360."
+         : verdict.walks_ahead || verdict.eyes_tell
+             ? "."
+             : ". That is told by names and units alone: a right-handed program's would look the same, "
+               "mirrored."));
     return;
   }
   proposed.questions.push_back(

@@ -82,7 +82,7 @@ TrialImport trial_import(ImportRequest request, std::int64_t most_rows) {
                                                         hash.add(row);
                                                       }});
     trial.unusable_share = std::max(unusable_share(report.poses), unusable_share(report.gaze));
-    trial.rarity = rarity(report.poses.rows, report.poses.first_ns, report.poses.last_ns);
+    trial.rarity = rarity(report.poses.intervals);
     trial.remarks = report.poses.remarks;
     trial.remarks.insert(trial.remarks.end(), report.remarks.begin(), report.remarks.end());
     trial.pose_hz = report.poses.rate_hz();
