@@ -106,6 +106,12 @@ void fail_unrecognised(const FormatRequest& request) {
                        "holds the gaze and " + printable(request.files.gaze->string()) +
                            " the head (preset " + presets_in(formats) + ")",
                        "give the files the other way around");
+    other = request;
+    other.files.gaze.reset();
+    if (const auto formats = recognised(other); !formats.empty())
+      throw InputError(*request.files.gaze, 0,
+                       "has no gaze columns that go with the head's (" + presets_in(formats) + ")",
+                       "say both in a --map; 'herr convert --check HEAD --gaze FILE' proposes one");
   } else if (!request.still.head) {
     other.files.gaze = request.files.head;
     other.files.head.clear();
@@ -115,7 +121,8 @@ void fail_unrecognised(const FormatRequest& request) {
                        "holds the gaze of preset " + presets_in(formats) + " and no head",
                        "give the head's file as HEAD and this one with --gaze, or --still-head");
   }
-  throw InputError(any_file(request), 0, "has the columns of no preset",
+  throw InputError(any_file(request), 0,
+                   request.still.head ? "has the gaze columns of no preset" : "has the columns of no preset",
                    "try 'herr convert --check FILE', which proposes a map, or give --preset or --map");
 }
 

@@ -15,8 +15,11 @@ bool has_letter_first(std::string_view text) {
   return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0;
 }
 
+// Names of columns stand at the beginning of a file.
+constexpr std::int64_t kLastHeaderLine = 10;
+
 // What to do about a field that is no number, by its likely cause.
-std::string number_remedy(std::string_view text, char decimal) {
+std::string number_remedy(std::string_view text, char decimal, std::int64_t line) {
   const char other = decimal == '.' ? ',' : '.';
   if (reads_as_number(text, other))
     return decimal == '.' ? "its decimal sign is a comma: set \"decimal\": \",\" (or \"auto\") in the map"
@@ -28,7 +31,7 @@ std::string number_remedy(std::string_view text, char decimal) {
                  ? "the fields seem separated by semicolons: set \"separator\": \";\" (or \"auto\") in the "
                    "map"
                  : "the fields seem separated by commas: set \"separator\": \",\" (or \"auto\") in the map";
-  if (has_letter_first(text) && text.size() > 1 && !text.starts_with("inf"))
+  if (line <= kLastHeaderLine && has_letter_first(text) && text.size() > 1 && !text.starts_with("inf"))
     return "if this is a header line, put # before it or remove it";
   return kCorrectLine;
 }
@@ -53,7 +56,8 @@ void RowSource::fail_number(std::size_t place) const {
   if (stands_for_no_number(found))
     fail_field(place, "holds no number (" + in_quotes(found) + ")",
                "name the column that tells lost rows in the map (\"valid\"), or remove the line");
-  fail_field(place, "is " + in_quotes(found) + ", not a finite number", number_remedy(found, decimal_));
+  fail_field(place, "is " + in_quotes(found) + ", not a finite number",
+             number_remedy(found, decimal_, line_));
 }
 
 double RowSource::number(std::size_t place) const {
@@ -77,7 +81,7 @@ void RowSource::numbers(std::size_t place, std::span<double> values) const {
   const bool other_reads =
       reads_as_number(fields_[place], other) && !reads_as_number(fields_[place], decimal_);
   fail_field(place, "is " + in_quotes(fields_[place]) + ", not " + std::to_string(values.size()) + " numbers",
-             other_reads ? number_remedy(fields_[place], decimal_) : kCorrectLine);
+             other_reads ? number_remedy(fields_[place], decimal_, line_) : kCorrectLine);
 }
 
 }  // namespace herr
