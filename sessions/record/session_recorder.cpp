@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A row in the making, on the stack: a stamp and at most eight numbers a row need no more.
+// A row in the making, on the stack: a stamp, at most seven numbers of a pose, nine values of a gaze.
 class RowText {
  public:
   explicit RowText(TimeNs stamp_ns) { end_ = std::to_chars(text_, text_ + sizeof text_, stamp_ns).ptr; }
@@ -39,7 +39,7 @@ class RowText {
   }
 
  private:
-  char text_[512];  // ten numbers of at most 25 characters, and a stamp
+  char text_[512];  // no number has more than 25 characters
   char* end_ = text_;
 };
 

@@ -1,5 +1,4 @@
-// Long logs through `herr convert`: memory does not grow with them, and time stays that of reading them. The
-// figures of an hour at 1 kHz stand in tests/benchmarks/MEASURED.md.
+// Long logs through `herr convert`: memory does not grow with them, and time stays that of reading them.
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
