@@ -46,6 +46,7 @@ struct FramePlan {
   bool voxels = false;           // octrees, and rays that know how wide they are
   bool shapes = false;           // analytic spheres and boxes
   bool surface_details = false;  // vertex colours, further textures, highlights of their own, unlit, alpha
+  bool further_lobes = false;    // clear coats, sheen, stretched highlights
   bool alpha_mask = false;       // hits are asked whether they lie in a hole
   bool alpha_blend = false;      // eyes look on through what they hit; shadow rays pass by shares
   bool back_face_culling =

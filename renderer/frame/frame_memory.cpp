@@ -36,6 +36,8 @@ void Renderer::Impl::allocate_buffers() {
 void Renderer::Impl::allocate_scratch() {
   for (const std::unique_ptr<TileScratch>& scratch : tile_scratch) {
     allocate_if(plan.mirror_rays || plan.refraction, scratch->second);
+    allocate_if(plan.further_lobes, scratch->first.lobes);
+    if (scratch->second) allocate_if(plan.further_lobes, scratch->second->hits.lobes);
     allocate_if(plan.catchers_occlude, scratch->blocked);
     allocate_if(plan.alpha_blend, scratch->layers);
     // Whether light samples are adaptive may change with each frame's number of them.
@@ -46,7 +48,8 @@ void Renderer::Impl::allocate_scratch() {
 MemoryUse Renderer::memory() const {
   const Impl& impl = *impl_;
   const GeometryMemory geometry = impl.geometry->memory();
-  std::int64_t buffers = 0, tiles = 0, second = 0, blocked = 0, layers = 0, adaptive = 0, strips = 0;
+  std::int64_t buffers = 0, tiles = 0, second = 0, blocked = 0, layers = 0, adaptive = 0, strips = 0,
+               lobes = 0;
   for (const RadianceBuffer& buffer : impl.buffers) buffers += buffer.bytes();
   for (const auto& samples : impl.samples) buffers += samples ? samples->bytes() : 0;
   for (const std::unique_ptr<TileScratch>& scratch : impl.tile_scratch) {
@@ -55,6 +58,7 @@ MemoryUse Renderer::memory() const {
     blocked += bytes_if(scratch->blocked);
     layers += bytes_if(scratch->layers);
     adaptive += bytes_if(scratch->adaptive);
+    lobes += bytes_if(scratch->first.lobes) + (scratch->second ? bytes_if(scratch->second->hits.lobes) : 0);
   }
   for (const std::unique_ptr<StripScratch>& scratch : impl.strip_scratch) strips += scratch->bytes();
   return {{"acceleration structures", geometry.acceleration},
@@ -67,6 +71,7 @@ MemoryUse Renderer::memory() const {
           {"second rays", second},
           {"catcher shadow rays", blocked},
           {"alpha layers", layers},
+          {"further lobes", lobes},
           {"adaptive light samples", adaptive},
           {"strips in work", strips}};
 }

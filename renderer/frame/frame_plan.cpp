@@ -15,7 +15,7 @@ namespace {
 struct Traits {
   std::size_t catchers_ever = 0, instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0,
               transparent = 0, textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0,
-              blended = 0, back_face_culling = 0;
+              blended = 0, back_face_culling = 0, further_lobes = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -42,6 +42,7 @@ Traits traits_of(const Scene& scene) {
     const bool is_mesh = instance.kind == ShapeKind::mesh;
     if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) ++traits.shapes;
     traits.detailed += has_details(scene, instance) ? 1 : 0;
+    traits.further_lobes += has_further_lobes(material) ? 1 : 0;
     traits.blended += blends(scene, instance) ? 1 : 0;
     traits.masked += has_holes(scene, instance) && !blends(scene, instance) ? 1 : 0;
     traits.back_face_culling += culls_back_faces(scene, instance) ? 1 : 0;
@@ -129,6 +130,10 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          share(t.detailed, t.instances,
                "have vertex colours, further textures, weighted highlights, alpha or are unlit"),
          "every surface is made of factors and at most two textures", t.detailed == 0);
+  decide(plan.further_lobes, t.further_lobes > 0, "further lobes",
+         share(t.further_lobes, t.instances, "have a clear coat, sheen or a stretched highlight"),
+         "no surface has a clear coat, sheen or a stretched highlight", t.further_lobes == 0);
+  if (plan.further_lobes) need(plan.surface_details, "surface details", "further lobes");
   decide(plan.alpha_mask, t.masked > 0, "alpha masks", share(t.masked, t.instances, "have holes"),
          "no surface has holes", t.masked == 0);
   decide(plan.alpha_blend, t.blended > 0, "alpha layers",

@@ -43,6 +43,17 @@ enum class SurfaceDetail : std::uint8_t { plain, textures, all };
 // none: no sample here; miss: the ray left the scene.
 enum class HitKind : std::int32_t { none = 0, object = 1, catcher = 2, miss = 3 };
 
+// What hits have beyond diffuse and one highlight: only where the plan has further lobes.
+struct alignas(64) FurtherLobes {
+  Lane<float> coat;         // share of the clear coat, 0 without one
+  Lane<float> coat_alpha2;  // its GGX alpha squared
+  Lane3 coat_normal;        // unit, on the viewer's side
+  Lane3 sheen;              // colour, 0 without one
+  Lane<float> sheen_alpha;  // of the Charlie distribution: roughness^2
+  Lane3 tangent;            // unit, along which the highlight is longest; across the shading normal
+  Lane<float> stretch;      // strength of anisotropy, 0 without it
+};
+
 // Surfaces that a batch of rays hit, and the light that they send back along the ray.
 struct alignas(64) HitBatch {
   Lane3 position;             // metres from the anchor
@@ -64,6 +75,12 @@ struct alignas(64) HitBatch {
   Lane<float> cone_width, cone_spread;
   // With surface details: what a blended surface covers, 1 elsewhere; specular reflectance at grazing angles.
   Lane<float> coverage, f90;
+  // Share of light from all sides that reaches the surface by its occlusion texture; 1 without one.
+  Lane<float> occlusion;
+  // Of the transparent body behind the surface: what light loses in it per metre, -ln(colour) / distance.
+  Lane3 absorption;
+  // How fast the shading normal turns along the surface, radians per metre: what a ray's width spreads over.
+  Lane<float> curvature;
   Lane<std::int32_t> kind;  // HitKind
   Lane<std::uint32_t> key;  // random numbers: frame, eye and sample
   // Objects: radiance by direct light. Catchers: irradiance with all objects in place, and without them.
@@ -74,8 +91,10 @@ struct alignas(64) HitBatch {
   // Share of short rays that meet nothing; of catchers also without the virtual objects.
   Lane<float> open, open_without;
   Lane3 mirrored;  // catchers: reflection of virtual objects, added to the feed
-  // Which 4x4 block of the tile the sample lies in. Last: bytes would leave the lanes behind them unaligned.
+  // Which 4x4 block of the tile the sample lies in. Last of the lanes: bytes would leave those behind
+  // unaligned.
   Lane<std::uint8_t> block;
+  std::unique_ptr<FurtherLobes> lobes;  // where the plan has further lobes
 };
 
 // Rays that wait to be traced, dense, and which hit of the batch each belongs to.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scenes/model/animated_model.h"
+#include "scenes/model/material.h"
 #include "scenes/model/object_path.h"
 #include "scenes/model/scene_change.h"
 #include "scenes/model/slot_changes.h"
@@ -22,60 +23,6 @@
 #include "sessions/format/pose.h"
 
 namespace herr {
-
-enum class TextureWrap : std::uint8_t { repeat, clamp, mirror };
-
-// 8-bit RGBA, rows from v = 0 downwards as glTF defines (v = 0 is the top row).
-struct TextureImage {
-  std::string name;
-  int width_px = 0, height_px = 0;  // 1 ... 16384
-  bool srgb = true;  // colour: decode to linear light after the fetch; false: values are linear
-  TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
-  std::vector<std::uint8_t> rgba;  // 4 * width * height
-  bool nearest = false;            // magnified texels stay squares (sampler filter NEAREST)
-  bool covers = false;             // alpha is coverage: colours of smaller levels are weighted by it
-};
-
-// mask: a surface has holes where its alpha lies below the cutoff. blend: it covers what is behind by alpha.
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-
-// A texture and which of the mesh's coordinates it reads: set 0 is TriangleMesh::uvs,
-// set n is more_uvs[n - 1].
-struct TextureSlot {
-  int texture = -1;  // index into Scene::textures, -1 = none
-  int uv_set = 0;
-};
-
-// glTF metallic-roughness in linear light. Mapping to the paper's factors (see scenes/gltf/README.md):
-// diffuse = base_colour * (1 - metallic), specular F0 = mix(0.04, base_colour, metallic) with GGX alpha =
-// roughness^2, reflection = mirror * F (Schlick from F0).
-struct Material {
-  std::string name;
-  glm::vec3 base_colour{0.8f};          // [0, 1]
-  float metallic = 0.0f;                // [0, 1]
-  float roughness = 0.8f;               // [0, 1]
-  glm::vec3 emission{0.0f};             // radiance, >= 0
-  float mirror = 0.0f;                  // [0, 1] share of the mirror ray that is seen; 0 traces none
-  int base_colour_texture = -1;         // index into Scene::textures, -1 = none
-  int metallic_roughness_texture = -1;  // G = roughness, B = metallic (linear)
-  float transmission = 0.0f;            // [0, 1] share of light that passes, refracted
-  float refractive_index = 1.5f;        // [1, 100]
-  int base_colour_uv_set = 0, metallic_roughness_uv_set = 0;  // as TextureSlot::uv_set
-
-  float alpha = 1.0f;  // [0, 1], times the base colour texture's and the vertices'; unused where opaque
-  AlphaMode alpha_mode = AlphaMode::opaque;
-  float alpha_cutoff = 0.5f;            // of mask
-  bool double_sided = true;             // false: seen from its front only, if its mesh is not closed
-  bool unlit = false;                   // shows its base colour whatever the light
-  float specular = 1.0f;                // [0, 1] strength of a dielectric's highlights
-  glm::vec3 specular_colour{1.0f};      // >= 0, tints them
-  float normal_scale = 1.0f;            // of the normal texture's x and y
-  TextureSlot emission_texture;         // sRGB
-  TextureSlot specular_texture;         // A = strength
-  TextureSlot specular_colour_texture;  // sRGB
-  TextureSlot transmission_texture;     // R
-  TextureSlot normal_texture;           // RGB = tangent space, linear
-};
 
 // A coarser form of a mesh, for where the eye cannot tell.
 struct CoarserMesh {
