@@ -166,6 +166,7 @@ struct ShadingInputs {
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
   bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
   bool debug_tiles = false;
+  float shown_white = 1;  // radiance that is shown as white: what is painted, not lit, has colours times it
 };
 
 struct TileJob {

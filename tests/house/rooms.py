@@ -23,6 +23,7 @@ FACE = {
     "sessions": (
         "sessions/session.h",
         "sessions/camera/camera_image.h", "sessions/camera/camera_model.h",
+        "sessions/camera/half_from_samples.h",
         "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/contained_folder.h",
         "sessions/text/fixed_text.h", "sessions/files/folder_lock.h", "sessions/files/folders.h",
         "sessions/files/input_error.h", "sessions/files/input_file.h", "sessions/files/line_reader.h",
