@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRadius_deg = 1.0, kHalfWidth_deg = 0.08, kReach = 1.2;
 constexpr float kRed = 1.0f, kOthers = 0.03125f;  // as shown
-constexpr std::uint16_t kHalfOne = 0x3c00;
+constexpr std::uint16_t kOpaqueHalf = 0x3c00;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void draw_gaze_marker(const Viewport& v, const glm::dvec3& gaze, ViewportImage& 
       std::uint16_t* texel = image.row(y) + 4 * x;
       texel[0] = red;
       texel[1] = texel[2] = others;
-      texel[3] = kHalfOne;
+      texel[3] = kOpaqueHalf;
     }
   }
 }
