@@ -16,7 +16,7 @@ struct alignas(32) TriangleRecord {
   std::uint32_t normal[3];  // octahedral, two 16-bit snorms: x low, y high
   std::uint32_t uv[3];      // two 16-bit unorms over the mesh's uv range: u low, v high
   float texel_density = 0;  // area in coordinates over area in object space, 1/m^2
-  std::uint32_t unused = 0;
+  float curvature = 0;      // turn of the shading normal along the surface, radians per unit of object space
 };
 static_assert(sizeof(TriangleRecord) == 32);
 
