@@ -59,13 +59,11 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     set_valid(valid, lanes);
     tile.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
-    if constexpr (kDetail != SurfaceDetail::plain) {
-      // A cone of the solid angle that each ray stands for, as wide as it is high.
-      const float spread = std::sqrt(12.5663706f / static_cast<float>(job.volume->directions.rays()));
-      hn::Store(hn::Zero(kF), kF, &hits.cone_width[slot]);
-      hn::Store(set(spread), kF, &hits.cone_spread[slot]);
-      widen(packet.ray, hits, slot);
-    }
+    // A cone of the solid angle that each ray stands for, as wide as it is high.
+    const float spread = std::sqrt(12.5663706f / static_cast<float>(job.volume->directions.rays()));
+    hn::Store(hn::Zero(kF), kF, &hits.cone_width[slot]);
+    hn::Store(set(spread), kF, &hits.cone_spread[slot]);
+    if constexpr (kDetail != SurfaceDetail::plain) widen(packet.ray, hits, slot);
     record(tile, kind, packet.ray, valid, true);
     if (!hn::AllFalse(kF, lanes)) intersect_packet<kLanes>(valid, tile.shading->scene, false, &packet);
     surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot);

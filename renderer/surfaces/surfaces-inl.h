@@ -59,8 +59,8 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
 // a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
-// Where textures are read, rays have a width: HitBatch::cone_width and cone_spread are theirs at the origin
-// before, and the width is the hit's afterwards.
+// HitBatch::cone_width and cone_spread are the rays' at the origin before, and the width is the hit's
+// afterwards.
 template <SurfaceDetail kDetail>
 HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
                                     bool see_catchers, HitBatch& out, int slot) {
@@ -86,12 +86,9 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   const VF u = load(packet.hit.u), v = load(packet.hit.v);
   const Barycentric at{hn::Sub(hn::Sub(set(1.0f), u), v), u, v};
   const VI records = hn::ShiftLeft<3>(hn::BitCast(kI, hn::Load(kU, packet.hit.primID)));
-  VF area = hn::Zero(kF);  // of the ray's cross section on the surface, but for its slope
-  if constexpr (kDetail != SurfaceDetail::plain) {
-    const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
-    store_lanes(width, hit, &out.cone_width[slot]);
-    area = hn::Mul(width, width);
-  }
+  const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
+  store_lanes(width, hit, &out.cone_width[slot]);
+  const VF area = hn::Mul(width, width);  // of the ray's cross section on the surface, but for its slope
   MF left = hit;
   while (!hn::AllFalse(kF, left)) {
     const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
