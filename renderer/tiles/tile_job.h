@@ -63,6 +63,7 @@ struct alignas(64) HitBatch {
   Lane<float> offset;         // metres along the geometric normal at which secondary rays start
   Lane3 diffuse;              // albedo
   Lane3 f0;                   // specular reflectance at normal incidence
+  Lane<float> held_back;      // with probes: what a dielectric keeps from its diffuse layer, its largest F0
   Lane<float> alpha2;         // GGX alpha squared
   Lane3 emission;             // radiance
   Lane<float> mirror;         // share of the mirror ray that is seen
