@@ -5,7 +5,7 @@ ROOMS = {
     "sessions": ("files/system", "files", "text", "pictures", "pictures/openimageio", "camera", "format", "streams",
                  "check", "inspect/meters", "inspect", "record", "import/text", "import/map", "import/tables", "import/rows",
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check/roles", "import/check"),
-    "scenes": ("model", "animation", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
+    "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
     "server": ("text", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
@@ -23,6 +23,7 @@ FACE = {
     "sessions": (
         "sessions/session.h",
         "sessions/camera/camera_image.h", "sessions/camera/camera_model.h",
+        "sessions/camera/half_from_samples.h",
         "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/contained_folder.h",
         "sessions/text/fixed_text.h", "sessions/files/folder_lock.h", "sessions/files/folders.h",
         "sessions/files/input_error.h", "sessions/files/input_file.h", "sessions/files/line_reader.h",
