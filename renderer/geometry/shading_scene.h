@@ -16,7 +16,7 @@ struct alignas(32) TriangleRecord {
   std::uint32_t normal[3];  // octahedral, two 16-bit snorms: x low, y high
   std::uint32_t uv[3];      // two 16-bit unorms over the mesh's uv range: u low, v high
   float texel_density = 0;  // area in coordinates over area in object space, 1/m^2
-  std::uint32_t unused = 0;
+  float curvature = 0;      // turn of the shading normal along the surface, radians per unit of object space
 };
 static_assert(sizeof(TriangleRecord) == 32);
 
@@ -95,6 +95,7 @@ struct LightRecord {
   float lower[3] = {}, size[3] = {};      // the box, for stratified samples
   float intensity[3] = {};                // W/sr; of a sun W/m^2
   float min_distance2 = 0;                // (half the longest edge)^2: the falloff's floor
+  float half_turn_m = 0;                  // over the distance: half the angle of a stratum's radius
   float inverse_range2 = 0;               // 1 / (distance where the light ends)^2; 0: it never ends
   float direction[3] = {};                // in which a spot or sun shines, unit
   float cone_scale = 0, cone_offset = 1;  // of a spot: brightness clamp(scale cos + offset)^2

@@ -33,6 +33,13 @@ HWY_INLINE V3 interpolate_directions(const std::uint32_t* words, VI record, cons
   return mul_add(at.w, a, mul_add(at.u, b, scale(c, at.v)));
 }
 
+// `curvature`: in object space. Where a matrix stretches, the mean over directions stands for all of them.
+HWY_INLINE void store_curvature(const InstanceRecord& instance, VF curvature, MF lanes, HitBatch& out,
+                                int slot) {
+  const VF object_per_world = hn::Sqrt(set(instance.object_per_world2));
+  store_lanes(hn::Mul(curvature, object_per_world), lanes, out.curvature.data() + slot);
+}
+
 // Normals of `lanes`, turned to the viewer's side.
 HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
                               const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
@@ -58,6 +65,8 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   n = select(hn::Lt(dot(bend, bend), set(2e-8f)), g, n);
   store_lanes(g, lanes, out.geometric_normal, slot);
   store_lanes(n, lanes, out.normal, slot);
+  const VF curvature = hn::GatherIndex(kF, reinterpret_cast<const float*>(instance.triangles) + 7, record);
+  store_curvature(instance, curvature, lanes, out, slot);
 }
 
 // The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat:
@@ -71,6 +80,7 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
   store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
   store_lanes(n, lanes, out.normal, slot);
   store_lanes(n, lanes, out.geometric_normal, slot);
+  store_curvature(instance, set(instance.kind == ShapeKind::sphere ? 1.0f : 0.0f), lanes, out, slot);
   const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
   store_lanes(offset, lanes, out.offset.data() + slot);
 }
