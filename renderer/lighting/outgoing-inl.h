@@ -10,10 +10,10 @@ namespace herr {
 namespace HWY_NAMESPACE {
 
 // Share of the light from all sides that a surface scatters back. Constant ambient light meets diffuse and
-// specular reflectance in full; light from probes never leaves stronger than it came.
-HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, bool probes) {
-  const VF specular = probes ? hn::Mul(f0, hn::Sub(set(1.0f), diffuse)) : f0;
-  return hn::MulAdd(specular, rough_share, diffuse);
+// specular reflectance in full (held_back = 0); light from probes never leaves stronger than it came: what a
+// dielectric's highlights send back does not reach its diffuse layer, and a metal has none.
+HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, VF held_back) {
+  return hn::MulAdd(hn::NegMulAdd(held_back, diffuse, f0), rough_share, diffuse);
 }
 
 // Radiance that hits [slot, slot + kLanes) send back: emission, direct light, and light from all sides
@@ -23,12 +23,13 @@ HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shad
                        bool occlusion_traced) {
   const VF one = set(1.0f);
   const bool probes = shading.probes != nullptr;
+  const VF held_back = probes ? load(&hits.held_back[slot]) : hn::Zero(kF);
   const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
   const VF open = occlusion_traced ? hn::Max(load(&hits.open[slot]), hn::Zero(kF)) : one;
   const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
                            const Lane<float>& direct, const Lane<float>& indirect, float ambient) HWY_ATTR {
     const VF around = probes ? load(&indirect[slot]) : set(ambient);
-    const VF scattered = scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, probes);
+    const VF scattered = scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, held_back);
     return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
   };
   return {

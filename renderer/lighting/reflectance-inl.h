@@ -2,8 +2,7 @@
 // by Hammon 2017, Fresnel by Schlick).
 #pragma once
 
-#include "renderer/simd/simd_types-inl.h"
-#include "renderer/tiles/lanes-inl.h"
+#include "renderer/lighting/highlight_width-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -15,9 +14,11 @@ constexpr float kInvPi = 0.318309886f;
 // (HitBatch::f90).
 enum class Lobe : std::uint8_t { none, usual, weighted };
 
-// Outgoing radiance per unit of irradiance along the light's direction: Lambert plus GGX.
+// Outgoing radiance per unit of irradiance along the light's direction: Lambert plus GGX, at least as wide as
+// what rays and samples of the light stand for (highlight_width).
 template <Lobe kLobe>
-HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3& light, VF n_l) {
+HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3& light, VF n_l,
+                          VF sample_turn2) {
   const VF inv_pi = set(kInvPi);
   V3 f = scale(load3(hits.diffuse, slot), inv_pi);
   if constexpr (kLobe != Lobe::none) {
@@ -27,11 +28,15 @@ HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3&
     const VF n_v = hn::Max(hn::Abs(dot(n, v)), set(1e-4f));
     const VF n_h = dot(n, h);
     const VF l_h = hn::Max(dot(light, h), hn::Zero(kF));
-    const VF alpha2 = load(&hits.alpha2[slot]);
+    const VF alpha2 = load(&hits.alpha2[slot]), wide2 = widened(hits, slot, alpha2, l_h, sample_turn2);
     // |n x h|^2 instead of 1 - (n.h)^2: no cancellation at the peak of a smooth surface.
     const V3 c = cross(n, h);
-    const VF spread = hn::Max(hn::MulAdd(hn::Mul(alpha2, n_h), n_h, dot(c, c)), tiny);
-    const VF lobe = hn::Div(hn::Mul(alpha2, inv_pi), hn::Mul(spread, spread));
+    const VF spread = hn::Max(hn::MulAdd(hn::Mul(wide2, n_h), n_h, dot(c, c)), tiny);
+    // GGX times n.h is 1 over all half vectors; what spreads light over a curved surface is 1 over all its
+    // normals: that share of it takes the factor n.h. It shades nothing: alpha in `shadowing` is the
+    // surface's.
+    const VF height = hn::MulAdd(hn::Sub(wide2, alpha2), n_h, alpha2);
+    const VF lobe = hn::Div(hn::Mul(height, inv_pi), hn::Mul(spread, spread));
     const VF alpha = hn::Sqrt(alpha2);
     const VF smooth_view = hn::Mul(set(2.0f), hn::Mul(n_l, n_v));
     const VF shadowing = hn::Div(

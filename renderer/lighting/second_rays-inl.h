@@ -55,15 +55,18 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
         static_cast<std::int64_t>(hn::CountTrue(kF, used) - hn::CountTrue(kF, lanes));
     set_rays(packet, origin, direction);
     const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &second.sender[start]));
-    if (kDetail != SurfaceDetail::plain) {
-      // Flat mirrors and thin glass widen nothing: the ray goes on as wide as it was.
-      const auto inherit = [&](const Lane<float>& from, Lane<float>& to) HWY_ATTR {
-        hn::Store(hn::GatherIndex(kF, from.data(), sender), kF, &to[start]);
-      };
-      inherit(scratch.first.cone_width, second.hits.cone_width);
-      inherit(scratch.first.cone_spread, second.hits.cone_spread);
-      widen(packet.ray, second.hits, start);
+    const auto sent_by = [&](const Lane<float>& from)
+                             HWY_ATTR { return hn::GatherIndex(kF, from.data(), sender); };
+    const VF width = sent_by(scratch.first.cone_width);
+    VF spread = sent_by(scratch.first.cone_spread);
+    // Thin glass and flat mirrors widen nothing. Over the ray's width a curved mirror's normal turns by width
+    // x curvature, and what it reflects by twice that.
+    if (kind == RayKind::mirror) {
+      spread = hn::MulAdd(hn::Add(width, width), sent_by(scratch.first.curvature), spread);
     }
+    hn::Store(width, kF, &second.hits.cone_width[start]);
+    hn::Store(spread, kF, &second.hits.cone_spread[start]);
+    if (kDetail != SurfaceDetail::plain) widen(packet.ray, second.hits, start);
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
     set_valid(valid, lanes);
     record(job, kind, packet.ray, valid, false);

@@ -72,7 +72,7 @@ HWY_NOINLINE void trace_tile_with(const TileJob& job) {
   cycles.lap(Stage::polar_rays);
   if (packet_count == 0) return;
 
-  if constexpr (kDetail != SurfaceDetail::plain) set_up_cones(job, packet_count);
+  if constexpr (kDetail != SurfaceDetail::plain || kLobe != Lobe::none) set_up_cones(job, packet_count);
   if (!plan.alpha_blend) {
     trace_layer<kDetail, kLobe>(job, packet_count, RayKind::primary);
     resolve(job, packet_count);
