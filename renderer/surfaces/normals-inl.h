@@ -71,8 +71,6 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
   store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
   store_lanes(n, lanes, out.normal, slot);
   store_lanes(n, lanes, out.geometric_normal, slot);
-  const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
-  store_lanes(offset, lanes, out.offset.data() + slot);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,7 +10,7 @@ namespace herr {
 namespace {
 
 constexpr const char* kLightsExtension = "KHR_lights_punctual";
-constexpr double kBrightestLight = 1e9, kFarthestLight_m = 1e9;
+constexpr double kBrightestLight = 1e24, kBrightestColour = 1e9, kFarthestLight_m = 1e9;
 constexpr double kHalfPi = 1.5707963267948966;
 
 bool has_extension(const JsonObject& object) {
@@ -31,7 +31,7 @@ AreaLight read_light(const JsonObject& object, std::vector<std::string>& warning
     return light;
   }
   const auto intensity = static_cast<float>(object.number_or("intensity", 0, kBrightestLight, 1));
-  light.intensity_w_sr = glm::vec3(object.vec3_or("color", 0, kBrightestLight, glm::dvec3(1.0))) * intensity;
+  light.intensity_w_sr = glm::vec3(object.vec3_or("color", 0, kBrightestColour, glm::dvec3(1.0))) * intensity;
   light.range_m = light.kind == LightKind::sun ? 0 : object.number_or("range", 0, kFarthestLight_m, 0);
   if (light.kind != LightKind::spot) return light;
   const JsonObject cone = object.object("spot");
