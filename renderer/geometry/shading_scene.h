@@ -93,7 +93,8 @@ struct InstanceRecord {
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
-  float shape_offset_m = 0;              // of kind sphere or box: secondary rays start at least this far off
+  float least_offset_m = 0;              // secondary rays start at least this far off
+  float object_rounding = 0;             // the same in object space
   const DetailRecord* detail = nullptr;  // null: nothing more
   float object_per_world2 = 1;           // squared length in object space of a metre (mean over directions)
   bool back_face_culling = false;        // eyes do not see its back faces

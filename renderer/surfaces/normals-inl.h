@@ -81,8 +81,6 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
   store_lanes(n, lanes, out.normal, slot);
   store_lanes(n, lanes, out.geometric_normal, slot);
   store_curvature(instance, set(instance.kind == ShapeKind::sphere ? 1.0f : 0.0f), lanes, out, slot);
-  const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
-  store_lanes(offset, lanes, out.offset.data() + slot);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -13,9 +13,9 @@ namespace HWY_NAMESPACE {
 // Secondary rays start off the surface by 256 units in the last place of the largest coordinate or distance
 // that went into the hit point, along the geometric normal (after Waechter & Binder, "A Fast and Robust
 // Method for Avoiding Self-Intersection", 2019; they take each coordinate's own, which is too little for p =
-// o + t d near a plane of 0).
+// o + t d near a plane of 0), and at least by what rounds where the triangle or shape was met in its own
+// space.
 constexpr float kOffsetScale = 0x1p-16f;
-constexpr float kSmallestOffsetScale_m = 1.0f / 32.0f;
 
 // What surfaces are looked up for. colours: all that they send back. matte: as probes take them, what they
 // scatter is in `diffuse`.
@@ -116,8 +116,8 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   const V3 p = mul_add(t, direction, origin);
   store3(p, out.position, slot);
   const VF largest = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Max(hn::Abs(p.z), t));
-  hn::Store(hn::Mul(hn::Max(largest, set(kSmallestOffsetScale_m)), set(kOffsetScale)), kF,
-            out.offset.data() + slot);
+  const VF rounding = hn::Mul(largest, set(kOffsetScale));
+  hn::Store(rounding, kF, out.offset.data() + slot);
 
   const VF u = load(packet.hit.u), v = load(packet.hit.v);
   const Barycentric at{hn::Sub(hn::Sub(set(1.0f), u), v), u, v};
@@ -133,6 +133,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     left = hn::AndNot(lanes, left);
     const InstanceRecord& instance = shading.instances[id];
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
+    store_lanes(hn::Max(rounding, set(instance.least_offset_m)), lanes, out.offset.data() + slot);
     if (instance.kind == ShapeKind::mesh) {
       store_normals(instance, record, at, packet, viewer, lanes, out, slot);
     } else {

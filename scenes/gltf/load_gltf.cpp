@@ -15,6 +15,7 @@
 #include "scenes/gltf/file/read_gltf.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/gltf/mesh_builder.h"
+#include "scenes/gltf/mesh_unit.h"
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/gltf/vertex_tangents.h"
 #include "scenes/model/material_textures.h"
@@ -71,10 +72,12 @@ class PrimitiveCache {
       built.mesh.more_uvs.clear();
     }
     if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
+    const bool bends = primitive.joints[0] >= 0 || !primitive.targets.empty();
+    const double unit = bends ? 1 : take_unit(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
-    if (primitive.joints[0] < 0 && primitive.targets.empty()) built.sources.clear();
-    return BuiltPrimitive{mesh,          material, &primitive, std::move(built.sources), tangent_uv_set(made),
-                          makes_tangents};
+    if (!bends) built.sources.clear();
+    return BuiltPrimitive{
+        mesh, material, &primitive, std::move(built.sources), tangent_uv_set(made), makes_tangents, unit};
   }
 
   // Leaves tangents where the material follows them; true: made here.
@@ -132,12 +135,13 @@ class ModelBuilder {
     instance.name = placed.name;
     instance.mesh = primitive.mesh;
     instance.material = primitive.material;
-    instance.world_from_object = placed.gltf_from_mesh;
+    instance.world_from_object = in_units(placed.gltf_from_mesh, primitive.unit);
     std::optional<MeshDeformation> bent;
     if (!primitive.sources.empty()) {
       bent = mesh_deformation(gltf_, primitive, placed.node, rest_of(primitive.mesh), budget_);
     }
     const bool skinned = bent && bent->skin >= 0;
+    if (!skinned) check(instance, placed.node);
     if (bent) instance.mesh = bend(std::move(*bent), primitive.mesh);
     // A skin alone says where its mesh stands, whatever its node says.
     if (skinned) {
@@ -145,10 +149,12 @@ class ModelBuilder {
     } else if (plays() && moved_[static_cast<std::size_t>(placed.node)]) {
       instance.model = index_;
       instance.node = placed.node;
-      const glm::dmat4x3 posed = compose(pose_.model_from_node(placed.node), placed.node_from_mesh);
+      instance.placed_from_object = in_units(placed.node_from_mesh, primitive.unit);
+      const glm::dmat4x3 posed = compose(pose_.model_from_node(placed.node), instance.placed_from_object);
       if (!transform_problem(posed)) instance.world_from_object = posed;
+      return instance;
     }
-    instance.placed_from_object = instance.model >= 0 ? placed.node_from_mesh : instance.world_from_object;
+    instance.placed_from_object = instance.world_from_object;
     return instance;
   }
 
@@ -158,6 +164,16 @@ class ModelBuilder {
 
  private:
   bool plays() const { return model_.playback.clip >= 0; }
+
+  void check(const Instance& instance, int node) const {
+    const auto problem = transform_problem(instance.world_from_object);
+    if (!problem) return;
+    const std::string& name = gltf_.nodes[static_cast<std::size_t>(node)].name;
+    throw InputError(
+        gltf_.file, 0,
+        "the transform of nodes[" + std::to_string(node) + "] \"" + printable(name) + "\" " + *problem,
+        "give the node a scale that is not 0, or remove it");
+  }
 
   // The shape at rest of a mesh that may have been bent already.
   TriangleMesh rest_of(std::uint32_t mesh) {
