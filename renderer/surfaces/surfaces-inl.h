@@ -3,14 +3,13 @@
 // and textures are then broadcast, and only the triangle's record is gathered.
 #pragma once
 
-#include "renderer/surfaces/normal_texture-inl.h"
+#include "renderer/surfaces/further_lobes-inl.h"
 #include "renderer/tiles/generate_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi alpha^2), finite in float
 // Secondary rays start off the surface by 256 units in the last place of the largest coordinate or distance
 // that went into the hit point, along the geometric normal (after Waechter & Binder, "A Fast and Robust
 // Method for Avoiding Self-Intersection", 2019; they take each coordinate's own, which is too little for p =
@@ -62,9 +61,14 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
       if (instance.detail->alpha_mode == AlphaMode::blend) put(m.base.a, out.coverage);
     }
     put(hn::MulAdd(m.metallic, hn::Sub(set(1.0f), m.f90), m.f90), out.f90);
+    put(m.occlusion, out.occlusion);
   }
   const V3 base{m.base.r, m.base.g, m.base.b};
   VF dielectric = hn::Sub(set(1.0f), m.metallic);
+  if (instance.dielectric_f0 >= 1.0f) {
+    // Index 0: light that is not reflected goes on, as KHR_materials_ior and _specular mix it.
+    dielectric = hn::Mul(dielectric, hn::Sub(set(1.0f), hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z))));
+  }
   if (shading.plan->refraction) {
     // What passes the surface is not scattered by it.
     const VF transmission = hn::Mul(dielectric, m.transmission);
@@ -72,6 +76,7 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     put(transmission, out.transmission);
     put(set(instance.dielectric_f0), out.dielectric_f0);
     store_lanes(base, lanes, out.tint, slot);
+    store_lanes(set3(instance.absorption), lanes, out.absorption, slot);
   }
   const V3 diffuse = scale(base, dielectric);
   store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse) : diffuse, lanes, out.diffuse, slot);
@@ -137,8 +142,13 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
       object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
     }
     if constexpr (kDetail == SurfaceDetail::all) {
-      if (instance.detail && instance.detail->tangents)
-        bend_normals(instance, record, at, object_width2, lanes, out, slot);
+      if (out.lobes) store_coat_normal(instance, record, at, object_width2, lanes, out, slot);
+      if (const DetailRecord* detail = instance.detail; detail && detail->normal.texture != nullptr) {
+        store_lanes(bent_normals(instance, detail->normal, detail->normal_scale, record, at, object_width2,
+                                 lanes, out, slot),
+                    lanes, out.normal, slot);
+      }
+      if (out.lobes) store_lobes(instance, record, at, object_width2, lanes, out, slot);
     }
     store_material<kDetail>(instance, record, at, object_width2, shading, use, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;

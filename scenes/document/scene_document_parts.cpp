@@ -188,12 +188,16 @@ Material MaterialOverride::apply(Material material) const {
     material.transmission_texture = {};
   }
   if (refractive_index) material.refractive_index = *refractive_index;
-  if (metallic || roughness || transmission) {
-    material.mirror = mirror_of(material.metallic, material.roughness, material.transmission);
-  }
+  if (metallic || roughness || transmission || refractive_index) material.mirror = mirror_of(material);
   if (emission) {
     material.emission = *emission;
     material.emission_texture = {};
+    // What an unlit surface shows is its emission: now this one.
+    if (material.unlit) {
+      material.unlit = false;
+      if (!base_colour) material.base_colour = glm::vec3(0.0f);
+      material.specular = 0.0f;
+    }
   }
   if (mirror) material.mirror = *mirror;
   return material;

@@ -52,8 +52,10 @@ FACE = {
     "scenes": (
         "scenes/load_scene.h",
         "scenes/changes/bounding_sphere.h", "scenes/changes/check_changes.h", "scenes/changes/world.h",
-        "scenes/document/environment_image.h", "scenes/document/parse_change.h",
-        "scenes/model/scene.h", "scenes/model/transform_checks.h", "scenes/model/voxel_grid.h",
+        "scenes/document/parse_change.h",
+        "scenes/environment/environment_image.h",
+        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/transform_checks.h",
+        "scenes/model/voxel_grid.h",
     ),
     "renderer": (
         "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/memory_use.h",
