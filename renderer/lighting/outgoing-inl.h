@@ -11,12 +11,10 @@ namespace herr {
 namespace HWY_NAMESPACE {
 
 // Share of the light from all sides that a surface scatters back. Constant ambient light meets diffuse and
-// specular reflectance in full; light from probes never leaves stronger than it came: what a dielectric
-// reflects is not scattered below (0.04 x diffuse), while a metal, which scatters nothing, sends its F0.
-HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, bool probes) {
-  const VF beside = hn::Min(hn::NegMulAdd(set(0.04f), diffuse, f0), hn::Sub(set(1.0f), diffuse));
-  const VF specular = probes ? hn::Max(beside, hn::Zero(kF)) : f0;
-  return hn::MulAdd(specular, rough_share, diffuse);
+// specular reflectance in full (held_back = 0); light from probes never leaves stronger than it came: what a
+// dielectric's highlights send back does not reach its diffuse layer, and a metal has none.
+HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, VF held_back) {
+  return hn::MulAdd(hn::NegMulAdd(held_back, diffuse, f0), rough_share, diffuse);
 }
 
 // Share of light from all sides that reaches hits [slot, slot + kLanes): by short rays, by the occlusion
@@ -34,6 +32,7 @@ HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shad
                        bool occlusion_traced) {
   const VF one = set(1.0f);
   const bool probes = shading.probes != nullptr;
+  const VF held_back = probes ? load(&hits.held_back[slot]) : hn::Zero(kF);
   const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
   const VF open = open_share(hits, slot, *shading.plan, occlusion_traced);
   const VF none = hn::Zero(kF);
@@ -44,7 +43,7 @@ HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shad
                            float ambient) HWY_ATTR {
     const VF around = probes ? load(&indirect[slot]) : set(ambient);
     const VF scattered =
-        hn::Add(layer, scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, probes));
+        hn::Add(layer, scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, held_back));
     return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
   };
   return {channel(hits.emission.x, hits.diffuse.x, hits.f0.x, hits.direct.x, hits.indirect.x, layers.x,

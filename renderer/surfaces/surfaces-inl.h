@@ -18,11 +18,36 @@ constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi 
 constexpr float kOffsetScale = 0x1p-16f;
 constexpr float kSmallestOffsetScale_m = 1.0f / 32.0f;
 
+// What surfaces are looked up for. colours: all that they send back. matte: as probes take them, what they
+// scatter is in `diffuse`.
+enum class SurfaceUse : std::uint8_t { colours, matte };
+
+// A dielectric's F0 up to which its highlights are left out of what it scatters, and from which on they count
+// in full.
+constexpr float kUsualF0 = 0.04f, kStrongF0 = 0.08f;
+
+// What a surface scatters evenly: `diffuse`, a metal its colour, and a dielectric whose highlights are strong
+// theirs, for which its diffuse layer gets less.
+HWY_INLINE V3 matte_albedo(const MaterialAt& m, const V3& base, const V3& diffuse) {
+  const VF f0 = hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z));
+  const VF strong =
+      hn::Min(hn::Max(hn::Mul(hn::Sub(f0, set(kUsualF0)), set(1.0f / (kStrongF0 - kUsualF0))), hn::Zero(kF)),
+              set(1.0f));
+  const VF dielectric = hn::Mul(strong, hn::Sub(set(1.0f), m.metallic));
+  const auto channel = [&](VF metal, VF layer, VF highlight) HWY_ATTR {
+    const VF under = hn::NegMulAdd(hn::Mul(strong, f0), layer, layer);
+    return hn::Min(hn::MulAdd(m.metallic, metal, hn::MulAdd(dielectric, highlight, under)), set(1.0f));
+  };
+  return {channel(base.x, diffuse.x, m.f0.x), channel(base.y, diffuse.y, m.f0.y),
+          channel(base.z, diffuse.z, m.f0.z)};
+}
+
 // Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance,
-// and what passes where the frame follows light through `transparent` surfaces.
+// and what passes where the frame follows light through transparent surfaces.
 template <SurfaceDetail kDetail>
 HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const Barycentric& at,
-                               VF object_width2, bool transparent, MF lanes, HitBatch& out, int slot) {
+                               VF object_width2, const ShadingInputs& shading, SurfaceUse use, MF lanes,
+                               HitBatch& out, int slot) {
   MaterialAt m = material_factors(instance);
   if constexpr (kDetail != SurfaceDetail::plain) {
     apply_base_textures(instance, record, at, object_width2, lanes, m);
@@ -40,7 +65,7 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   }
   const V3 base{m.base.r, m.base.g, m.base.b};
   VF dielectric = hn::Sub(set(1.0f), m.metallic);
-  if (transparent) {
+  if (shading.plan->refraction) {
     // What passes the surface is not scattered by it.
     const VF transmission = hn::Mul(dielectric, m.transmission);
     dielectric = hn::Sub(dielectric, transmission);
@@ -48,7 +73,9 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     put(set(instance.dielectric_f0), out.dielectric_f0);
     store_lanes(base, lanes, out.tint, slot);
   }
-  store_lanes(scale(base, dielectric), lanes, out.diffuse, slot);
+  const V3 diffuse = scale(base, dielectric);
+  store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse) : diffuse, lanes, out.diffuse, slot);
+  if (shading.probes != nullptr) put(hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z)), out.held_back);
   store_lanes(mul_add(m.metallic, sub(base, m.f0), m.f0), lanes, out.f0, slot);
   const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
   put(hn::Mul(alpha, alpha), out.alpha2);
@@ -63,7 +90,8 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
 // afterwards.
 template <SurfaceDetail kDetail>
 HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
-                                    bool see_catchers, HitBatch& out, int slot) {
+                                    bool see_catchers, HitBatch& out, int slot,
+                                    SurfaceUse use = SurfaceUse::colours) {
   const VU geometry = hn::Load(kU, packet.hit.geomID);
   const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
   const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
@@ -111,7 +139,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
       if (instance.detail && instance.detail->tangents)
         bend_normals(instance, record, at, object_width2, lanes, out, slot);
     }
-    store_material<kDetail>(instance, record, at, object_width2, shading.plan->refraction, lanes, out, slot);
+    store_material<kDetail>(instance, record, at, object_width2, shading, use, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
   }

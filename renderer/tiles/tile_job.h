@@ -63,6 +63,7 @@ struct alignas(64) HitBatch {
   Lane<float> offset;         // metres along the geometric normal at which secondary rays start
   Lane3 diffuse;              // albedo
   Lane3 f0;                   // specular reflectance at normal incidence
+  Lane<float> held_back;      // with probes: what a dielectric keeps from its diffuse layer, its largest F0
   Lane<float> alpha2;         // GGX alpha squared
   Lane3 emission;             // radiance
   Lane<float> mirror;         // share of the mirror ray that is seen
@@ -166,6 +167,7 @@ struct ShadingInputs {
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
   bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
   bool debug_tiles = false;
+  float shown_white = 1;  // radiance that is shown as white: what is painted, not lit, has colours times it
 };
 
 struct TileJob {

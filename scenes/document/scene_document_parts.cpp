@@ -234,6 +234,13 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   if (object.has("path")) put_on_path(object, scene);
 }
 
+std::optional<Exposure> parse_exposure(const JsonObject& root) {
+  const bool automatic = root.boolean_or("auto_exposure", false);
+  if (!root.has("exposure_ev")) return automatic ? std::optional(Exposure{true, 0}) : std::nullopt;
+  if (automatic) root.fail("auto_exposure", "stands beside exposure_ev", "write only one of them");
+  return Exposure{false, root.number("exposure_ev", -kMostExposure_ev, kMostExposure_ev)};
+}
+
 ProbeGridSpec parse_probes(const JsonObject& object) {
   object.allow_only({"counts", "min", "max"});
   ProbeGridSpec probes;

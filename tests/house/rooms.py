@@ -10,7 +10,7 @@ ROOMS = {
                  "surfaces", "lighting", "probe_updates", "viewports", "frame", "bench"),
     "server": ("text", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
-               "inspect/probes", "inspect", "synth", "convert", "study/error", "study/statistics",
+               "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
                "study/diagrams", "study/report", "study/plan", "study/reference", "study/measure",
                "study/findings", "study", "cli"),
 }
@@ -23,6 +23,7 @@ FACE = {
     "sessions": (
         "sessions/session.h",
         "sessions/camera/camera_image.h", "sessions/camera/camera_model.h",
+        "sessions/camera/half_from_samples.h",
         "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/contained_folder.h",
         "sessions/text/fixed_text.h", "sessions/files/folder_lock.h", "sessions/files/folders.h",
         "sessions/files/input_error.h", "sessions/files/input_file.h", "sessions/files/line_reader.h",
@@ -49,8 +50,8 @@ FACE = {
     ),
     "scenes": (
         "scenes/load_scene.h",
-        "scenes/changes/check_changes.h", "scenes/changes/world.h",
-        "scenes/document/parse_change.h",
+        "scenes/changes/bounding_sphere.h", "scenes/changes/check_changes.h", "scenes/changes/world.h",
+        "scenes/document/environment_image.h", "scenes/document/parse_change.h",
         "scenes/model/scene.h", "scenes/model/transform_checks.h", "scenes/model/voxel_grid.h",
     ),
     "renderer": (

@@ -134,6 +134,7 @@ struct GltfNode {
   glm::dvec3 translation{0.0}, scale{1.0};
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
   std::vector<float> weights;  // of morph targets
+  bool visible = true;         // else nothing of it shows, nor of the nodes below
 };
 
 struct GltfModel {
