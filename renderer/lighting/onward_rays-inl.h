@@ -14,6 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
+// Behind the first surface, a share of what is seen below this goes along with the larger one: the rays that
+// follow it would be half of all, for 1 / 1000 of the picture.
+constexpr float kPartingLimit = 1.0f / 128.0f;
+constexpr float kNeverParts = 1e30f;
+
 // What goes on from hits: weights along both directions of the interface.
 struct Onward {
   Interface at;
@@ -21,10 +26,10 @@ struct Onward {
   MF clear, sends_through, sends_back;
 };
 
-// `arrives`: weight of the light at the hits. `mirrors`: opaque hits that may send a mirrored ray. Where not
-// `parts`, light at glass goes the way that most of it takes.
+// `arrives`: weight of the light at the hits. `mirrors`: opaque hits that may send a mirrored ray. Where
+// the smaller share at glass is below `parting`, light goes the way that most of it takes.
 HWY_INLINE Onward onward_from(const FramePlan& plan, const HitBatch& hits, int slot, const V3& arrives,
-                              MF mirrors, bool parts) {
+                              MF mirrors, float parting) {
   const VF zero = hn::Zero(kF), transmission = load(&hits.transmission[slot]);
   const VF mirror = plan.mirror_rays ? load(&hits.mirror[slot]) : zero;
   const MF object = of_kind(hits, slot, HitKind::object), passes = hn::Gt(transmission, zero);
@@ -40,11 +45,9 @@ HWY_INLINE Onward onward_from(const FramePlan& plan, const HitBatch& hits, int s
   V3 through = multiply(arrives, scale(load3(hits.tint, slot), hn::Mul(transmission, out.at.passes)));
   through = only(out.clear, through);
   const VF limit = set(kNegligibleWeight), much_back = largest(back), much_through = largest(through);
-  MF one_way = hn::Le(hn::Min(much_back, much_through), limit);
-  if (!parts) one_way = hn::Eq(zero, zero);
+  const MF one_way = hn::And(out.clear, hn::Le(hn::Min(much_back, much_through), set(parting)));
   const MF straight = hn::Ge(much_through, much_back);
   const V3 both = add(through, back);
-  one_way = hn::And(one_way, out.clear);
   out.through = select(one_way, only(straight, both), through);
   out.back = select(one_way, only(hn::Not(straight), both), back);
   const MF lanes = hn::Or(out.clear, mirrors);
@@ -172,7 +175,7 @@ HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
   HitBatch& hits = second.hits;
   const FramePlan& plan = *job.shading->plan;
   weaken_on_the_way(scratch, count);
-  const bool parts = pending.count + 2 * count <= kMostPending;
+  const float parting = pending.count + 2 * count <= kMostPending ? kPartingLimit : kNeverParts;
   for (const bool mirrored_rays : {false, true}) {
     for (int slot = 0; slot < count; slot += kLanes) {
       const MF used = first_lanes(count - slot);
@@ -190,7 +193,7 @@ HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
         if (mirrored_rays) store_lanes(hn::Zero(kF), object, &hits.mirror[slot]);
         continue;
       }
-      const Onward onward = onward_from(plan, hits, slot, load3(second.weight, slot), may_mirror, parts);
+      const Onward onward = onward_from(plan, hits, slot, load3(second.weight, slot), may_mirror, parting);
       const MF through = hn::And(used, onward.sends_through), back = hn::And(used, onward.sends_back);
       if (!mirrored_rays) {
         push_through(pending, hits, slot, onward, path, hn::AndNot(last, through));

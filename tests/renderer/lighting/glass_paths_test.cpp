@@ -80,6 +80,19 @@ TEST(GlassPathsTest, SeveralPanesLoseNoLight) {
   });
 }
 
+TEST(GlassPathsTest, FromWithinABodyNoLightIsLost) {
+  // The eye in a block of glass: what its faces reflect, totally beyond 41.8 degrees, meets other faces.
+  Scene scene;
+  test::add(scene, test::box({-1, -1, -1}, {1, 1, 1}), clear_glass());
+  scene.environment = glm::vec3{1.0f};
+  const RenderedFrame frame = test::render(scene, test::single_view(48, 48, 60, 60), test::planar_settings(),
+                                           test::sample_from({0.1, 0.2, 0.3}));
+  EXPECT_GT(frame.counters.cut_paths, 100) << "light in a corner never leaves: only the limit ends it";
+  test::for_each_pixel(frame.viewports[0], [](int x, int y, const test::Pixel& pixel) {
+    ASSERT_NEAR(pixel[0], 1.0, 1e-3) << x << ", " << y;
+  });
+}
+
 // A mirror ball, two glass balls and a floor under a lamp.
 Scene balls() {
   Scene scene;

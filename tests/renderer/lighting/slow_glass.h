@@ -110,7 +110,7 @@ class SlowGlass {
 
   glm::dvec3 follow(const glm::dvec3& origin, const glm::dvec3& d, double weight, int depth,
                     double& dropped) const {
-    if (weight < kLeast || depth > 60) {
+    if (weight < kLeast || depth > 3000) {
       dropped += weight;
       return glm::dvec3{0.0};
     }
