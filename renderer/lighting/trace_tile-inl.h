@@ -58,6 +58,7 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
     indirect_light(job, scratch.first, count);
     cycles.lap(Stage::indirect_light);
   }
+  if (plan.refraction) set_ray_budget(job, count);
   if (plan.mirror_rays) reflect_light<kDetail, kLobe>(job, count);
   if (plan.refraction) refract_light<kDetail, kLobe>(job, count);
 }
