@@ -45,7 +45,7 @@ FACE = {
         "sessions/inspect/time_profile.h",
         "sessions/pictures/exr_header.h", "sessions/pictures/header_bytes.h", "sessions/pictures/image_format.h",
         "sessions/pictures/image_size.h", "sessions/pictures/jpeg_header.h",
-        "sessions/pictures/loaded_module.h", "sessions/pictures/picture_reader.h", "sessions/pictures/png_chunks.h",
+        "sessions/pictures/loaded_module.h", "sessions/pictures/png_writer.h", "sessions/pictures/picture_reader.h", "sessions/pictures/png_chunks.h",
         "sessions/record/session_recorder.h",
         "sessions/streams/event_stream.h", "sessions/streams/frame_sample.h", "sessions/streams/session_options.h",
     ),
