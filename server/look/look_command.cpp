@@ -130,8 +130,10 @@ class LookRun {
   // All pictures of a turntable are shown as the first one is.
   void write(const Look& look, int number) {
     if (number == 0) {
-      report_.ev = options_.ev ? *options_.ev
-                               : automatic_ev(look.model, covered(look.model), rule_of(options_, subject_));
+      report_.ev =
+          options_.ev
+              ? *options_.ev
+              : automatic_ev(look.model, covered(look.model), rule_of(options_, subject_)).value_or(0);
     }
     const std::vector<std::uint8_t> bytes =
         encoded_look(composed(look), report_.ev, !options_.background, files_.format);

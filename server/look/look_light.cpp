@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scenes/document/environment_image.h"
+#include "scenes/environment/environment_image.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -32,13 +32,13 @@ glm::vec3 mean_radiance(const EnvironmentImage& image) {
 
 void add_environment(const LookOptions& options, Scene& scene) {
   if (options.environment.empty()) return;
-  std::int64_t sanitised = 0;
-  scene.environment_map = read_environment_image(options.environment, sanitised);
+  std::vector<std::string> remarks;
+  scene.environment_map = read_environment_image(options.environment, remarks);
   scene.files.emplace_back(options.environment);
   scene.ambient = mean_radiance(scene.environment_map);
-  if (sanitised > 0)
-    scene.warnings.push_back(printable(options.environment) + ": " + std::to_string(sanitised) +
-                             " values are negative, not finite or above 65504; they were limited");
+  for (const std::string& remark : remarks) {
+    scene.warnings.push_back(printable(options.environment) + ": " + remark);
+  }
 }
 
 bool needs_studio(const Scene& scene) {

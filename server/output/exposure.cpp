@@ -9,19 +9,19 @@ double scale_of_ev(double ev) {
   return std::exp2(ev);
 }
 
-double automatic_ev(const LightPicture& picture, const std::vector<std::uint8_t>& of_surface,
-                    const ExposureRule& rule) {
+std::optional<double> automatic_ev(const LightPicture& picture, const std::vector<std::uint8_t>& of_surface,
+                                   const ExposureRule& rule) {
   std::vector<float> levels;
   for (std::size_t i = 0; i < picture.pixels(); ++i) {
     if (!of_surface.empty() && of_surface[i] == 0) continue;
     const float* texel = &picture.rgba[4 * i];
     levels.push_back(std::max({texel[0], texel[1], texel[2]}));
   }
-  if (levels.empty()) return 0;
+  if (levels.empty()) return std::nullopt;
   const auto place = static_cast<std::size_t>(rule.share * static_cast<double>(levels.size() - 1));
   std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(place), levels.end());
   const double level = double{levels[place]};
-  if (!(level > 0)) return 0;
+  if (!(level > 0)) return std::nullopt;
   return std::clamp(std::log2(rule.level / level), -kLargestEv, rule.most_ev);
 }
 

@@ -32,9 +32,9 @@ struct ExposureRule {
 };
 
 // The EV at which rule.share of the pixels that `of_surface` names (one byte each, 0: not; empty: all) are at
-// most rule.level, within [-kLargestEv, rule.most_ev]. 0 where none is named or they are black.
-double automatic_ev(const LightPicture& picture, const std::vector<std::uint8_t>& of_surface,
-                    const ExposureRule& rule);
+// most rule.level, within [-kLargestEv, rule.most_ev]. None where none is named or they are black.
+std::optional<double> automatic_ev(const LightPicture& picture, const std::vector<std::uint8_t>& of_surface,
+                                   const ExposureRule& rule);
 
 // Values are multiplied by scale_of_ev(ev) and encoded by the sRGB curve; what is above 1 is white. With
 // alpha: colours are divided by alpha before. Without: as they are, i.e. over black.

@@ -32,6 +32,7 @@ FOREIGN = (
     Foreign("OpenImageIO", ("OpenImageIO/*",),
             ("sessions/pictures/openimageio/*.cpp", "scenes/samples/generator/*picture*.cpp", "tests/*.cpp")),
     Foreign("libjpeg", ("jpeglib.h",), ("sessions/pictures/jpeg_*.cpp", "tests/*.cpp")),
+    Foreign("libpng", ("png.h",), ("sessions/pictures/png_*.cpp",)),
     Foreign("libexpat", ("expat.h",), ("sessions/import/tables/xml_*.cpp",), one_file=True),
     Foreign("yaml-cpp", ("yaml-cpp/*",), ("sessions/import/cameras/yaml_document.cpp",)),
     Foreign("OpenEXR", ("OpenEXR/*", "Imf*.h"),
