@@ -132,7 +132,8 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
   const JsonDocument document(file);
   const JsonObject root = document.root();
   root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "room_scan", "lights",
-                   "ambient", "environment", "environment_map", "world_from_session", "probes", "timeline"});
+                   "ambient", "environment", "environment_map", "world_from_session", "probes", "timeline",
+                   "exposure_ev", "auto_exposure"});
   root.integer("format_version", 1, 1);
   Scene scene;
   scene.files.push_back(file);
@@ -145,6 +146,7 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
     }
     read_environment(root.object("environment_map"), scene);
   }
+  scene.exposure = parse_exposure(root);
   if (root.has("probes")) scene.probes = parse_probes(root.object("probes"));
   if (root.has("world_from_session"))
     scene.world_from_session = parse_pose(root.object("world_from_session"));

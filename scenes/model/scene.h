@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scenes/model/animated_model.h"
+#include "scenes/model/exposure.h"
 #include "scenes/model/material.h"
 #include "scenes/model/object_path.h"
 #include "scenes/model/scene_change.h"
@@ -54,7 +55,7 @@ struct Instance {
   std::string name;
   std::uint32_t mesh = 0;               // of kind mesh: index into Scene::meshes
   std::uint32_t material = 0;           // index into Scene::materials
-  glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
+  glm::dmat4x3 world_from_object{1.0};  // as transform_checks.h has it
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
   ShapeKind kind = ShapeKind::mesh;
   std::uint32_t grid = 0;                // of kind voxels: index into Scene::voxel_grids
@@ -131,6 +132,7 @@ struct Scene {
   glm::vec3 environment{0.0f};                // radiance that a ray sees which leaves the scene
   EnvironmentImage environment_map;           // instead of `environment` where it has pixels
   ProbeGridSpec probes;
+  std::optional<Exposure> exposure;          // none: 0 EV
   Pose world_from_session;                   // where the recording stands in the scene
   std::vector<std::string> warnings;         // one line each
   std::vector<std::filesystem::path> files;  // every file that was read

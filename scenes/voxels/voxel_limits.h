@@ -18,4 +18,6 @@ inline constexpr std::int64_t kMaxRawVoxels = 256ll << 20;     // of a raw grid:
 inline constexpr int kMaxMeshResolution = 512;                 // voxels along a mesh's longest side
 inline constexpr std::int64_t kMaxVoxeliserSteps = 2ll << 30;  // columns of voxels under all triangles
 
+inline constexpr double kMinVoxel_m = 1e-12, kMaxVoxel_m = 1e9;  // edge of a voxel
+
 }  // namespace herr

@@ -30,7 +30,7 @@ namespace {
 
 int print_measurement(const CheckOptions& options) {
   end_at_once_on_signal();  // half a measurement is none
-  check_isa(options.run.replay.render);
+  check_render_settings(options.run.replay.render);
   print_result(measurement_json(measure_run(options.run)).dump() + "\n");
   return kExitDone;
 }

@@ -56,4 +56,8 @@ const char* reader_name(ImageFormat format) {
   return format == ImageFormat::jpeg ? "jpeg" : format == ImageFormat::png ? "png" : "openexr";
 }
 
+bool needs_picture_module(const std::filesystem::path& file) {
+  return lower_extension(file) == ".exr";
+}
+
 }  // namespace herr
