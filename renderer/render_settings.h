@@ -58,6 +58,9 @@ struct RenderSettings {
   // The camera feed is re-projected as if it lay on a sphere of this radius, metres, whose centre is the eye
   // that is displayed. None: the distance that the session names, else kUsualFeedDistance_m.
   std::optional<double> feed_distance_m;
+  // Stops by which pictures are shown brighter than scene values. None: the scene's own, else 0.
+  std::optional<double> exposure_ev;
+  bool auto_exposure = false;  // from the first frame of the session, in place of it
   ProbeSettings probes;
   std::uint32_t seed = 0;  // of the random numbers, beside time, eye and sample
   // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the

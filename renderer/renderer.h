@@ -87,6 +87,10 @@ class Renderer {
   // Without foveation: how a frame is divided; empty with it.
   std::vector<PixelTile> pixel_tiles() const;
 
+  // What frames from here on are shown with, in place of the settings' exposure; settings() names it. The
+  // camera feed's white is 2^-ev then: pictures times the exposure show the feed as it was taken.
+  void set_exposure(double ev);
+
   // Takes up what a frame changes in the renderer's state without rendering it.
   void skip_frame(const FrameSample& sample, const SceneState& state);
   // After the last frame, whole or skipped. An abandoned frame has changed it too.

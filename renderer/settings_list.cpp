@@ -99,6 +99,14 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
        "the camera feed is shown as if it lay on a sphere of this radius about the displayed eye; where the "
        "session names a distance, that one is the default",
        feed_distance(s.feed_distance_m)},
+      {"exposure_ev", "--exposure", "", Group::look, Effect::pictures,
+       "stops (EV) by which PNG pictures are brighter than scene values: each 1 doubles them; EXR pictures "
+       "keep "
+       "scene values and name it",
+       real(s.exposure_ev, -kMostExposure_ev, kMostExposure_ev), "the scene's, else 0"},
+      {"auto_exposure", "--auto-exposure", "", Group::look, Effect::pictures,
+       "choose the exposure by the first frame of the session, whichever frames are drawn",
+       on_off(s.auto_exposure)},
   };
 }
 
@@ -116,7 +124,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 184);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 208);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;

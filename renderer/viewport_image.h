@@ -12,6 +12,7 @@ struct ViewportImage {
   // Over a camera feed alpha is 1; without one it is the coverage by virtual objects. Rows start at multiples
   // of row_stride texels (>= width_px, padded so that kernels store whole vectors).
   std::size_t row_stride = 0;
+  float exposure = 1;  // what it is shown with: 8-bit pictures have white where a value times this is 1
   std::vector<std::uint16_t> rgba_half;  // 4 * row_stride * height_px
 
   void resize(int width, int height);

@@ -33,7 +33,14 @@ AreaLight light_above(const Bounds& bounds) {
   return light;
 }
 
-Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels) {
+void light_by_default(DefaultLight light, Scene& scene) {
+  if (light == DefaultLight::none && scene.lights.empty()) return;
+  if (scene.lights.empty()) scene.lights.push_back(light_above(scene_bounds(scene)));
+  // A fifth of full light in shadows and all around: shapes stay readable.
+  scene.ambient = scene.environment = glm::vec3(0.2f);
+}
+
+Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light) {
   Scene scene;
   scene.name = file.stem().string();
   GltfContent content = append_gltf(file, scene, {}, pixels);
@@ -41,14 +48,12 @@ Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels) {
   if (!scene.instances.empty())
     scene.objects.push_back({scene.name, {}, 0, static_cast<std::uint32_t>(scene.instances.size()), true});
   scene.lights = std::move(content.lights);
-  if (scene.lights.empty()) scene.lights.push_back(light_above(scene_bounds(scene)));
-  // A fifth of full light in shadows and all around: shapes stay readable.
-  scene.ambient = scene.environment = glm::vec3(0.2f);
+  light_by_default(light, scene);
   return scene;
 }
 
 // A .vox file alone: a voxel is 0.1 m long, as in a scene document, and it is lit like a bare glTF.
-Scene load_bare_vox(const std::filesystem::path& file) {
+Scene load_bare_vox(const std::filesystem::path& file, DefaultLight light) {
   Scene scene;
   scene.name = file.stem().string();
   scene.instances = append_vox(file, scene);
@@ -57,8 +62,7 @@ Scene load_bare_vox(const std::filesystem::path& file) {
                             glm::dvec3{0.0}};
   for (Instance& instance : scene.instances)
     instance.world_from_object = compose(metres, instance.world_from_object);
-  scene.lights.push_back(light_above(scene_bounds(scene)));
-  scene.ambient = scene.environment = glm::vec3(0.2f);
+  light_by_default(light, scene);
   return scene;
 }
 
@@ -73,7 +77,7 @@ void check_bounds(const Scene& scene, const std::filesystem::path& file) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file, TexturePixels pixels) {
+Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -81,9 +85,9 @@ Scene load_scene(const std::filesystem::path& file, TexturePixels pixels) {
   if (extension == ".json") {
     scene = read_scene_document(file, pixels);
   } else if (extension == ".gltf" || extension == ".glb") {
-    scene = load_bare_gltf(file, pixels);
+    scene = load_bare_gltf(file, pixels, light);
   } else if (extension == ".vox") {
-    scene = load_bare_vox(file);
+    scene = load_bare_vox(file, light);
   } else {
     throw InputError(file, 0, "is not of a format that can be shown",
                      "name a .scene.json, .gltf, .glb or .vox file (convert other "

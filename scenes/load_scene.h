@@ -1,6 +1,7 @@
 // The door of scenes/: a file becomes a Scene.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "scenes/model/scene.h"
@@ -8,8 +9,14 @@
 
 namespace herr {
 
-// Reads a *.scene.json or a bare .gltf/.glb (then: lit from above by one light that fits its
-// bounds). Throws InputError.
-Scene load_scene(const std::filesystem::path& file, TexturePixels pixels = TexturePixels::decoded);
+// What lights a model that has no lights of its own.
+enum class DefaultLight : std::uint8_t {
+  above,  // one light above it that fits its bounds, with ambient light and environment 0.2
+  none,   // nothing: the caller gives it light
+};
+
+// Reads a *.scene.json, or a bare .gltf, .glb or .vox. Throws InputError.
+Scene load_scene(const std::filesystem::path& file, TexturePixels pixels = TexturePixels::decoded,
+                 DefaultLight light = DefaultLight::above);
 
 }  // namespace herr

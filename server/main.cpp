@@ -5,6 +5,7 @@
 #include "server/cli/command_line.h"
 #include "server/convert/convert_command.h"
 #include "server/inspect/inspect_command.h"
+#include "server/look/look_command.h"
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
@@ -25,6 +26,7 @@ struct RunCommand {
   int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
   int operator()(const herr::CheckOptions& options) const { return herr::run_check(options); }
   int operator()(const herr::InspectOptions& options) const { return herr::run_inspect(options); }
+  int operator()(const herr::LookOptions& options) const { return herr::run_look(options); }
   int operator()(const herr::StudyOptions& options) const { return herr::run_study(options); }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
   int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }

@@ -15,6 +15,7 @@ bool thin_polar_buffer(Renderer& renderer, Eye eye, int longest_px, ViewportImag
   const int step = (std::max(width, height) + longest_px - 1) / longest_px;
   const int columns = (width + step - 1) / step, rows = (height + step - 1) / step;
   if (out.width_px != columns || out.height_px != rows) out.resize(columns, rows);
+  out.exposure = impl.shown_scale();
   const RadianceBuffer& buffer = impl.buffers[e];
   for (int y = 0; y < rows; ++y) {
     const std::uint16_t* from = buffer.texels() + 4 * texel_index(buffer.row_stride(), 0, y * step);

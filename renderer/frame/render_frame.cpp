@@ -222,6 +222,7 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   }
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
+  shading.shown_white = 1.0f / shown_scale();
 }
 
 void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass) {
@@ -278,6 +279,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     if (out.viewports[i].width_px != viewport.width_px || out.viewports[i].height_px != viewport.height_px) {
       out.viewports[i].resize(viewport.width_px, viewport.height_px);
     }
+    out.viewports[i].exposure = shown_scale();
     ViewportJob& job = viewport_jobs[i];
     job.viewport = &viewport;
     job.out = &out.viewports[i];
@@ -301,6 +303,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     job.feed = {};
     if (!plan.camera || !sample.cameras[eye]) continue;
     const SampledCamera& camera = *sample.cameras[eye];
+    job.feed.white = 1.0f / shown_scale();
     job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
     job.feed.model = camera.model;
     job.feed.camera_from_eye =

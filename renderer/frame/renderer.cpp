@@ -10,11 +10,16 @@
 namespace herr {
 namespace {
 
-RenderSettings resolved(RenderSettings settings) {
+RenderSettings resolved(RenderSettings settings, const Scene& scene) {
   check_settings(settings);
   if (settings.threads == 0) settings.threads = available_threads();
   settings.isa = resolve_isa(settings.isa);
   if (!settings.feed_distance_m) settings.feed_distance_m = kUsualFeedDistance_m;
+  if (!settings.exposure_ev && scene.exposure) {
+    settings.exposure_ev = scene.exposure->ev;
+    settings.auto_exposure = settings.auto_exposure || scene.exposure->automatic;
+  }
+  if (!settings.exposure_ev) settings.exposure_ev = 0.0;
   return settings;
 }
 
@@ -24,7 +29,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
                      const RenderSettings& settings_in, bool session_has_camera_in)
     : scene(scene_in),
       profile(profile_in),
-      settings(resolved(settings_in)),
+      settings(resolved(settings_in, scene_in)),
       plan(plan_frame(scene_in, settings, session_has_camera_in)),
       threads(settings.threads),
       details(scene_in),
@@ -110,6 +115,13 @@ void Renderer::restore(const RendererState& state) {
         "the state has probes where the renderer has none, or has none where it does");
   }
   if (impl_->plan.probes) impl_->restore_probes(state.probes);
+}
+
+void Renderer::set_exposure(double ev) {
+  RenderSettings changed = impl_->settings;
+  changed.exposure_ev = ev;
+  check_settings(changed);
+  impl_->settings = changed;
 }
 
 void Renderer::restart(const SceneState& state) {

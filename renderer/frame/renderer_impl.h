@@ -108,6 +108,7 @@ struct Renderer::Impl {
   int most_probes() const { return probes ? probes->most_updated() : 0; }
   int probe_job_count() const { return probes->job_count() * static_cast<int>(probes->sets.size()); }
   ProbeJob probe_job(int job, int worker, RayRecorder* recorder);
+  float shown_scale() const { return Exposure{false, settings.exposure_ev.value_or(0)}.scale(); }
   int tile_count() const { return first_tile.back(); }
   int buffer_of(std::size_t viewport) const {
     return plan.polar ? static_cast<int>(profile.viewports[viewport].eye) : static_cast<int>(viewport);

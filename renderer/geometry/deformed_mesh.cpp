@@ -3,6 +3,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
@@ -185,8 +186,16 @@ void DeformedMesh::flatten_normals(std::size_t first, std::size_t last) {
 
 void DeformedMesh::bake(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      built_.baked.records[t].normal[corner] = normals_[mesh_.triangles[t][corner]];
+    std::array<std::uint32_t, 3> codes;
+    std::array<glm::vec3, 3> places;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t vertex = mesh_.triangles[t][corner];
+      const float* v = vertices_ + 3 * std::size_t{vertex};
+      codes[corner] = normals_[vertex];
+      places[corner] = {v[0], v[1], v[2]};
+    }
+    std::copy(codes.begin(), codes.end(), built_.baked.records[t].normal);
+    built_.baked.records[t].curvature = shading_curvature(places, codes);
     if (tangents_.empty()) continue;
     TangentRecord& record = built_.baked.tangents[t];
     for (std::size_t corner = 0; corner < 3; ++corner)

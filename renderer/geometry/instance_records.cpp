@@ -33,6 +33,10 @@ void set_matrix(const Instance& instance, InstanceRecord& record) {
 
 namespace {
 
+// Of light that a body lets through after its attenuation distance: what a colour of 0 is taken as, since 0
+// would ask for an infinite absorption.
+constexpr float kDarkestAttenuation = 1e-6f;
+
 void set_material(const Material& material, InstanceRecord& record) {
   for (int channel = 0; channel < 3; ++channel) {
     record.base_colour[channel] = material.base_colour[channel];
@@ -41,10 +45,16 @@ void set_material(const Material& material, InstanceRecord& record) {
   record.metallic = material.metallic;
   record.roughness = material.roughness;
   record.mirror = material.mirror;
-  record.transmission = material.transmission;
-  record.refractive_index = material.refractive_index;
+  // Index 0 is no index: a mirror, of F0 1, which nothing passes.
+  const bool full = material.refractive_index <= 0;
+  record.transmission = full ? 0.0f : material.transmission;
+  record.refractive_index = full ? 1.0f : material.refractive_index;
   const float f0_root = (material.refractive_index - 1.0f) / (material.refractive_index + 1.0f);
-  record.dielectric_f0 = f0_root * f0_root;
+  record.dielectric_f0 = full ? 1.0f : f0_root * f0_root;
+  for (int channel = 0; channel < 3; ++channel) {
+    const float colour = std::max(material.attenuation.colour[channel], kDarkestAttenuation);
+    record.absorption[channel] = -std::log(colour) / material.attenuation.distance_m;
+  }
 }
 
 void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,

@@ -16,7 +16,7 @@ struct alignas(32) TriangleRecord {
   std::uint32_t normal[3];  // octahedral, two 16-bit snorms: x low, y high
   std::uint32_t uv[3];      // two 16-bit unorms over the mesh's uv range: u low, v high
   float texel_density = 0;  // area in coordinates over area in object space, 1/m^2
-  std::uint32_t unused = 0;
+  float curvature = 0;      // turn of the shading normal along the surface, radians per unit of object space
 };
 static_assert(sizeof(TriangleRecord) == 32);
 
@@ -53,14 +53,27 @@ struct TextureUse {
   float uv_lower[2] = {}, uv_scale[2] = {};     // uv = lower + scale * unorm
 };
 
+// Lobes beyond diffuse and one round highlight: factors and their textures. By default there is none.
+struct LobeRecord {
+  float coat = 0, coat_roughness = 0, coat_normal_scale = 1;
+  float sheen[3] = {}, sheen_roughness = 0;
+  float stretch = 0, stretch_cos = 1, stretch_sin = 0;  // the angle from the tangent, counter-clockwise
+  TextureUse coat_texture, coat_roughness_texture, sheen_texture, sheen_roughness_texture, stretch_texture;
+  TextureUse coat_normal;  // with DetailRecord::tangents
+};
+inline constexpr LobeRecord kNoLobes{};
+
 // What most instances do without; only where a material or mesh asks for it.
 struct DetailRecord {
   const ColourRecord* colours = nullptr;  // of vertices, one per triangle
   // The two base textures stand here instead of in the instance's record where they read a second set.
   TextureUse base_colour, metallic_roughness, emission, specular_use, specular_colour, transmission;
   TextureUse normal;                        // with `tangents`
-  const TangentRecord* tangents = nullptr;  // one per triangle; null: no normal texture
+  const TangentRecord* tangents = nullptr;  // one per triangle; null: no normal texture and no stretch
   float normal_scale = 1;
+  TextureUse occlusion;
+  float occlusion_strength = 1;
+  LobeRecord lobes;
   TextureUse coverage;  // alpha = that of the base colour texture, wherever that stands
   float specular = 1, specular_rgb[3] = {1, 1, 1};
   float alpha = 1, alpha_cutoff = 0.5f;
@@ -75,7 +88,8 @@ struct InstanceRecord {
   float base_colour[3] = {};
   float metallic = 0, roughness = 1, mirror = 0;
   float transmission = 0, refractive_index = 1.5f;
-  float dielectric_f0 = 0.04f;  // ((n - 1) / (n + 1))^2
+  float dielectric_f0 = 0.04f;  // ((n - 1) / (n + 1))^2; 1 of index 0 alone
+  float absorption[3] = {};     // of the body behind the surface, per metre
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
@@ -96,6 +110,7 @@ struct LightRecord {
   float lower[3] = {}, size[3] = {};      // the box, for stratified samples
   float intensity[3] = {};                // W/sr; of a sun W/m^2
   float min_distance2 = 0;                // (half the longest edge)^2: the falloff's floor
+  float half_turn_m = 0;                  // over the distance: half the angle of a stratum's radius
   float inverse_range2 = 0;               // 1 / (distance where the light ends)^2; 0: it never ends
   float direction[3] = {};                // in which a spot or sun shines, unit
   float cone_scale = 0, cone_offset = 1;  // of a spot: brightness clamp(scale cos + offset)^2

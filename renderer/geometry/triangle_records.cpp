@@ -95,6 +95,30 @@ float common_handedness(float a, float b, float c) {
   return a + b + c < 0 ? -1.0f : 1.0f;
 }
 
+float shading_curvature(const std::array<glm::vec3, 3>& corners,
+                        const std::array<std::uint32_t, 3>& normals) {
+  if (normals[0] == normals[1] && normals[0] == normals[2]) return 0.0f;
+  std::array<glm::dvec3, 3> n, edge, turn;
+  for (std::size_t i = 0; i < 3; ++i) n[i] = glm::dvec3(decode_octahedral(normals[i]));
+  double fastest2 = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    edge[i] = glm::dvec3(corners[next]) - glm::dvec3(corners[i]);
+    turn[i] = n[next] - n[i];
+    const double length2 = glm::dot(edge[i], edge[i]);
+    if (length2 > 0) fastest2 = std::max(fastest2, glm::dot(turn[i], turn[i]) / length2);
+  }
+  // The normal is linear over the triangle: normal = D E^-1 place, with edges E and turns D as columns. Half
+  // the squared Frobenius norm of D E^-1 is the mean over directions.
+  const double ee = glm::dot(edge[0], edge[0]), ef = glm::dot(edge[0], edge[1]),
+               ff = glm::dot(edge[1], edge[1]);
+  const double sum =
+      glm::dot(turn[0], turn[0]) * ff - 2 * glm::dot(turn[0], turn[1]) * ef + glm::dot(turn[1], turn[1]) * ee;
+  const double area2 = ee * ff - ef * ef;
+  const double mean2 = area2 > 0 ? std::min(0.5 * std::max(sum, 0.0) / area2, fastest2) : fastest2;
+  return static_cast<float>(std::min(std::sqrt(mean2), 1e30));
+}
+
 std::uint32_t encode_octahedral(const glm::vec3& n) {
   const float norm = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
   if (!(norm > 0)) return encode_octahedral({0, 1, 0});
@@ -114,9 +138,13 @@ BakedMesh bake_triangles(const TriangleMesh& mesh) {
   BakedMesh baked;
   baked.records.resize(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      baked.records[i].normal[corner] = encode_octahedral(mesh.normals[mesh.triangles[i][corner]]);
-    }
+    const auto& [a, b, c] = mesh.triangles[i];
+    const std::array<std::uint32_t, 3> codes{encode_octahedral(mesh.normals[a]),
+                                             encode_octahedral(mesh.normals[b]),
+                                             encode_octahedral(mesh.normals[c])};
+    std::copy(codes.begin(), codes.end(), baked.records[i].normal);
+    baked.records[i].curvature =
+        shading_curvature({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, codes);
   }
   baked.longest_edge = longest_edge(mesh);
   bake_coordinates(mesh, mesh.uvs, baked);

@@ -102,6 +102,10 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     record.stratified = sampling.stratified;
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float stratum = record.size[axis] / static_cast<float>(strata[axis]);
+      record.half_turn_m = std::max(record.half_turn_m, 0.25f * stratum);
+    }
     if (record.samples <= kMostOrderedSamples) order_strata(record);
     record.key = static_cast<std::uint32_t>(&light - lights.data())
                  << 20;  // 3 numbers for each of 4096 samples

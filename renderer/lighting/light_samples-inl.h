@@ -38,14 +38,16 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const MF lit = hn::And(facing(hits, slot, to_light), hn::Gt(counts, hn::Zero(kF)));
   if (hn::AllFalse(kF, lit)) return;
   const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-36f));
-  const V3 direction = scale(to_light, hn::Div(set(1.0f), hn::Sqrt(distance2)));
+  const VF per_distance = hn::Div(set(1.0f), hn::Sqrt(distance2));
+  const V3 direction = scale(to_light, per_distance);
   const V3 n = load3(hits.normal, slot);
   const VF n_l = hn::Max(dot(n, direction), hn::Zero(kF));
   const VF share =
       hn::Mul(set(1.0f / static_cast<float>(light.samples)), falloff(light, distance2, direction));
   const VF geometry = hn::IfThenElseZero(lit, hn::Mul(n_l, share));
   const VF seen = hn::Mul(geometry, visible);
-  V3 f = reflectance<kLobe>(hits, slot, n, direction, n_l);
+  const VF turn = hn::Mul(per_distance, set(light.half_turn_m));
+  V3 f = reflectance<kLobe>(hits, slot, n, direction, n_l, hn::Mul(turn, turn));
   if (job.shading->plan->catchers) {
     // On a catcher the sum is irradiance itself, twice: with the virtual objects and without.
     const MF catcher = of_kind(hits, slot, HitKind::catcher);

@@ -100,8 +100,9 @@ HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
   const int slot = packet * kLanes;
   const VF zero = hn::Zero(kF);
   if (shading.debug_tiles && job.grid->polar) {
-    const V3 colour = debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
-                                   job.scratch->packet_y[static_cast<std::size_t>(packet)]);
+    const V3 colour = scale(debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
+                                         job.scratch->packet_y[static_cast<std::size_t>(packet)]),
+                            set(shading.shown_white));
     texel.light = {hn::MulAdd(colour.x, texel.ratio.x, texel.light.x),
                    hn::MulAdd(colour.y, texel.ratio.y, texel.light.y),
                    hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};

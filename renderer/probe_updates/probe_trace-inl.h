@@ -59,33 +59,15 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     set_valid(valid, lanes);
     tile.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
-    if constexpr (kDetail != SurfaceDetail::plain) {
-      // A cone of the solid angle that each ray stands for, as wide as it is high.
-      const float spread = std::sqrt(12.5663706f / static_cast<float>(job.volume->directions.rays()));
-      hn::Store(hn::Zero(kF), kF, &hits.cone_width[slot]);
-      hn::Store(set(spread), kF, &hits.cone_spread[slot]);
-      widen(packet.ray, hits, slot);
-    }
+    // A cone of the solid angle that each ray stands for, as wide as it is high.
+    const float spread = std::sqrt(12.5663706f / static_cast<float>(job.volume->directions.rays()));
+    hn::Store(hn::Zero(kF), kF, &hits.cone_width[slot]);
+    hn::Store(set(spread), kF, &hits.cone_spread[slot]);
+    if constexpr (kDetail != SurfaceDetail::plain) widen(packet.ray, hits, slot);
     record(tile, kind, packet.ray, valid, true);
     if (!hn::AllFalse(kF, lanes)) intersect_packet<kLanes>(valid, tile.shading->scene, false, &packet);
-    surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot);
+    surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot, SurfaceUse::matte);
     hn::Store(hn::Zero(kU), kU, &hits.key[slot]);
-  }
-}
-
-// Of a dielectric of index 1.5; what exceeds it is taken for a metal's.
-constexpr float kUsualF0 = 0.04f;
-
-// What probes take a surface to scatter: a metal its own colour, as if it were matte.
-HWY_INLINE void make_matte(HitBatch& hits, int count) {
-  const auto add_metal = [](Lane<float>& diffuse, const Lane<float>& f0, int slot) HWY_ATTR {
-    const VF metal = hn::Max(hn::Sub(load(&f0[slot]), set(kUsualF0)), hn::Zero(kF));
-    hn::Store(hn::Min(hn::Add(load(&diffuse[slot]), metal), set(1.0f)), kF, &diffuse[slot]);
-  };
-  for (int slot = 0; slot < count; slot += kLanes) {
-    add_metal(hits.diffuse.x, hits.f0.x, slot);
-    add_metal(hits.diffuse.y, hits.f0.y, slot);
-    add_metal(hits.diffuse.z, hits.f0.z, slot);
   }
 }
 
@@ -143,7 +125,6 @@ void trace_probes(const ProbeJob& job) {
     } else {
       trace_directions<SurfaceDetail::plain>(job, origins, first, rays);
     }
-    make_matte(hits, count);
     direct_light<Lobe::none>(tile, hits, count,
                              job.set == 0 ? RayKind::probe_shadow : RayKind::catcher_probe_shadow);
     indirect_light(tile, hits, count);

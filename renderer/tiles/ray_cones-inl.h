@@ -1,5 +1,6 @@
 // How wide a ray from the eye is: a cone of the solid angle that its sample stands for, so that textures are
-// read at the level that the samples can show. Before: generate_rays. After: surfaces, along each ray.
+// read at the level that the samples can show, and highlights are no narrower. Before: generate_rays. After:
+// surfaces, along each ray.
 // Source: Akenine-Moeller et al., "Texture Level of Detail Strategies for Real-Time Ray Tracing" (2019).
 #pragma once
 

@@ -124,6 +124,7 @@ struct BlendSources {
   std::size_t texel_stride;
   const std::uint16_t* feed;
   std::size_t feed_stride;
+  float feed_white;
   bool opaque;
 };
 
@@ -156,7 +157,7 @@ HWY_INLINE V4 blend_pixel(const BlendSources& from, const BlockCoordinates& pola
   if constexpr (kFeed) {
     const V4 feed = bilinear(from.feed + 4 * static_cast<std::size_t>(camera.at.offset[i]), from.feed_stride,
                              camera.at.x[i], camera.at.y[i]);
-    const V4 kept = hn::Mul(ratio, hn::Set(kF4, camera.seen[i]));
+    const V4 kept = hn::Mul(ratio, hn::Set(kF4, camera.seen[i] * from.feed_white));
     // Feed and texel are each within half's range, their sum need not be.
     return with_alpha(hn::Min(hn::MulAdd(feed, kept, s), hn::Set(kF4, kLargestHalf)), one);
   }

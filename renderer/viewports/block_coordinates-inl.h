@@ -112,6 +112,7 @@ HWY_INLINE BlendSources sources_of(const ViewportJob& job) {
           job.radiance->row_stride(),
           feed ? job.feed.image->rgba_half.data() : nullptr,
           feed ? static_cast<std::size_t>(job.feed.image->width_px) : 0,
+          job.feed.white,
           job.opaque};
 }
 

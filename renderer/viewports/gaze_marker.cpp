@@ -5,12 +5,14 @@
 
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_map.h"
+#include "sessions/camera/half_from_samples.h"
 
 namespace herr {
 namespace {
 
 constexpr double kRadius_deg = 1.0, kHalfWidth_deg = 0.08, kReach = 1.2;
-constexpr std::uint16_t kHalfOne = 0x3c00, kHalfDark = 0x2800;  // 1.0 and 0.03
+constexpr float kRed = 1.0f, kOthers = 0.03125f;  // as shown
+constexpr std::uint16_t kOpaqueHalf = 0x3c00;
 
 }  // namespace
 
@@ -28,6 +30,9 @@ void draw_gaze_marker(const Viewport& v, const glm::dvec3& gaze, ViewportImage& 
   const int x1 = clamp_px((tx + reach - v.tan_left) / step_x + 1, v.width_px);
   const int y0 = clamp_px((v.tan_up - ty - reach) / step_y, v.height_px);
   const int y1 = clamp_px((v.tan_up - ty + reach) / step_y + 1, v.height_px);
+  std::int64_t sanitised = 0;  // a finite colour is not
+  const std::uint16_t red = half_from_linear(kRed / image.exposure, sanitised),
+                      others = half_from_linear(kOthers / image.exposure, sanitised);
   const double pixel_deg = step_x * kDegreesPerRadian;
   const double half_width = std::max(kHalfWidth_deg, 0.75 * pixel_deg);
   for (int y = y0; y < y1; ++y) {
@@ -35,9 +40,9 @@ void draw_gaze_marker(const Viewport& v, const glm::dvec3& gaze, ViewportImage& 
       const glm::dvec3 direction{v.tan_left + (x + 0.5) * step_x, v.tan_up - (y + 0.5) * step_y, -1.0};
       if (std::abs(eccentricity_deg(gaze, direction) - kRadius_deg) > half_width) continue;
       std::uint16_t* texel = image.row(y) + 4 * x;
-      texel[0] = kHalfOne;
-      texel[1] = texel[2] = kHalfDark;
-      texel[3] = kHalfOne;
+      texel[0] = red;
+      texel[1] = texel[2] = others;
+      texel[3] = kOpaqueHalf;
     }
   }
 }

@@ -30,6 +30,7 @@ struct FeedView {
   const CameraModel* model = nullptr;
   Pose camera_from_eye;     // at the frame's exposure against the eye now
   double distance_m = 2.0;  // the feed is taken to lie on a sphere of this radius about the eye
+  float white = 1;          // radiance that the feed's white is shown as: 1 / exposure
 };
 
 // A direction of pixel (x, y) in the gaze frame is base + x * per_x + y * per_y, not normalised.

@@ -188,12 +188,16 @@ Material MaterialOverride::apply(Material material) const {
     material.transmission_texture = {};
   }
   if (refractive_index) material.refractive_index = *refractive_index;
-  if (metallic || roughness || transmission) {
-    material.mirror = mirror_of(material.metallic, material.roughness, material.transmission);
-  }
+  if (metallic || roughness || transmission || refractive_index) material.mirror = mirror_of(material);
   if (emission) {
     material.emission = *emission;
     material.emission_texture = {};
+    // What an unlit surface shows is its emission: now this one.
+    if (material.unlit) {
+      material.unlit = false;
+      if (!base_colour) material.base_colour = glm::vec3(0.0f);
+      material.specular = 0.0f;
+    }
   }
   if (mirror) material.mirror = *mirror;
   return material;
@@ -231,6 +235,13 @@ void append_catcher(const JsonObject& object, Scene& scene) {
   scene.materials.push_back(std::move(material));
   scene.instances.push_back(std::move(instance));
   if (object.has("path")) put_on_path(object, scene);
+}
+
+std::optional<Exposure> parse_exposure(const JsonObject& root) {
+  const bool automatic = root.boolean_or("auto_exposure", false);
+  if (!root.has("exposure_ev")) return automatic ? std::optional(Exposure{true, 0}) : std::nullopt;
+  if (automatic) root.fail("auto_exposure", "stands beside exposure_ev", "write only one of them");
+  return Exposure{false, root.number("exposure_ev", -kMostExposure_ev, kMostExposure_ev)};
 }
 
 ProbeGridSpec parse_probes(const JsonObject& object) {

@@ -38,6 +38,8 @@ Material parse_catcher_material(const JsonObject& object, const std::string& nam
 void append_catcher(const JsonObject& object, Scene& scene);
 // probes: {"counts", "min", "max"}.
 ProbeGridSpec parse_probes(const JsonObject& object);
+// exposure_ev or auto_exposure of a document; none where it has neither.
+std::optional<Exposure> parse_exposure(const JsonObject& root);
 // animation: {"clip", "play", "speed", "loop", "offset_s"}.
 PlaybackRequest parse_playback(const JsonObject& object);
 AreaLight parse_light(const JsonObject& object);

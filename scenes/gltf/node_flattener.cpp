@@ -27,6 +27,7 @@ FlattenedNodes flatten_nodes(const GltfModel& model) {
     const auto [index, gltf_from_parent] = open.back();
     open.pop_back();
     const GltfNode& node = model.nodes[static_cast<std::size_t>(index)];
+    if (!node.visible) continue;
     const glm::dmat4x3 gltf_from_node = compose(gltf_from_parent, node.parent_from_node);
     if (node.mesh >= 0) {
       const std::string& mesh_name = model.meshes[static_cast<std::size_t>(node.mesh)].name;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scenes/model/animated_model.h"
+#include "scenes/model/exposure.h"
 #include "scenes/model/material.h"
 #include "scenes/model/object_path.h"
 #include "scenes/model/scene_change.h"
@@ -131,6 +132,7 @@ struct Scene {
   glm::vec3 environment{0.0f};                // radiance that a ray sees which leaves the scene
   EnvironmentImage environment_map;           // instead of `environment` where it has pixels
   ProbeGridSpec probes;
+  std::optional<Exposure> exposure;          // none: 0 EV
   Pose world_from_session;                   // where the recording stands in the scene
   std::vector<std::string> warnings;         // one line each
   std::vector<std::filesystem::path> files;  // every file that was read

@@ -120,7 +120,7 @@ int weigh_left_out(const BenchOptions& options, Subject& subject) {
 int run_bench(const BenchOptions& options) {
   end_at_once_on_signal();  // nothing is written, and half a measurement is none
   if (const int signal = stop_signal(); signal != 0) return kExitSignalBase + signal;
-  check_isa(options.render);
+  check_render_settings(options.render);
   Subject subject;
   open(options, subject);
   if (options.left_out) return weigh_left_out(options, subject);

@@ -9,6 +9,7 @@
 #include "server/cli/check_flags.h"
 #include "server/cli/convert_flags.h"
 #include "server/cli/flags.h"
+#include "server/cli/look_flags.h"
 #include "server/cli/setting_flags.h"
 #include "server/cli/study_flags.h"
 #include "server/cli/synth_flags.h"
@@ -151,6 +152,7 @@ struct Parser {
   BenchOptions bench;
   CheckOptions check;
   InspectOptions inspect;
+  LookOptions look;
   StudyOptions study;
   SynthOptions synth;
   ConvertOptions convert;
@@ -160,6 +162,7 @@ struct Parser {
   CLI::App* bench_command = nullptr;
   CLI::App* check_command = nullptr;
   CLI::App* inspect_command = nullptr;
+  CLI::App* look_command = nullptr;
   CLI::App* study_command = nullptr;
   CLI::App* synth_command = nullptr;
   CLI::App* convert_command = nullptr;
@@ -172,6 +175,7 @@ struct Parser {
     check_command = app.add_subcommand("check", "did frames become slower? a gate for CI");
     study_command = app.add_subcommand("study", "error against run time, for every setting that trades them");
     inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
+    look_command = app.add_subcommand("look", "a picture of a model, without a session");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
     convert_command = app.add_subcommand("convert", "make a session of a recording in another format");
     add_replay_flags(*replay_command, replay);
@@ -180,6 +184,7 @@ struct Parser {
     add_check_flags(*check_command, check);
     add_study_flags(*study_command, study);
     add_inspect(*inspect_command, inspect);
+    add_look_flags(*look_command, look);
     add_synth_flags(*synth_command, synth);
     add_convert_flags(*convert_command, convert);
     app.require_subcommand(0, 1);
@@ -192,9 +197,9 @@ struct Parser {
     }
     return nullptr;
   }
-  std::array<const CLI::App*, 8> commands() const {
-    return {replay_command, serve_command,   bench_command, check_command,
-            study_command,  inspect_command, synth_command, convert_command};
+  std::array<const CLI::App*, 9> commands() const {
+    return {replay_command,  serve_command, bench_command, check_command,  study_command,
+            inspect_command, look_command,  synth_command, convert_command};
   }
 };
 
@@ -267,6 +272,10 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   if (parser->inspect_command->parsed()) {
     check_required(parser->inspect);
     return parser->inspect;
+  }
+  if (parser->look_command->parsed()) {
+    check_look_options(parser->look);
+    return parser->look;
   }
   if (parser->synth_command->parsed()) {
     check_required(parser->synth);

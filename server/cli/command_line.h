@@ -10,6 +10,7 @@
 #include "server/check/check_options.h"
 #include "server/convert/convert_options.h"
 #include "server/inspect/inspect_options.h"
+#include "server/look/look_options.h"
 #include "server/serve/serve_options.h"
 #include "server/settings/replay_options.h"
 #include "server/study/study_options.h"
@@ -23,7 +24,7 @@ struct ShowText {
 };
 
 using Command = std::variant<ShowText, ReplayOptions, ServeOptions, BenchOptions, CheckOptions,
-                             InspectOptions, StudyOptions, SynthOptions, ConvertOptions>;
+                             InspectOptions, LookOptions, StudyOptions, SynthOptions, ConvertOptions>;
 
 // Arguments without the program's name. --help and --version win over every mistake in the rest.
 Command parse_command_line(const std::vector<std::string>& arguments);

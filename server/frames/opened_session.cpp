@@ -3,6 +3,7 @@
 #include <string>
 
 #include "scenes/load_scene.h"
+#include "server/frames/auto_exposure.h"
 #include "server/process/exit_code.h"
 #include "sessions/files/input_error.h"
 
@@ -55,6 +56,10 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   }
   open_scene(options, report, opened);
   build_renderer(options.render, report, opened);
+  if (opened.renderer->settings().auto_exposure) {
+    choose_exposure(report, opened);
+    open_recording(options, report, opened);  // from its start again
+  }
   report.plan = opened.renderer->plan();
   report.memory = opened.renderer->memory();
   report.settings = opened.renderer->settings();

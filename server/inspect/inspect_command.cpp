@@ -40,7 +40,7 @@ int run_inspect(const InspectOptions& options) {
   const bool writes = !options.probes.folder.empty();
   if (!writes) end_at_once_on_signal();
   if (const int signal = stop_signal(); signal != 0) return kExitSignalBase + signal;
-  if (writes) check_isa(options.render);
+  if (writes) check_render_settings(options.render);
   const std::unique_ptr<NewFolder> folder = writes ? probe_folder(options.probes) : nullptr;
   InspectReport report = inspect(options);
   if (writes && report.sound() && !add_probes(options, *folder, report)) {

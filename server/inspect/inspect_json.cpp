@@ -248,6 +248,8 @@ Json scene_json(const InspectReport& report) {
           {"moving_objects", scene.moving_objects},
           {"ambient", vector_json(scene.ambient)},
           {"environment", vector_json(scene.environment)},
+          {"exposure_ev", scene.exposure && !scene.exposure->automatic ? Json(scene.exposure->ev) : Json()},
+          {"auto_exposure", scene.exposure && scene.exposure->automatic},
           {"lower_m", vector_json(scene.bounds.lower)},
           {"upper_m", vector_json(scene.bounds.upper)},
           {"geometry_bytes", scene.geometry_bytes},

@@ -86,6 +86,7 @@ SceneFacts facts_of(const Scene& scene) {
   for (const PlacedObject& object : scene.objects) facts.moving_objects += object.path.empty() ? 0 : 1;
   facts.ambient = scene.ambient;
   facts.environment = scene.environment;
+  facts.exposure = scene.exposure;
   facts.bounds = scene_bounds(scene);
   facts.files = scene.files;
   return facts;

@@ -38,6 +38,7 @@ struct SceneFacts {
   std::int64_t lights = 0, moving_lights = 0;
   std::int64_t moving_objects = 0;  // that follow a path
   glm::vec3 ambient{0.0f}, environment{0.0f};
+  std::optional<Exposure> exposure;  // the document's
   Bounds bounds;
   std::int64_t geometry_bytes = 0, texture_bytes = 0,
                voxel_bytes = 0;  // as loaded, without acceleration structures

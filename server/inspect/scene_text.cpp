@@ -81,6 +81,10 @@ std::string scene_text(const InspectReport& report) {
   text += named_line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
                                    " on a path; ambient " + point(scene.ambient) + ", environment " +
                                    point(scene.environment));
+  if (scene.exposure) {
+    text += named_line("exposure", scene.exposure->automatic ? "by the first frame of the session"
+                                                             : shortest_text(scene.exposure->ev) + " EV");
+  }
   if (scene.moving_objects > 0)
     text += named_line("paths", counted(scene.moving_objects, "object follows a path of its own",
                                         "objects follow paths of their own"));

@@ -80,14 +80,15 @@ void draw_cell_row(const ViewportImage& image, const SheetCell& cell, int y, Srg
   }
   const double columns = static_cast<double>(image.width_px) / cell.width_px;
   const auto norm = static_cast<float>(1.0 / (columns * (rows.end - rows.begin)));
-  const auto& table = srgb8_of_half();
+  const Srgb8Table& table = srgb8_of_half(image.exposure);
+  const float background = kBackgroundLinear / image.exposure;
   std::uint8_t* pixel = out.values.data() + 3 * (static_cast<std::size_t>(cell.y_px + y) *
                                                      static_cast<std::size_t>(out.width_px) +
                                                  static_cast<std::size_t>(cell.x_px));
   for (const Texel& sum : sums) {
     const float uncovered = std::max(0.0f, 1.0f - sum[3] * norm);
     for (std::size_t c = 0; c < 3; ++c) {
-      *pixel++ = table[half_from_float(sum[c] * norm + uncovered * kBackgroundLinear)];
+      *pixel++ = table[half_from_float(sum[c] * norm + uncovered * background)];
     }
   }
 }

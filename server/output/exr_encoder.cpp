@@ -13,6 +13,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "server/output/memory_stream.h"
@@ -43,6 +44,11 @@ void describe_run(const PictureMetadata& metadata, Imf::Header& header) {
   header.insert("herr.settings", Imf::StringAttribute(metadata.settings));
 }
 
+// Values are those of the scene: a viewer multiplies by 2^exposure to see what an 8-bit picture shows.
+void describe_exposure(const ViewportImage& picture, Imf::Header& header) {
+  header.insert("herr.exposure_ev", Imf::DoubleAttribute(std::log2(double{picture.exposure})));
+}
+
 void describe_headset(const FrameSample& sample, const Viewport& viewport, Imf::Header& header) {
   const auto eye = static_cast<std::size_t>(viewport.eye);
   // OpenEXR has no 64-bit integer attribute: stamps are text.
@@ -69,8 +75,8 @@ Imath::Box2i display_window(const DisplayProfile& profile) {
   return window;
 }
 
-Imf::Header make_header(const Viewport& viewport, const Imath::Box2i& window, const FrameSample& sample,
-                        const PictureMetadata& metadata) {
+Imf::Header make_header(const Viewport& viewport, const ViewportImage& picture, const Imath::Box2i& window,
+                        const FrameSample& sample, const PictureMetadata& metadata) {
   const Imath::V2i last(viewport.width_px - 1, viewport.height_px - 1);
   Imf::Header header(window, Imath::Box2i(Imath::V2i(0, 0), last));
   header.setName(viewport.name);
@@ -80,6 +86,7 @@ Imf::Header make_header(const Viewport& viewport, const Imath::Box2i& window, co
   header.zipCompressionLevel() = kZipLevel;
   for (const char* channel : {"R", "G", "B", "A"}) header.channels().insert(channel, Imf::Channel(Imf::HALF));
   describe_run(metadata, header);
+  describe_exposure(picture, header);
   describe_headset(sample, viewport, header);
   header.insert("herr.viewport_kind", Imf::StringAttribute(viewport.focus ? "focus" : "context"));
   header.insert("herr.tan_left", Imf::DoubleAttribute(viewport.tan_left));
@@ -122,8 +129,9 @@ std::int64_t encode_exr(const std::vector<ViewportImage>& viewports, const Displ
                         const ParallelFor& parallel_for, std::vector<std::uint8_t>& out) {
   std::vector<Imf::Header> headers;
   const Imath::Box2i window = display_window(profile);
-  for (const Viewport& viewport : profile.viewports)
-    headers.push_back(make_header(viewport, window, sample, metadata));
+  for (std::size_t i = 0; i < viewports.size(); ++i) {
+    headers.push_back(make_header(profile.viewports[i], viewports[i], window, sample, metadata));
+  }
 
   // Compress each part as a file of its own, all at once.
   std::vector<std::vector<std::uint8_t>> parts(viewports.size());

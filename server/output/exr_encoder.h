@@ -23,7 +23,7 @@ struct PictureMetadata {
   std::string session, scene;
   std::string program;   // name and version
   std::string isa;       // instruction set that rendered it: pictures differ in the last bit between them
-  std::string settings;  // one line
+  std::string settings;  // one line; names the exposure, which stands as a number beside it
 };
 
 // One part per viewport of the profile, in its order; `viewports` are the pictures. `out` keeps its storage.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
 
 namespace herr {
 
@@ -21,17 +23,18 @@ std::uint16_t half_from_float(float value) {
   return imath_float_to_half(value);
 }
 
-const std::array<std::uint8_t, 65536>& srgb8_of_half() {
-  static const std::array<std::uint8_t, 65536> table = [] {
-    std::array<std::uint8_t, 65536> result{};
-    for (std::uint32_t bits = 0; bits < 65536; ++bits) {
-      const float linear = float_from_half(static_cast<std::uint16_t>(bits));
-      const double encoded = std::isnan(linear) ? 0.0 : srgb_from_linear(linear);
-      result[bits] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
-    }
-    return result;
-  }();
-  return table;
+const Srgb8Table& srgb8_of_half(float exposure) {
+  static std::mutex mutex;
+  static std::map<float, Srgb8Table> tables;
+  const std::lock_guard lock(mutex);
+  const auto [entry, added] = tables.try_emplace(exposure);
+  if (!added) return entry->second;
+  for (std::uint32_t bits = 0; bits < 65536; ++bits) {
+    const double linear = double{float_from_half(static_cast<std::uint16_t>(bits))} * double{exposure};
+    const double encoded = std::isnan(linear) ? 0.0 : srgb_from_linear(linear);
+    entry->second[bits] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+  }
+  return entry->second;
 }
 
 namespace {
@@ -43,8 +46,7 @@ std::uint8_t unit8(float value) {
 }
 
 // One texel with alpha: unassociated colour, then alpha.
-void write_unassociated(const std::uint16_t* texel, std::uint8_t* pixel) {
-  const auto& table = srgb8_of_half();
+void write_unassociated(const Srgb8Table& table, const std::uint16_t* texel, std::uint8_t* pixel) {
   const float alpha = half_is_finite(texel[3]) ? float_from_half(texel[3]) : 0.0f;
   for (int c = 0; c < 3; ++c) {
     if (texel[3] == kHalfOne) {
@@ -66,13 +68,13 @@ void srgb8_from_viewport(const ViewportImage& image, bool with_alpha, Srgb8Image
   out.nonfinite_values = 0;
   out.values.resize(width * static_cast<std::size_t>(image.height_px) *
                     static_cast<std::size_t>(out.channels));
-  const auto& table = srgb8_of_half();
+  const Srgb8Table& table = srgb8_of_half(image.exposure);
   std::uint8_t* pixel = out.values.data();
   for (int y = 0; y < image.height_px; ++y) {
     const std::uint16_t* texel = image.row(y);
     for (std::size_t x = 0; x < width; ++x, texel += 4, pixel += out.channels) {
       if (with_alpha) {
-        write_unassociated(texel, pixel);
+        write_unassociated(table, texel, pixel);
       } else {
         for (int c = 0; c < 3; ++c) pixel[c] = table[texel[c]];
       }

@@ -14,8 +14,11 @@ namespace herr {
 // linear_from_srgb() of sessions/camera/half_from_samples.h.
 double srgb_from_linear(double linear);
 
-// round(255 * srgb_from_linear(h)) of every pattern; below 0 and NaN give 0, above 1 and +Inf give 255.
-const std::array<std::uint8_t, 65536>& srgb8_of_half();
+// round(255 * srgb_from_linear(h * exposure)) of every pattern h; below 0 and NaN give 0, above 1 and +Inf
+// give 255. Made when an exposure (ViewportImage::exposure) is first asked for, and kept: a run has one.
+// Thread-safe.
+using Srgb8Table = std::array<std::uint8_t, 65536>;
+const Srgb8Table& srgb8_of_half(float exposure = 1);
 
 float float_from_half(std::uint16_t bits);
 std::uint16_t half_from_float(float value);

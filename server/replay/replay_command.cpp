@@ -107,7 +107,7 @@ std::string total_text(const std::vector<SessionReport>& reports) {
 }  // namespace
 
 int run_replay(const ReplayOptions& options) {
-  check_isa(options.render);
+  check_render_settings(options.render);
   check_folders(options);
   std::vector<SessionReport> reports;
   int exit_code = kExitDone;

@@ -5,7 +5,6 @@
 
 #include "server/output/contact_sheet.h"
 #include "server/output/png_encoder.h"
-#include "sessions/pictures/loaded_module.h"
 
 namespace herr {
 namespace {
@@ -19,21 +18,18 @@ void draw_polar_picture(const ViewportImage& texels, Srgb8Image& out) {
   out.channels = 3;
   out.nonfinite_values = 0;
   out.values.resize(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
+  const Srgb8Table& table = srgb8_of_half(texels.exposure);
   std::uint8_t* to = out.values.data();
   for (int y = out.height_px - 1; y >= 0; --y) {
     const std::uint16_t* texel = texels.row(y);
     for (int x = 0; x < out.width_px; ++x, texel += 4) {
-      const float kept = kFeedGrey * float_from_half(texel[3]);
-      for (int c = 0; c < 3; ++c) *to++ = srgb8_of_half()[half_from_float(float_from_half(texel[c]) + kept)];
+      const float kept = kFeedGrey / texels.exposure * float_from_half(texel[3]);
+      for (int c = 0; c < 3; ++c) *to++ = table[half_from_float(float_from_half(texel[c]) + kept)];
     }
   }
 }
 
 }  // namespace
-
-LatestPicture::LatestPicture() {
-  picture_module();
-}
 
 std::string LatestPicture::encode_once(Encoded& encoded, std::int64_t sequence,
                                        const std::function<void()>& draw) {

@@ -54,7 +54,7 @@ std::string end_text(const RunStatistics& run) {
 }  // namespace
 
 int run_serve(const ServeOptions& options) {
-  check_isa(options.replay.render);
+  check_render_settings(options.replay.render);
   ServeBoard board;
   FrameLoop loop(options.replay, board, stop_flag());
   // A request may come before it is known who counts: then nothing is counted yet.

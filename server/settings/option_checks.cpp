@@ -25,7 +25,10 @@ void check_policy(const ReplayOptions& options) {
 
 }  // namespace
 
-void check_isa(const RenderSettings& settings) {
+void check_render_settings(const RenderSettings& settings) {
+  if (settings.auto_exposure && settings.exposure_ev) {
+    throw UsageError("--auto-exposure: chooses what --exposure states; give one of the two");
+  }
   try {
     resolve_isa(settings.isa);
   } catch (const std::invalid_argument& error) {

@@ -7,8 +7,8 @@
 
 namespace herr {
 
-// Throws UsageError where this CPU lacks the instruction set.
-void check_isa(const RenderSettings& settings);
+// Throws UsageError where this CPU lacks the instruction set, and for two exposures.
+void check_render_settings(const RenderSettings& settings);
 // Throws UsageError that names the flag.
 void check_replay_options(const ReplayOptions& options);
 

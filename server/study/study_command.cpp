@@ -57,7 +57,7 @@ void prepare_folders(const StudyOptions& options) {
 
 int run_study(const StudyOptions& options) {
   if (!options.report.empty()) return print_again(options);
-  check_isa(options.render);
+  check_render_settings(options.render);
   prepare_folders(options);
   StudySubject subject(options);
   StudySweeps sweeps = sweeps_of(subject.defaults(),

@@ -57,6 +57,7 @@ bool CameraRenderer::render(const Pose& world_from_camera, double time_s, Srgb8I
   out.height_px = camera_.height_px;
   out.channels = 3;
   out.values.resize(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
+  const Srgb8Table& table = srgb8_of_half(image.exposure);
   renderer_->parallel_for(out.height_px, [&](int y) {
     std::uint8_t* pixel =
         out.values.data() + 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width_px);
@@ -68,7 +69,7 @@ bool CameraRenderer::render(const Pose& world_from_camera, double time_s, Srgb8I
               image.row(y * kRaysPerAxis + j) + 4 * static_cast<std::size_t>(x * kRaysPerAxis);
           for (std::size_t i = 0; i < kRaysPerAxis; ++i) sum += float_from_half(texel[4 * i + c]);
         }
-        *pixel++ = srgb8_of_half()[half_from_float(sum / (kRaysPerAxis * kRaysPerAxis))];
+        *pixel++ = table[half_from_float(sum / (kRaysPerAxis * kRaysPerAxis))];
       }
     }
   });

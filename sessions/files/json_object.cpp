@@ -1,8 +1,9 @@
 // JsonObject and JsonDocument of strict_json.h: typed, bounded reads of the fields of one object.
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "sessions/files/input_error.h"
@@ -13,16 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-// Short and independent of the global locale, unlike std::to_string.
-std::string shown(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
-}
-
 std::string range(double lowest, double highest) {
-  return "from " + shown(lowest) + " to " + shown(highest);
+  return "from " + shown_number(lowest) + " to " + shown_number(highest);
 }
 
 const char* described(const json& value) {
@@ -50,11 +43,18 @@ double checked_number(const JsonObject& owner, const char* key, const json& valu
   const double number = value.get<double>();
   // Written so that NaN fails too.
   if (!(number >= lowest && number <= highest))
-    owner.fail(key, "is " + shown(number) + ", out of range", "write a number " + range(lowest, highest));
+    owner.fail(key, "is " + shown_number(number) + ", out of range",
+               "write a number " + range(lowest, highest));
   return number;
 }
 
 }  // namespace
+
+std::string shown_number(double value) {
+  std::array<char, 32> buffer;  // 17 digits, sign, point and exponent
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return std::string(buffer.data(), result.ptr);
+}
 
 JsonObject::JsonObject(const json& value, std::filesystem::path file, std::string where)
     : value_(&value), file_(std::move(file)), where_(std::move(where)) {
@@ -100,19 +100,22 @@ double JsonObject::number_or(const char* key, double lowest, double highest, dou
 
 std::int64_t JsonObject::integer(const char* key, std::int64_t lowest, std::int64_t highest) const {
   const json& found = value(key);
+  // No number is right where a list that it counts into is empty.
+  const bool none = highest < lowest;
   const std::string remedy =
-      "write a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
+      none ? "remove it, or add what it names"
+           : "write a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest);
   if (!found.is_number()) fail(key, std::string("is ") + described(found) + ", not a whole number", remedy);
   // 1.0, 1e3 and anything past 2^64 arrive as floating point, where digits may already be lost.
   if (!found.is_number_integer())
-    fail(key, "is " + shown(found.get<double>()) + ", not a whole number in range", remedy);
+    fail(key, "is " + shown_number(found.get<double>()) + ", not a whole number in range", remedy);
   constexpr auto kLargest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   const bool too_large = found.is_number_unsigned() && found.get<std::uint64_t>() > kLargest;
   const std::int64_t number = too_large ? 0 : found.get<std::int64_t>();
   if (too_large || number < lowest || number > highest) {
     const std::string digits =
         too_large ? std::to_string(found.get<std::uint64_t>()) : std::to_string(number);
-    fail(key, "is " + digits + ", out of range", remedy);
+    fail(key, "is " + digits + (none ? ", and there is none that it could name" : ", out of range"), remedy);
   }
   return number;
 }

@@ -29,6 +29,9 @@ nlohmann::json parse_json_text(std::string_view text, const std::filesystem::pat
 // The known name nearest to `unknown` by edit distance.
 std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known);
 
+// The shortest text that reads back as the same number: two that differ look different in a message.
+std::string shown_number(double value);
+
 // A view of one JSON object that knows where it stands ("lights[0].path"), so that each error names its
 // field. The document must outlive the view. Every reader throws InputError on a wrong type, range or size.
 class JsonObject {
@@ -43,6 +46,7 @@ class JsonObject {
 
   double number(const char* key, double lowest, double highest) const;
   double number_or(const char* key, double lowest, double highest, double fallback) const;
+  // highest = lowest - 1, as for an index into an empty list: always an error, which says so.
   std::int64_t integer(const char* key, std::int64_t lowest, std::int64_t highest) const;
   std::int64_t integer_or(const char* key, std::int64_t lowest, std::int64_t highest,
                           std::int64_t fallback) const;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "scenes/gltf/format/rounded_number.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -17,7 +18,23 @@ bool has_extension(const JsonObject& object) {
   return object.has("extensions") && object.object("extensions").has(kLightsExtension);
 }
 
-AreaLight read_light(const JsonObject& object, std::vector<std::string>& warnings) {
+void read_cone(const JsonObject& cone, RoundedNumbers& rounded, std::vector<std::string>& warnings,
+               AreaLight& light) {
+  light.outer_cone_rad = rounded.number_or(cone, "outerConeAngle", 1e-3, kHalfPi, 0.7853981633974483);
+  light.inner_cone_rad = rounded.number_or(cone, "innerConeAngle", 0, kHalfPi, 0);
+  if (light.inner_cone_rad < light.outer_cone_rad) return;
+  const std::string problem = "is " + shown_number(light.inner_cone_rad) + ", not below outerConeAngle, " +
+                              shown_number(light.outer_cone_rad);
+  // Exporters write two equal angles for a sharp edge, and round each by itself.
+  if (light.inner_cone_rad > light.outer_cone_rad * (1 + kRounding)) {
+    cone.fail("innerConeAngle", problem, "export the model again");
+  }
+  warnings.push_back("field " + printable(cone.where()) + ".innerConeAngle " + problem +
+                     "; the edge of the light is a narrow ramp");
+  light.inner_cone_rad = light.outer_cone_rad;
+}
+
+AreaLight read_light(const JsonObject& object, RoundedNumbers& rounded, std::vector<std::string>& warnings) {
   AreaLight light;
   light.name = object.text_or("name", "");
   const std::string type = object.text("type");
@@ -30,16 +47,12 @@ AreaLight read_light(const JsonObject& object, std::vector<std::string>& warning
                        "\"; it does not shine");
     return light;
   }
-  const auto intensity = static_cast<float>(object.number_or("intensity", 0, kBrightestLight, 1));
-  light.intensity_w_sr = glm::vec3(object.vec3_or("color", 0, kBrightestColour, glm::dvec3(1.0))) * intensity;
-  light.range_m = light.kind == LightKind::sun ? 0 : object.number_or("range", 0, kFarthestLight_m, 0);
-  if (light.kind != LightKind::spot) return light;
-  const JsonObject cone = object.object("spot");
-  light.outer_cone_rad = cone.number_or("outerConeAngle", 1e-3, kHalfPi, 0.7853981633974483);
-  light.inner_cone_rad = cone.number_or("innerConeAngle", 0, kHalfPi, 0);
-  if (light.inner_cone_rad >= light.outer_cone_rad) {
-    cone.fail("innerConeAngle", "is not below outerConeAngle", "export the model again");
-  }
+  const auto intensity = static_cast<float>(rounded.number_or(object, "intensity", 0, kBrightestLight, 1));
+  light.intensity_w_sr =
+      glm::vec3(rounded.vec3_or(object, "color", 0, kBrightestColour, glm::dvec3(1.0))) * intensity;
+  light.range_m =
+      light.kind == LightKind::sun ? 0 : rounded.number_or(object, "range", 0, kFarthestLight_m, 0);
+  if (light.kind == LightKind::spot) read_cone(object.object("spot"), rounded, warnings, light);
   return light;
 }
 
@@ -48,16 +61,17 @@ AreaLight read_light(const JsonObject& object, std::vector<std::string>& warning
 void read_gltf_lights(const nlohmann::json& document, const std::filesystem::path& file, GltfModel& model) {
   const JsonObject root(document, file, "");
   if (has_extension(root)) {
+    RoundedNumbers rounded;
     for (const JsonObject& light : root.object("extensions").object(kLightsExtension).objects("lights")) {
-      model.lights.push_back(read_light(light, model.warnings));
+      model.lights.push_back(read_light(light, rounded, model.warnings));
     }
+    rounded.warn(model.warnings);
   }
   const std::vector<JsonObject> nodes = root.objects("nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!has_extension(nodes[i])) continue;
     const JsonObject use = nodes[i].object("extensions").object(kLightsExtension);
     const auto lights = static_cast<std::int64_t>(model.lights.size());
-    if (lights == 0) use.fail("light", "names a light, and the file has none", "export the model again");
     model.nodes[i].light = static_cast<int>(use.integer("light", 0, lights - 1));
   }
 }

@@ -13,7 +13,7 @@ void read_viewport(const ViewportImage& image, LinearPicture& out) {
     const std::uint16_t* texel = image.row(y);
     const std::size_t first = width * static_cast<std::size_t>(y);
     for (std::size_t i = first; i < first + width; ++i, texel += 4) {
-      for (std::size_t c = 0; c < 3; ++c) out.plane[c][i] = float_from_half(texel[c]);
+      for (std::size_t c = 0; c < 3; ++c) out.plane[c][i] = float_from_half(texel[c]) * image.exposure;
     }
   }
 }

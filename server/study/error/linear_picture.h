@@ -1,6 +1,6 @@
-// A picture as errors are measured on it: linear light, white = 1, as floats. Colour over a camera feed is
-// what is shown; without one it is the premultiplied colour, over black. Before: viewport images of a frame.
-// After: pixel_errors, acuity_filter, flip.
+// A picture as errors are measured on it: linear light at the picture's exposure, white = 1, as floats.
+// Colour over a camera feed is what is shown; without one it is the premultiplied colour, over black. Before:
+// viewport images of a frame. After: pixel_errors, acuity_filter, flip.
 #pragma once
 
 #include <array>

@@ -145,6 +145,27 @@ TEST(CameraFeedTest, AViewAwayFromTheCameraIsBlack) {
   }
 }
 
+TEST(CameraFeedTest, TheFeedIsShownAsItWasTakenWhateverTheExposure) {
+  // Scene values are shown times 2^ev: a feed of 0.25 has the radiance 0.25 / 2^ev, exact for whole stops.
+  const test::TestCamera camera = test::TestCamera::pinhole(320, 240, 40, [](int, int) {
+    return Texel{test::to_half(0.25), test::to_half(0.5), 0, 0x3c00};
+  });
+  FrameSample sample = test::sample_from({0, 1.6, 0});
+  camera.attach_to(sample);
+  for (const int ev : {-10, -1, 0, 3, 8}) {
+    RenderSettings settings = test::small_settings();
+    settings.exposure_ev = ev;
+    const DisplayProfile profile = test::single_view(33, 33, 20, 20);
+    const RenderedFrame frame = test::render(Scene{}, profile, settings, sample);
+    EXPECT_EQ(frame.viewports[0].exposure, std::exp2(ev));
+    const ViewportImage& image = frame.viewports[0];
+    const std::uint16_t* texel = image.row(image.height_px / 2) + 4 * (image.width_px / 2);
+    EXPECT_EQ(texel[0], test::to_half(0.25 * std::exp2(-ev))) << ev;
+    EXPECT_EQ(texel[1], test::to_half(0.5 * std::exp2(-ev))) << ev;
+    EXPECT_EQ(texel[2], 0) << ev;
+  }
+}
+
 TEST(CameraFeedTest, ImagesOfOneAndOfTwoPixelsWork) {
   for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {1, 3}, {5, 1}}) {
     SCOPED_TRACE(testing::Message() << width << " x " << height);

@@ -34,6 +34,7 @@ Frame test_frame() {
   unsigned seed = 1;
   for (const Viewport& viewport : frame.profile.viewports) {
     frame.pictures.push_back(random_picture(viewport.width_px, viewport.height_px, seed++));
+    frame.pictures.back().exposure = 0.25f;  // -2 EV: named, not multiplied
   }
   frame.sample.t_ns = 1'234'567'890'123'456'789;
   frame.sample.head.world_from_head.position = {1.0, 1.5, -2.25};
@@ -95,6 +96,7 @@ TEST(ExrEncoder, PartsAreNamedAfterTheirViewportsAndSayWhatTheHeadsetKnew) {
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.time_ns").value(), "1234567890123456789");
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.program").value(), "herr 1.2.3");
   EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.isa").value(), "avx2");
+  EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("herr.exposure_ev").value(), -2.0);
   EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.head_position_m").value(),
             Imath::V3d(1.0, 1.5, -2.25));
   EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.gaze_in_head").value(),

@@ -44,6 +44,14 @@ TEST(SrgbTable, ClampsWhatLiesOutsideAndShowsNanAsBlack) {
   EXPECT_EQ(srgb8_of_half()[0x7E00], 0);    // NaN
 }
 
+TEST(SrgbTable, AnExposureMultipliesBeforeTheCurve) {
+  // 0.125 at +2 EV is 0.5, which encodes to 187.516; at 0 EV 0.125 encodes to 255 * 0.388573 = 99.09.
+  EXPECT_EQ(srgb8_of_half(4.0f)[half_from_float(0.125f)], 188);
+  EXPECT_EQ(srgb8_of_half(1.0f)[half_from_float(0.125f)], 99);
+  // A lamp of 54351 cd at -16 EV would be 0.83: beyond what 16 bits lose, the table multiplies in double.
+  EXPECT_EQ(srgb8_of_half(std::exp2(-15.0f))[half_from_float(16384.0f)], 188);
+}
+
 TEST(SrgbPicture, AlphaIsUnassociatedAndColoursAreDividedByIt) {
   ViewportImage image;
   image.width_px = image.height_px = 1;

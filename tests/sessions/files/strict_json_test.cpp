@@ -112,6 +112,26 @@ TEST_F(Fields, AreRefusedWithTheirPath) {
                      "field object.inner.deep is 1");
 }
 
+// The double after 1 is 1 + 2^-52; pi/2 as a float is 1.57079637..., as a double 1.5707963267948966.
+TEST(RangesInMessages, HaveEnoughDigitsToTellANumberFromTheEndThatItPasses) {
+  const nlohmann::json document = parse(R"({"next": 1.0000000000000002, "cone": 1.5707963705062866})");
+  const JsonObject root(document, "f.json", "");
+  EXPECT_INPUT_ERROR(root.number("next", 0, 1),
+                     "field next is 1.0000000000000002, out of range; write a "
+                     "number from 0 to 1");
+  EXPECT_INPUT_ERROR(root.number("cone", 0.001, 1.5707963267948966),
+                     "is 1.5707963705062866, out of range; write a number from 0.001 to 1.5707963267948966");
+}
+
+TEST(RangesInMessages, OfAnIndexIntoAnEmptyListSayThatThereIsNothing) {
+  const nlohmann::json document = parse(R"({"mesh": 0, "wrong": "x"})");
+  const JsonObject root(document, "f.json", "");
+  EXPECT_INPUT_ERROR(
+      root.integer("mesh", 0, -1),
+      "field mesh is 0, and there is none that it could name; remove it, or add what it names");
+  EXPECT_INPUT_ERROR(root.integer("wrong", 0, -1), "remove it");
+}
+
 TEST(UnknownKey, IsNamedWithItsNearestKnownKey) {
   const nlohmann::json document = parse(R"({"display_profle": 1})");
   const JsonObject root(document, "f.json", "outer");

@@ -1,0 +1,53 @@
+#include "server/look/look_report.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "server/results/summary_json.h"
+#include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
+
+namespace herr {
+namespace {
+
+std::string ev_text(double ev) {
+  return (ev < 0 ? "" : "+") + fixed_text(ev, 2);
+}
+
+// Four digits, whatever the scale.
+std::string significant(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+}  // namespace
+
+std::string look_text(const LookReport& report) {
+  const std::string size = std::to_string(report.width_px) + "x" + std::to_string(report.height_px);
+  return printable(report.out.string()) + ": " +
+         (report.pictures > 1 ? std::to_string(report.pictures) + " pictures of " + size : size) + ", from " +
+         shortest_text(report.from.azimuth_deg) + "," + shortest_text(report.from.elevation_deg) + " at " +
+         significant(report.distance_m) + " m over " + shortest_text(report.fov_deg) + " degrees, exposure " +
+         ev_text(report.exposure.ev) + " EV" + (report.exposure.automatic ? " (automatic)" : "") + ", " +
+         report.light + ", " + std::to_string(report.triangles) + " triangles\n";
+}
+
+std::string look_json(const LookReport& report) {
+  nlohmann::ordered_json json{{"out", printable(report.out.string())},
+                              {"pictures", report.pictures},
+                              {"width_px", report.width_px},
+                              {"height_px", report.height_px},
+                              {"azimuth_deg", report.from.azimuth_deg},
+                              {"elevation_deg", report.from.elevation_deg},
+                              {"distance_m", report.distance_m},
+                              {"fov_deg", report.fov_deg},
+                              {"exposure_ev", report.exposure.ev},
+                              {"exposure", report.exposure.automatic ? "automatic" : "given"},
+                              {"light", report.light},
+                              {"triangles", report.triangles},
+                              {"warnings", report.warnings}};
+  return json_text(json);
+}
+
+}  // namespace herr
