@@ -54,6 +54,7 @@ FACE = {
         "scenes/changes/bounding_sphere.h", "scenes/changes/check_changes.h", "scenes/changes/world.h",
         "scenes/document/parse_change.h",
         "scenes/environment/environment_image.h",
+        "scenes/model/exposure.h",
         "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/transform_checks.h",
         "scenes/model/voxel_grid.h",
     ),
