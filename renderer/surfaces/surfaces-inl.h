@@ -87,11 +87,11 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
 // a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
 // HitBatch::cone_width and cone_spread are the rays' at the origin before, and the width is the hit's
-// afterwards.
+// afterwards. Returns where the back of a surface is seen that shows eyes its front only.
 template <SurfaceDetail kDetail>
-HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
-                                    bool see_catchers, HitBatch& out, int slot,
-                                    SurfaceUse use = SurfaceUse::colours) {
+HWY_NOINLINE MF surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
+                                  bool see_catchers, HitBatch& out, int slot,
+                                  SurfaceUse use = SurfaceUse::colours) {
   const VU geometry = hn::Load(kU, packet.hit.geomID);
   const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
   const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
@@ -101,7 +101,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   store3(viewer, out.viewer, slot);
   if (hn::AllFalse(kF, hit)) {
     hn::Store(kind, kI, out.kind.data() + slot);
-    return;
+    return hit;
   }
   const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
   const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
@@ -117,7 +117,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
   store_lanes(width, hit, &out.cone_width[slot]);
   const VF area = hn::Mul(width, width);  // of the ray's cross section on the surface, but for its slope
-  MF left = hit;
+  MF left = hit, backs = first_lanes(0);
   while (!hn::AllFalse(kF, left)) {
     const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
     const std::uint32_t id = packet.hit.instID[0][first];
@@ -126,7 +126,8 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     const InstanceRecord& instance = shading.instances[id];
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
     if (instance.kind == ShapeKind::mesh) {
-      store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      const MF behind = store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      if (instance.back_face_culling) backs = hn::Or(backs, behind);
     } else {
       store_shape(instance, packet, viewer, lanes, out, slot);
     }
@@ -144,6 +145,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
   }
   hn::Store(kind, kI, out.kind.data() + slot);
+  return backs;
 }
 
 }  // namespace HWY_NAMESPACE

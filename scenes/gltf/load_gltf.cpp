@@ -77,7 +77,7 @@ class PrimitiveCache {
     const bool makes_tangents = bends_normals && built.mesh.tangents.empty();
     if (!bends_normals) built.mesh.tangents = {};
     if (makes_tangents) make_tangents(built, made.normal_texture.uv_set);
-    if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
+    if (!made.double_sided) built.mesh.closed = is_closed_outwards(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
     if (primitive.joints[0] < 0 && primitive.targets.empty()) built.sources.clear();
     return BuiltPrimitive{
