@@ -19,16 +19,21 @@ struct Traits {
   bool catchers_may_occlude = false;
 };
 
+constexpr double kFlatShare = 1e-5;  // of a mesh's extent
+
 bool lies_flat(const TriangleMesh& mesh) {
   // All corners in one plane: such a catcher cannot shadow itself.
   if (mesh.triangles.empty()) return true;
   const auto& t = mesh.triangles.front();
-  const glm::vec3 origin = mesh.positions[t[0]];
-  const glm::vec3 normal = glm::cross(mesh.positions[t[1]] - origin, mesh.positions[t[2]] - origin);
-  const float reach = glm::length(normal);
-  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const glm::vec3& p) {
-    return std::abs(glm::dot(normal, p - origin)) <= 1e-5f * reach * std::max(1.0f, glm::length(p - origin));
-  });
+  const glm::dvec3 origin(mesh.positions[t[0]]);
+  const glm::dvec3 normal =
+      glm::cross(glm::dvec3(mesh.positions[t[1]]) - origin, glm::dvec3(mesh.positions[t[2]]) - origin);
+  double farthest = 0, highest = 0;
+  for (const glm::vec3& p : mesh.positions) {
+    farthest = std::max(farthest, glm::distance(glm::dvec3(p), origin));
+    highest = std::max(highest, std::abs(glm::dot(normal, glm::dvec3(p) - origin)));
+  }
+  return highest <= kFlatShare * glm::length(normal) * farthest;
 }
 
 Traits traits_of(const Scene& scene) {

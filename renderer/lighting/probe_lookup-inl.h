@@ -24,6 +24,9 @@ constexpr float kSideSlope = 8.0f;
 // Sight below this falls off as its cube: walls must hold better than Chebyshev's bound.
 constexpr float kPoorSight = 0.2f;
 
+// No way is shorter, nor its square, however small the scene: keeps inverses finite.
+constexpr float kShortest = 1e-24f;
+
 // Three nodes of an octahedral map around a direction, and their weights, which sum to 1.
 struct MapTaps {
   VI node[3];
@@ -63,7 +66,7 @@ HWY_INLINE MapTaps map_taps(const V3& d, VF inverse_norm) {
 }
 
 HWY_INLINE VF norm_of(const V3& d) {
-  return hn::Max(hn::Add(hn::Abs(d.x), hn::Add(hn::Abs(d.y), hn::Abs(d.z))), set(1e-6f));
+  return hn::Max(hn::Add(hn::Abs(d.x), hn::Add(hn::Abs(d.y), hn::Abs(d.z))), set(kShortest));
 }
 
 // The first lane of `some` in every lane. Hits of a packet mostly share their cell, and on flat surfaces the
@@ -248,7 +251,7 @@ HWY_INLINE ProbeStand probe_stand(const ProbeView& view, VI probe, bool one) {
 HWY_INLINE VF standing_weight(const LookupPoint& at, const ProbeStand& stand, int dx, int dy, int dz) {
   const VF one = set(1.0f), half = set(0.5f);
   const V3 to_probe = sub(stand.place, at.point);
-  const VF inverse_length = hn::Div(one, hn::Sqrt(hn::Max(dot(to_probe, to_probe), set(1e-12f))));
+  const VF inverse_length = hn::Div(one, hn::Sqrt(hn::Max(dot(to_probe, to_probe), set(kShortest))));
   const VF side = hn::Mul(hn::Mul(dot(to_probe, at.side_normal), inverse_length), set(kSideSlope));
   const VF facing = hn::MulAdd(hn::Mul(dot(to_probe, at.normal), inverse_length), half, half);
   const V3& place = at.cell.place;

@@ -59,6 +59,7 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
     indirect_light(job, scratch.first, count);
     cycles.lap(Stage::indirect_light);
   }
+  if (plan.refraction) set_ray_budget(job, count);
   if (plan.mirror_rays) reflect_light<kDetail, kLobe>(job, count);
   if (plan.refraction) refract_light<kDetail, kLobe>(job, count);
 }
@@ -93,6 +94,7 @@ HWY_NOINLINE void trace_tile_with(const TileJob& job) {
 
 void trace_tile(const TileJob& job) {
   const FramePlan& plan = *job.shading->plan;
+  if (plan.further_lobes) return trace_tile_with<SurfaceDetail::all, Lobe::layered>(job);
   if (plan.surface_details) return trace_tile_with<SurfaceDetail::all, Lobe::weighted>(job);
   if (plan.textures || plan.voxels) return trace_tile_with<SurfaceDetail::textures, Lobe::usual>(job);
   return plan.specular ? trace_tile_with<SurfaceDetail::plain, Lobe::usual>(job)

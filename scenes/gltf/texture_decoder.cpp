@@ -34,21 +34,6 @@ bool png_is_whole(const unsigned char* bytes, std::size_t size) {
   return false;
 }
 
-// Grey, grey + alpha, RGB or RGBA rows to RGBA, in place from the end.
-void expand_to_rgba(std::vector<std::uint8_t>& rgba, std::size_t pixels, int channels) {
-  const auto width = static_cast<std::size_t>(channels);
-  for (std::size_t i = pixels; i-- > 0;) {
-    std::uint8_t from[4] = {0, 0, 0, 255};
-    std::memcpy(from, &rgba[i * width], width);
-    const bool grey = channels <= 2;
-    const std::uint8_t alpha = channels == 2 ? from[1] : from[3];
-    rgba[4 * i + 0] = from[0];
-    rgba[4 * i + 1] = grey ? from[0] : from[1];
-    rgba[4 * i + 2] = grey ? from[0] : from[2];
-    rgba[4 * i + 3] = alpha;
-  }
-}
-
 [[noreturn]] void fail(const EncodedImage& image, const std::string& problem, const char* remedy) {
   throw InputError(image.file, 0, "image \"" + printable(image.name) + "\" " + problem, remedy);
 }
@@ -111,9 +96,8 @@ DecodedImage decode_image(const EncodedImage& from, std::int64_t max_bytes) {
   const std::int64_t pixels = static_cast<std::int64_t>(header.width_px) * header.height_px;
   DecodedImage image{header.width_px, header.height_px, {}};
   image.rgba.resize(static_cast<std::size_t>(4 * pixels));
-  if (!reader.read(SampleType::u8, image.rgba.data(), static_cast<std::size_t>(pixels * header.channels)))
+  if (!reader.read_rgba8(image.rgba.data()))
     fail(from, "cannot be decoded (" + printable(reader.problem()) + ")", "export it again");
-  expand_to_rgba(image.rgba, static_cast<std::size_t>(pixels), header.channels);
   return image;
 }
 

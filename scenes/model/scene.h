@@ -55,7 +55,7 @@ struct Instance {
   std::string name;
   std::uint32_t mesh = 0;               // of kind mesh: index into Scene::meshes
   std::uint32_t material = 0;           // index into Scene::materials
-  glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
+  glm::dmat4x3 world_from_object{1.0};  // as transform_checks.h has it
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
   ShapeKind kind = ShapeKind::mesh;
   std::uint32_t grid = 0;                // of kind voxels: index into Scene::voxel_grids

@@ -6,7 +6,6 @@
 
 #include "server/output/contact_sheet.h"
 #include "server/output/png_encoder.h"
-#include "sessions/pictures/loaded_module.h"
 
 namespace herr {
 
@@ -15,7 +14,6 @@ PictureOutput::PictureOutput(Config config, const FrameFiles& files, Renderer& r
   files_.resize(files.pictures_per_frame());
   if (config_.format != PictureFormat::png) return;
   pictures_.resize(files_.size());
-  picture_module();  // loaded here, so that no frame takes that time
 }
 
 ParallelFor PictureOutput::parallel_for() {

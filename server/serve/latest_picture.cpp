@@ -5,7 +5,6 @@
 
 #include "server/output/contact_sheet.h"
 #include "server/output/png_encoder.h"
-#include "sessions/pictures/loaded_module.h"
 
 namespace herr {
 namespace {
@@ -31,10 +30,6 @@ void draw_polar_picture(const ViewportImage& texels, Srgb8Image& out) {
 }
 
 }  // namespace
-
-LatestPicture::LatestPicture() {
-  picture_module();
-}
 
 std::string LatestPicture::encode_once(Encoded& encoded, std::int64_t sequence,
                                        const std::function<void()>& draw) {

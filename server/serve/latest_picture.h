@@ -24,9 +24,6 @@ inline constexpr std::array<const char*, 2> kPolarPictures{"polar-left", "polar-
 // Thread-safe; one caller encodes while the others wait. Call it on a thread of low priority.
 class LatestPicture {
  public:
-  // Loads the picture module: a server that cannot encode pictures does not start. Throws ModuleError.
-  LatestPicture();
-
   // The bytes of the PNG of viewport `index` of `pictures`. Without a camera feed the full size has alpha,
   // the reduced one a dark background.
   std::string png(const ServedPictures& pictures, std::size_t index, bool full);

@@ -26,7 +26,7 @@ std::filesystem::path find_module() {
     if (path_exists(place)) return place;
   }
   throw ModuleError(printable(places.front().string()) +
-                    ": is not there, nor in ../lib/herr, and no picture can be read or written without it" +
+                    ": is not there, nor in ../lib/herr, and no EXR or HDR picture can be read without it" +
                     kInstallAgain);
 }
 

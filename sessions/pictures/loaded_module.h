@@ -1,5 +1,5 @@
-// Finds and loads the picture module (picture_module.h), once. Before: the first picture that is decoded or
-// encoded, or a command that wants the time of loading out of its frames. After: PictureReader, encode_png.
+// Finds and loads the picture module (picture_module.h), once. Before: the first picture that needs it,
+// or a command that wants the time of loading out of its frames. After: PictureReader.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ class ModuleError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The module, loaded by the first call (some 0.2 s of CPU) and kept until the program ends. Thread-safe; no
+// The module, loaded by the first call (some 0.3 s of CPU) and kept until the program ends. Thread-safe; no
 // lock is taken once it is loaded. Throws ModuleError; the next call tries again.
 const PictureModule& picture_module();
 

@@ -1,6 +1,6 @@
 // What the program and its picture module (herr_pictures.so) agree on. The module alone links OpenImageIO,
-// whose 260 shared libraries would cost every start of the program 0.2 s; it is loaded by the first picture
-// that is decoded or encoded (loaded_module.h). Plain data and function pointers only: no exception and no
+// whose 260 shared libraries cost 0.3 s of CPU; it is loaded by the first EXR or HDR picture that is decoded,
+// or JPEG of a rare kind (loaded_module.h). Plain data and function pointers only: no exception and no
 // standard container crosses the border, so that neither allocators nor type information need to agree.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace herr {
 
 // Goes up with every change of this file. A module of another version is refused.
-inline constexpr std::uint32_t kPictureModuleVersion = 1;
+inline constexpr std::uint32_t kPictureModuleVersion = 2;
 
 // How samples are stored in a file, or wanted in memory.
 enum class SampleType : std::int32_t { u8, u16, half, f32, other };
@@ -33,16 +33,6 @@ struct PictureProblem {
 
 struct OpenPicture;  // a picture between open and close; used by one thread at a time
 
-struct PngRequest {
-  std::int32_t width_px = 0, height_px = 0;
-  std::int32_t channels = 0;             // 3 or 4, alpha unassociated
-  std::int32_t level = 0;                // of zlib, 0 to 9
-  const std::uint8_t* values = nullptr;  // rows from the top, sRGB
-  void* user = nullptr;                  // passed to `append`
-  bool (*append)(void* user, const void* bytes,
-                 std::size_t count) noexcept = nullptr;  // false: cannot take it
-};
-
 // Every function is thread-safe and reports failure by its result and `problem`.
 struct PictureModule {
   std::uint32_t version;        // kPictureModuleVersion, first for ever
@@ -58,8 +48,6 @@ struct PictureModule {
   bool (*read)(OpenPicture* picture, SampleType as, void* samples, std::size_t capacity_bytes,
                PictureProblem* problem) noexcept;
   void (*close)(OpenPicture* picture) noexcept;
-
-  bool (*encode_png)(const PngRequest* request, PictureProblem* problem) noexcept;
 };
 
 // The one function that the module exports, under this name.

@@ -4,6 +4,7 @@
 
 #include "sessions/camera/recorded_name.h"
 #include "sessions/files/input_error.h"
+#include "sessions/pictures/image_format.h"
 #include "sessions/pictures/loaded_module.h"
 
 namespace herr {
@@ -36,7 +37,8 @@ InputFile checked_image(const CsvRows& rows, const CameraRow& row, const std::fi
 CameraSampler::CameraSampler(RowStream<CameraRow> rows, PoseSampler exposure_poses, Source source)
     : rows_(std::move(rows)), exposure_poses_(std::move(exposure_poses)), source_(std::move(source)) {
   after_ = rows_.next();
-  if (after_) picture_module();  // loaded here, so that no frame takes that time
+  // Loaded here, so that no frame takes that time.
+  if (after_ && needs_picture_module(after_->filename)) picture_module();
 }
 
 void CameraSampler::show(const CameraRow& row) {

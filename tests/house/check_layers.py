@@ -26,11 +26,13 @@ class Foreign:
 # In a pattern, * also matches /.
 FOREIGN = (
     Foreign("tinygltf", ("tiny_gltf.h",), ("scenes/gltf/*.cpp", "scenes/samples/generator/*.cpp"), one_file=True),
-    Foreign("meshoptimizer", ("meshoptimizer.h",), ("scenes/detail/*.cpp",), one_file=True),
+    Foreign("meshoptimizer", ("meshoptimizer.h",),
+            ("scenes/detail/*.cpp", "scenes/gltf/format/*.cpp", "tests/scenes/gltf/file/*.cpp"), one_file=True),
     Foreign("cpp-httplib", ("httplib.h",), ("server/*.cpp",), one_file=True),
     Foreign("OpenImageIO", ("OpenImageIO/*",),
             ("sessions/pictures/openimageio/*.cpp", "scenes/samples/generator/*picture*.cpp", "tests/*.cpp")),
     Foreign("libjpeg", ("jpeglib.h",), ("sessions/pictures/jpeg_*.cpp", "tests/*.cpp")),
+    Foreign("libpng", ("png.h",), ("sessions/pictures/png_*.cpp",)),
     Foreign("libexpat", ("expat.h",), ("sessions/import/tables/xml_*.cpp",), one_file=True),
     Foreign("yaml-cpp", ("yaml-cpp/*",), ("sessions/import/cameras/yaml_document.cpp",)),
     Foreign("OpenEXR", ("OpenEXR/*", "Imf*.h"),

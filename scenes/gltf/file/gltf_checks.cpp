@@ -1,30 +1,19 @@
 #include "scenes/gltf/file/gltf_checks.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <string_view>
 
 #include "scenes/gltf/file/gltf_limits.h"
+#include "scenes/gltf/format/extension_losses.h"
+#include "scenes/gltf/format/known_extensions.h"
+#include "scenes/gltf/format/meshopt_views.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {
 
-// What this reader understands well enough to honour a file that requires it.
-constexpr std::array kSupportedExtensions{
-    "KHR_materials_unlit",        "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_transmission", "KHR_materials_specular",          "KHR_texture_transform",
-    "KHR_lights_punctual",        "KHR_mesh_quantization",           "EXT_mesh_gpu_instancing"};
 constexpr std::int64_t kMaxOffset = 1ll << 40;  // far above any file that is accepted; sums cannot overflow
-
-bool is_supported(std::string_view extension) {
-  return std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), extension) !=
-         kSupportedExtensions.end();
-}
 
 std::vector<std::string> text_list(const JsonObject& object, const char* key) {
   std::vector<std::string> texts;
@@ -48,34 +37,24 @@ void check_asset(const JsonObject& root) {
   if (lowest != "2.0") asset.fail("minVersion", "is \"" + printable(lowest) + "\"", "export as glTF 2.0");
 }
 
-void check_extensions(const JsonObject& root, std::vector<std::string>& warnings) {
-  std::set<std::string> required;
+// Returns what is used and not required.
+std::vector<std::string> check_extensions(const JsonObject& root) {
   for (const std::string& name : text_list(root, "extensionsRequired")) {
-    required.insert(name);
-    if (!is_supported(name)) {
-      root.fail("extensionsRequired", "names " + printable(name) + ", which is not supported",
-                "export the model without " + printable(name));
-    }
+    if (is_read_extension(name)) continue;
+    root.fail("extensionsRequired", "names " + printable(name) + ", which is not supported",
+              extension_remedy(printable(name)));
   }
-  for (const std::string& name : text_list(root, "extensionsUsed")) {
-    if (is_supported(name) || required.count(name) != 0) continue;
-    warnings.push_back("extension " + printable(name) + " is not supported; it is ignored");
-  }
+  return text_list(root, "extensionsUsed");
 }
 
 void check_uri(const JsonObject& object) {
   if (object.text("uri").empty()) object.fail("uri", "is empty", "name a file or embed the data");
 }
 
-void check_buffers(const std::vector<JsonObject>& buffers, bool binary) {
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    buffers[i].integer("byteLength", 1, kMaxExternalBytes);
-    if (buffers[i].has("uri")) {
-      check_uri(buffers[i]);
-    } else if (!binary || i > 0) {
-      // Only the first buffer of a .glb is its own binary chunk.
-      buffers[i].fail("uri", "is missing", "name the file that holds the buffer");
-    }
+void check_buffers(const std::vector<JsonObject>& buffers) {
+  for (const JsonObject& buffer : buffers) {
+    buffer.integer("byteLength", 1, kMaxExternalBytes);
+    if (buffer.has("uri")) check_uri(buffer);
   }
 }
 
@@ -182,18 +161,19 @@ void check_images(const JsonObject& root, const std::vector<JsonObject>& views) 
 std::vector<std::string> check_gltf_document(const nlohmann::json& document,
                                              const std::filesystem::path& file, bool binary) {
   const JsonObject root(document, file, "");
-  std::vector<std::string> warnings;
   check_asset(root);
-  check_extensions(root, warnings);
+  const std::vector<std::string> used = check_extensions(root);
   const std::vector<JsonObject> buffers = root.objects("buffers");
   const std::vector<JsonObject> views = root.objects("bufferViews");
-  check_buffers(buffers, binary);
+  check_buffers(buffers);
   check_views(views, buffers);
+  check_meshopt_views(buffers, views);
+  needed_buffers(buffers, views, binary);
   check_accessors(root.objects("accessors"), views);
   check_images(root, views);
   check_gltf_references(document, file);
   check_gltf_further_references(document, file);
-  return warnings;
+  return extension_losses(document, used);
 }
 
 }  // namespace herr

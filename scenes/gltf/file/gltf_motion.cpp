@@ -3,9 +3,11 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "scenes/gltf/file/gltf_limits.h"
+#include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
@@ -47,14 +49,33 @@ void read_primitive(const JsonObject& from, GltfPrimitive& to) {
                           index_or_none(target, "TANGENT")});
 }
 
+// Attributes of a primitive and of its morph targets that glTF has a meaning for and no picture shows.
+std::set<std::string> attributes_left_out(const JsonObject& from) {
+  std::set<std::string> names;
+  for (const auto& [name, accessor] : from.value("attributes").items()) {
+    const bool influence = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+    if (influence && !name.ends_with("_0") && !name.ends_with("_1")) names.insert(name);
+  }
+  if (!from.has("targets")) return names;
+  for (const nlohmann::json& target : from.value("targets")) {
+    for (const auto& [name, accessor] : target.items()) {
+      if (name.starts_with("TEXCOORD_") || name.starts_with("COLOR_"))
+        names.insert(name + " of morph targets");
+    }
+  }
+  return names;
+}
+
 void read_meshes(const JsonObject& root, GltfModel& model) {
   const std::vector<JsonObject> meshes = root.objects("meshes");
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     GltfMesh& mesh = model.meshes[i];
     mesh.weights = weights_of(meshes[i]);
     const std::vector<JsonObject> primitives = meshes[i].objects("primitives");
+    std::set<std::string> left_out;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       read_primitive(primitives[p], mesh.primitives[p]);
+      left_out.merge(attributes_left_out(primitives[p]));
       // Weights are of the mesh: its primitives must agree on how many there are.
       if (mesh.primitives[p].targets.size() != mesh.primitives[0].targets.size()) {
         primitives[p].fail("targets", "has another number of morph targets than the first primitive",
@@ -62,6 +83,8 @@ void read_meshes(const JsonObject& root, GltfModel& model) {
       }
     }
     if (!primitives.empty()) mesh.weights.resize(mesh.primitives[0].targets.size(), 0.0f);
+    for (const std::string& name : left_out)
+      model.warnings.push_back("mesh \"" + printable(mesh.name) + "\": " + printable(name) + " is left out");
   }
 }
 
@@ -152,6 +175,16 @@ void read_gltf_motion(const nlohmann::json& document, const std::filesystem::pat
     to.inverse_bind = index_or_none(skin, "inverseBindMatrices");
   }
   read_animations(root, model);
+}
+
+void read_gltf_visibility(const nlohmann::json& document, const std::filesystem::path& file,
+                          GltfModel& model) {
+  constexpr const char* kName = "KHR_node_visibility";
+  const std::vector<JsonObject> nodes = JsonObject(document, file, "").objects("nodes");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!nodes[i].has("extensions") || !nodes[i].object("extensions").has(kName)) continue;
+    model.nodes[i].visible = nodes[i].object("extensions").object(kName).boolean_or("visible", true);
+  }
 }
 
 }  // namespace herr

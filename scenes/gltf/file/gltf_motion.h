@@ -14,4 +14,8 @@ namespace herr {
 // that glTF knows, and for one that moves a node which stands by a matrix.
 void read_gltf_motion(const nlohmann::json& document, const std::filesystem::path& file, GltfModel& model);
 
+// KHR_node_visibility: whether nodes show. Throws InputError where that is no truth value.
+void read_gltf_visibility(const nlohmann::json& document, const std::filesystem::path& file,
+                          GltfModel& model);
+
 }  // namespace herr

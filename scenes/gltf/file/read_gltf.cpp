@@ -3,20 +3,18 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
-#include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <string_view>
 #include <utility>
 
+#include "scenes/gltf/file/gltf_bytes.h"
 #include "scenes/gltf/file/gltf_checks.h"
 #include "scenes/gltf/file/gltf_lights.h"
 #include "scenes/gltf/file/gltf_limits.h"
 #include "scenes/gltf/file/gltf_materials.h"
 #include "scenes/gltf/file/gltf_motion.h"
 #include "scenes/gltf/file/gpu_instances.h"
-#include "sessions/files/contained_folder.h"
+#include "scenes/gltf/format/meshopt_views.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
 #include "sessions/files/strict_json.h"
@@ -29,100 +27,34 @@ std::string gltf_warning(const GltfModel& model, const std::string& text) {
 
 namespace {
 
-// What tinygltf's callbacks share: the glTF file, what is left of the byte budget, and why a read failed.
-struct Reading {
-  explicit Reading(const std::filesystem::path& file) : gltf_file(file) {}
-  std::filesystem::path gltf_file;
-  std::int64_t bytes_left = kMaxExternalBytes;
-  std::set<std::filesystem::path> files;
-  std::vector<std::exception_ptr>
-      failures;  // one for each file that could not be read, in the order of the document
-};
-
-// tinygltf asks for existence in several folders; the first must be the answer, so that
-// reading reports the reason.
-bool file_exists(const std::string&, void*) {
-  return true;
+// tinygltf is shown a document without buffers and images, so that it opens no file and decodes nothing.
+bool no_file(const std::string&, void*) {
+  return false;
 }
 
-std::string keep_path(const std::string& path, void*) {
+std::string same_path(const std::string& path, void*) {
   return path;
 }
 
-bool read_external(std::vector<unsigned char>* out, std::string* error, const std::string& path, void* user) {
-  auto& reading = *static_cast<Reading*>(user);
-  // An exception must not cross tinygltf, which holds no guards: it is kept and thrown again afterwards.
-  try {
-    if (path.rfind("data:", 0) == 0) {
-      throw InputError(reading.gltf_file, 0, "embeds data as " + printable(path.substr(0, path.find(','))),
-                       "embed it as data:application/octet-stream;base64 or "
-                       "data:image/png;base64");
-    }
-    *out = read_named_file(reading.gltf_file, path, reading.bytes_left);
-    reading.bytes_left -= static_cast<std::int64_t>(out->size());
-    reading.files.insert(reading.gltf_file.parent_path() / path);
-    return true;
-  } catch (const std::exception& failure) {
-    reading.failures.push_back(std::current_exception());
-    if (error != nullptr) *error = failure.what();
-    return false;
-  }
+bool refuse_to_read(std::vector<unsigned char>*, std::string*, const std::string&, void*) {
+  return false;
 }
 
 bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
   return false;
 }
 
-// Keeps the encoded bytes; images in buffer views are found there again, so they are not copied.
-bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                  const unsigned char* bytes, int size, void*) {
-  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-  return true;
-}
-
-bool is_binary(std::string_view bytes) {
-  return bytes.starts_with("glTF");
-}
-
-std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
-  std::uint32_t word = 0;  // little-endian, as is every machine that Embree runs on
-  std::memcpy(&word, bytes.data() + offset, sizeof(word));
-  return word;
-}
-
-// The JSON text of a file: all of a .gltf, the first chunk of a .glb.
-std::string_view json_text(std::string_view bytes, const std::filesystem::path& file) {
-  if (!is_binary(bytes)) return bytes;
-  const auto broken = [&](const std::string& problem) {
-    return InputError(file, 0, "is not a valid binary glTF: " + problem, "export or copy the model again");
-  };
-  if (bytes.size() < 20) throw broken("it ends within its header");
-  if (word_at(bytes, 4) != 2) throw broken("its container version is not 2");
-  if (word_at(bytes, 8) > bytes.size()) throw broken("it was cut off");
-  constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
-  if (word_at(bytes, 16) != kJsonChunk) throw broken("its first chunk is not JSON");
-  const std::size_t length = word_at(bytes, 12);
-  if (length > bytes.size() - 20) throw broken("its JSON chunk is longer than the file");
-  return bytes.substr(20, length);
-}
-
-tinygltf::Model parse(std::string_view bytes, const std::filesystem::path& file, Reading& reading) {
+tinygltf::Model parse(nlohmann::json& document, const std::filesystem::path& file) {
+  for (const char* key : {"buffers", "images"}) document.erase(key);
+  const std::string text = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   tinygltf::TinyGLTF parser;
-  parser.SetFsCallbacks({file_exists, keep_path, read_external, refuse_to_write, &reading});
-  parser.SetImageLoader(keep_encoded, nullptr);
+  parser.SetFsCallbacks({no_file, same_path, refuse_to_read, refuse_to_write, nullptr});
   tinygltf::Model model;
   std::string error, warning;
-  const auto size = static_cast<unsigned int>(bytes.size());  // <= kMaxGltfBytes
-  const bool ok =
-      is_binary(bytes)
-          ? parser.LoadBinaryFromMemory(&model, &error, &warning,
-                                        reinterpret_cast<const unsigned char*>(bytes.data()), size, "")
-          : parser.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
-  // Buffers are required, so tinygltf stops at the one that could not be read; images go on without.
-  if (!ok && !reading.failures.empty() && error.find("File read error") != std::string::npos) {
-    std::rethrow_exception(reading.failures.back());
-  }
-  if (!ok) throw InputError(file, 0, "is not a valid glTF: " + printable(error), "export the model again");
+  // The text has kMaxGltfBytes, and no more than 25 bytes for each of kMaxJsonValues numbers.
+  if (!parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                  static_cast<unsigned int>(text.size()), ""))
+    throw InputError(file, 0, "is not a valid glTF: " + printable(error), "export the model again");
   return model;
 }
 
@@ -223,26 +155,11 @@ void convert_nodes(tinygltf::Model& from, GltfModel& to) {
   }
 }
 
-void convert_images(tinygltf::Model& from, const Reading& reading, GltfModel& to) {
-  // Images were read in order, and each that failed left one failure: the next one belongs to the next image
-  // without bytes. Data in an unusual form is complained of only where a material uses the image; a file that
-  // is not there, always.
-  auto failure = reading.failures.begin();
-  for (auto& image : from.images) {
-    GltfImage converted{
-        image.name.empty() ? image.uri : image.name, image.bufferView, std::move(image.image), {}};
-    if (converted.view < 0 && converted.encoded.empty() && failure != reading.failures.end()) {
-      converted.failure = *failure++;
-      if (image.uri.rfind("data:", 0) != 0) std::rethrow_exception(converted.failure);
-    }
-    to.images.push_back(std::move(converted));
-  }
-}
-
-GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, const Reading& reading) {
+GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, GltfBytes&& bytes) {
   GltfModel to;
   to.file = file;
-  for (auto& buffer : from.buffers) to.buffers.push_back(std::move(buffer.data));
+  to.buffers = std::move(bytes.buffers);
+  to.images = std::move(bytes.images);
   for (const auto& view : from.bufferViews) {
     to.views.push_back({view.buffer, view.byteOffset, view.byteLength, view.byteStride});
   }
@@ -261,26 +178,40 @@ GltfModel convert(tinygltf::Model&& from, const std::filesystem::path& file, con
     converted.wrap_v = wrap_of(sampler.wrapT);
     converted.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
   }
-  convert_images(from, reading, to);
   convert_nodes(from, to);
   to.files.push_back(file);
-  to.files.insert(to.files.end(), reading.files.begin(), reading.files.end());
+  to.files.insert(to.files.end(), bytes.files.begin(), bytes.files.end());
   return to;
+}
+
+// Each compressed view gets a buffer of its own with what it holds.
+void unpack_views(std::vector<std::vector<unsigned char>>&& decoded, GltfModel& model) {
+  for (std::size_t i = 0; i < decoded.size(); ++i) {
+    if (decoded[i].empty()) continue;
+    model.views[i].buffer = static_cast<int>(model.buffers.size());
+    model.views[i].offset = 0;
+    model.buffers.push_back(std::move(decoded[i]));
+  }
 }
 
 }  // namespace
 
 GltfModel read_gltf(const std::filesystem::path& file) {
-  const std::string bytes = read_whole_file(file, {kMaxGltfBytes, "split or shrink the model"});
-  // Everything that tinygltf trusts is proved on the same bytes first.
+  const std::string content = read_whole_file(file, {kMaxGltfBytes, "split or shrink the model"});
+  const GltfChunks chunks = chunks_of(content, file);
+  // Everything that tinygltf trusts is proved on the same document first.
   const JsonLimits limits{kMaxGltfBytes, kMaxJsonDepth, kMaxJsonValues};
-  const nlohmann::json document = parse_json_text(json_text(bytes, file), file, 1, limits);
-  std::vector<std::string> warnings = check_gltf_document(document, file, is_binary(bytes));
+  nlohmann::json document = parse_json_text(chunks.json, file, 1, limits);
+  const std::vector<std::string> warnings = check_gltf_document(document, file, chunks.is_binary);
 
-  Reading reading(file);
-  GltfModel model = convert(parse(bytes, file, reading), file, reading);
+  const JsonObject root(document, file, "");
+  GltfBytes bytes = read_gltf_bytes(root, chunks);
+  auto decoded = decoded_views(root.objects("bufferViews"), bytes.buffers, bytes.bytes_left);
+  GltfModel model = convert(parse(document, file), file, std::move(bytes));
+  unpack_views(std::move(decoded), model);
   read_gltf_materials(document, file, model);
   read_gltf_motion(document, file, model);
+  read_gltf_visibility(document, file, model);
   read_gltf_lights(document, file, model);
   read_gpu_instances(document, file, model);
   model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());

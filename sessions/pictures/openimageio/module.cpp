@@ -3,7 +3,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include "sessions/pictures/openimageio/decoder.h"
-#include "sessions/pictures/openimageio/png_writer.h"
 #include "sessions/pictures/picture_module.h"
 
 namespace herr {
@@ -19,8 +18,8 @@ void limit_library() {
   OIIO::attribute("exr_threads", -1);
 }
 
-constexpr PictureModule kModule{kPictureModuleVersion, sizeof(PictureModule), HERR_VERSION,      open_picture,
-                                read_picture,          close_picture,         encode_png_picture};
+constexpr PictureModule kModule{kPictureModuleVersion, sizeof(PictureModule), HERR_VERSION,
+                                open_picture,          read_picture,          close_picture};
 
 }  // namespace
 }  // namespace herr

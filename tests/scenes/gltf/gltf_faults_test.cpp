@@ -89,13 +89,15 @@ const std::vector<Fault>& faults() {
       {"empty name", [](json& d) { set(d, "/buffers/0/uri", ""); }, "uri"},
       {"NUL byte in a name", [](json& d) { set(d, "/buffers/0/uri", "triangle.bin%00.png"); }, "NUL"},
       {"buffer shorter than declared", [](json& d) { set(d, "/buffers/0/byteLength", 48); },
-       "not a valid glTF"},
+       "buffers[0].byteLength is 48, and its data have 44 bytes"},
       {"data URI with broken base64",
        [](json& d) { set(d, "/buffers/0/uri", "data:application/octet-stream;base64,AAAA****"); },
-       "not a valid glTF"},
-      {"data URI of an unknown kind",
+       "none of base64"},
+      {"data URI of three bytes",
        [](json& d) { set(d, "/buffers/0/uri", "data:application/x-other;base64,AAAA"); },
-       "application/x-other"},
+       "its data have 3 bytes"},
+      {"data URI without data", [](json& d) { set(d, "/buffers/0/uri", "data:;base64,"); }, "holds no data"},
+      {"data URI without a comma", [](json& d) { set(d, "/buffers/0/uri", "data:AAAA"); }, "no comma"},
       {"node cycle",
        [](json& d) {
          set(d, "/nodes", json::array({{{"children", {1}}}, {{"children", {0}}}}));
@@ -126,17 +128,17 @@ const std::vector<Fault>& faults() {
          set(d, "/nodes/0/scale", {1e-25, 1e-25, 1e-25});
        },
        "scale of 0"},
-      // 9e-5 cubed is 7.3e-13, below 1e-12.
-      {"scale 9e-5",
+      // 9e-13 cubed is 7.3e-37, below 1e-36.
+      {"scale 9e-13",
        [](json& d) {
-         set(d, "/nodes/0/scale", {9e-5, 9e-5, 9e-5});
+         set(d, "/nodes/0/scale", {9e-13, 9e-13, 9e-13});
        },
        "determinant"},
       {"matrix that flattens",
        [](json& d) {
          set(d, "/nodes/0/matrix", {1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
        },
-       "determinant"},
+       "plane"},
       {"matrix that projects",
        [](json& d) {
          set(d, "/nodes/0/matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
@@ -163,7 +165,7 @@ const std::vector<Fault>& faults() {
       {"no asset", [](json& d) { d.erase("asset"); }, "asset"},
       {"mesh that does not exist", [](json& d) { set(d, "/nodes/0/mesh", 3); }, "nodes[0].mesh"},
       {"material that does not exist", [](json& d) { set(d, "/meshes/0/primitives/0/material", 0); },
-       "material"},
+       "material is 0, and there is none that it could name"},
       {"texture index -1",
        [](json& d) {
          set(d, "/materials",

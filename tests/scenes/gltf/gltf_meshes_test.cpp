@@ -213,9 +213,9 @@ TEST(GltfMeshes, AFileWithoutAnythingToShowLoadsWithAWarning) {
 TEST(GltfMeshes, OptionalExtensionsThatAreUnknownAreWarnings) {
   const TemporaryFolder folder;
   json document = triangle_document();
-  document["extensionsUsed"] = {"KHR_materials_clearcoat"};
+  document["extensionsUsed"] = {"KHR_materials_iridescence"};
   const Scene scene = load_scene(write_model(folder, document));
-  EXPECT_TRUE(any_contains(scene.warnings, "KHR_materials_clearcoat"));
+  EXPECT_TRUE(any_contains(scene.warnings, "KHR_materials_iridescence"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ constexpr std::uint32_t kVersion = herr::kPictureModuleVersion + 1;
 constexpr std::uint32_t kVersion = herr::kPictureModuleVersion;
 #endif
 constexpr herr::PictureModule kModule{
-    kVersion, sizeof(herr::PictureModule), "0.0.1", nullptr, nullptr, nullptr, nullptr};
+    kVersion, sizeof(herr::PictureModule), "0.0.1", nullptr, nullptr, nullptr};
 
 }  // namespace
 
