@@ -141,11 +141,12 @@ class RadianceHeaderReader {
   }
 
   void primaries(std::string_view line, std::string_view value) {
-    // x, y of red, green, blue and white: the format's own, and those of sRGB.
+    // x, y of red, green, blue and white: the format's own, those of sRGB, and what Photoshop writes for
+    // none.
     constexpr std::array<double, 8> kStandard{0.640, 0.330, 0.290, 0.600, 0.150, 0.060, 0.3333, 0.3333},
-        kSrgb{0.640, 0.330, 0.300, 0.600, 0.150, 0.060, 0.3127, 0.3290};
+        kSrgb{0.640, 0.330, 0.300, 0.600, 0.150, 0.060, 0.3127, 0.3290}, kNone{};
     const auto given = numbers<8>(value);
-    if (header_.xyz || (given && (near(*given, kStandard) || near(*given, kSrgb)))) return;
+    if (header_.xyz || (given && (near(*given, kStandard) || near(*given, kSrgb) || *given == kNone))) return;
     header_.remarks.push_back("the line " + quoted(line) + " is not used: colours are taken as sRGB's");
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/settings_list.h"
+#include "scenes/model/exposure.h"
 #include "server/cli/flags.h"
 #include "server/cli/setting_flags.h"
 #include "server/settings/flag_values.h"
@@ -91,6 +92,13 @@ void add_picture_flags(CLI::App& app, LookOptions& options) {
              });
   file_flag(app, "--environment", "picture of the light around: .hdr, .exr, .png or .jpg, equirectangular",
             [&](const std::string& text) { options.environment = text; });
+  value_flag(app, "--exposure", "EV",
+             "stops by which PNG pictures are brighter than scene values, or auto: by what is seen (default)",
+             [&](const std::string& text) {
+               options.render.exposure_ev.reset();
+               if (text != "auto")
+                 options.render.exposure_ev = signed_number("--exposure", text, kMostExposure_ev);
+             });
   app.add_flag_callback(
       "--json", [&] { options.json = true; }, "results on stdout as JSON");
 }

@@ -1,12 +1,13 @@
 #include "server/look/look_command.h"
 
-#include <cmath>
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <optional>
 
 #include "scenes/changes/bounding_sphere.h"
 #include "scenes/changes/world.h"
 #include "scenes/load_scene.h"
+#include "server/look/look_encoding.h"
 #include "server/look/look_files.h"
 #include "server/look/look_light.h"
 #include "server/look/look_picture.h"
@@ -48,11 +49,11 @@ void load(const LookOptions& options, Subject& subject) {
   Scene& scene = subject.scene;
   scene = load_scene(options.path, TexturePixels::decoded, DefaultLight::none);
   subject.studio = needs_studio(scene);
-  if (subject.studio) {
-    scene.lights = studio_lights(options.from.azimuth_deg);
-    scene.ambient = scene.environment = glm::vec3(static_cast<float>(kStudioAmbient));
+  if (!options.environment.empty()) {
+    add_environment(options, scene);
+  } else if (subject.studio) {
+    light_studio(options.from.azimuth_deg, scene);
   }
-  add_environment(options, scene);
   for (const std::string& warning : scene.warnings) print_message("warning: " + warning);
   subject.world.emplace(scene);
   subject.world->advance(options.time_s);
@@ -76,13 +77,6 @@ LookCamera camera_of(const LookOptions& options, const Subject& subject, const L
                      "is so large or so far out that the camera would stand farther than 9e8 m",
                      "check its units and scales");
   return camera;
-}
-
-// Light that the file brings may be of any strength; in the studio a dark surface is a dark surface.
-ExposureRule rule_of(const LookOptions& options, const Subject& subject) {
-  ExposureRule rule;
-  if (!subject.studio || !options.environment.empty()) rule.most_ev = kLargestEv;
-  return rule;
 }
 
 // A folder of pictures of an earlier turntable, and nothing else.
@@ -116,10 +110,10 @@ class LookRun {
     report_.pictures = std::max(1, options_.turntable);
     for (int number = 0; number < report_.pictures; ++number) {
       const LookDirection from = direction_of(options_, number);
-      if (subject_.studio) subject_.state.lights = studio_lights(from.azimuth_deg);
+      const LookCamera camera = camera_of(options_, subject_, from);
       Look look;
-      if (!renderer.render(camera_of(options_, subject_, from), subject_.state, look)) return stopped();
-      write(look, number);
+      if (!renderer.render(camera, lit_for(from), backdrop(), look)) return stopped();
+      write(renderer, camera, look, number);
     }
     if (folder_) folder_->keep();
     print();
@@ -127,14 +121,26 @@ class LookRun {
   }
 
  private:
-  // All pictures of a turntable are shown as the first one is.
-  void write(const Look& look, int number) {
-    if (number == 0) {
-      report_.ev = options_.ev ? *options_.ev
-                               : automatic_ev(look.model, covered(look.model), rule_of(options_, subject_));
+  bool in_room() const { return subject_.studio && options_.environment.empty(); }
+
+  // The studio turns with the camera.
+  const SceneState& lit_for(const LookDirection& from) {
+    if (in_room()) {
+      light_studio(from.azimuth_deg, subject_.scene);
+      subject_.state.lights = subject_.scene.lights;
     }
+    return subject_.state;
+  }
+  std::optional<glm::vec3> backdrop() const {
+    return in_room() ? std::optional(glm::vec3(kStudioBackdrop)) : std::nullopt;
+  }
+
+  // All pictures of a turntable are shown as the first one is.
+  void write(LookRenderer& renderer, const LookCamera& camera, Look& look, int number) {
+    if (number == 0) report_.exposure = look_exposure(options_, subject_.scene, in_room(), look.model);
+    look.picture.exposure = report_.exposure.scale();
     const std::vector<std::uint8_t> bytes =
-        encoded_look(composed(look), report_.ev, !options_.background, files_.format);
+        encoded_look(options_, renderer, camera, look.picture, files_.format);
     const std::filesystem::path file =
         folder_ ? folder_->path() / turntable_picture(options_, number) : files_.out;
     write_whole_file(file, bytes);
@@ -145,8 +151,9 @@ class LookRun {
     report_.width_px = options_.width_px;
     report_.height_px = options_.height_px;
     report_.fov_deg = options_.fov_deg;
-    report_.automatic_ev = !options_.ev;
-    report_.studio = subject_.studio;
+    report_.light = in_room()         ? "studio light"
+                    : subject_.studio ? "light of the environment"
+                                      : "its own light";
     report_.triangles = triangle_count(subject_.scene, false);
     report_.warnings = subject_.scene.warnings;
     print_result(options_.json ? look_json(report_) : look_text(report_));
@@ -178,7 +185,7 @@ void check_look_options(const LookOptions& options) {
 
 int run_look(const LookOptions& options) {
   if (const int signal = stop_signal(); signal != 0) return kExitSignalBase + signal;
-  check_isa(options.render);
+  check_render_settings(options.render);
   refuse_folder(options.path);
   return LookRun(options).run();
 }

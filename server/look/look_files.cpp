@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
-#include "server/output/float_exr.h"
-#include "server/output/png_encoder.h"
 #include "server/process/exit_code.h"
-#include "server/text/number_text.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 
@@ -29,22 +25,6 @@ LookFormat format_of(const fs::path& out) {
   if (ending == ".png") return LookFormat::png;
   throw UsageError("--out: '" + printable(out.string()) +
                    "' ends with neither .png nor .exr; give one of them");
-}
-
-std::vector<std::uint8_t> exr_of(const LightPicture& picture, double ev, bool with_alpha) {
-  FloatPlanes planes;
-  planes.width_px = picture.width_px;
-  planes.height_px = picture.height_px;
-  const std::string names = with_alpha ? "RGBA" : "RGB";
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    std::vector<float> values(picture.pixels());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = picture.rgba[4 * i + c];
-    planes.channels.emplace_back(std::string(1, names[c]), std::move(values));
-  }
-  planes.notes.emplace_back("exposure_ev", shortest_text(ev));
-  std::vector<std::uint8_t> bytes;
-  encode_float_exr(planes, bytes);
-  return bytes;
 }
 
 }  // namespace
@@ -77,16 +57,6 @@ bool is_turntable_picture(const std::string& name) {
   if (dash == std::string::npos || !name.ends_with(".png")) return false;
   const std::string digits = name.substr(dash + 1, name.size() - 4 - dash - 1);
   return digits.size() >= 3 && digits.find_first_not_of("0123456789") == std::string::npos;
-}
-
-std::vector<std::uint8_t> encoded_look(const LightPicture& picture, double ev, bool with_alpha,
-                                       LookFormat format) {
-  if (format == LookFormat::exr) return exr_of(picture, ev, with_alpha);
-  Srgb8Image image;
-  srgb8_from_light(picture, ev, with_alpha, image);
-  std::vector<std::uint8_t> bytes;
-  encode_png(image, bytes);
-  return bytes;
 }
 
 }  // namespace herr

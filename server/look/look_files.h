@@ -1,4 +1,4 @@
-// Where the pictures of a look go, and how one is written. Before: the command's options. After: files that
+// Where the pictures of a look go. Before: the command's options. After: files that
 // stand whole under their names.
 #pragma once
 
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "server/look/look_options.h"
-#include "server/output/exposure.h"
 
 namespace herr {
 
@@ -23,9 +22,5 @@ LookFiles look_files(const LookOptions& options);
 // "helmet-007.png" of 12 pictures, with as many digits as the last one needs, three at least.
 std::string turntable_picture(const LookOptions& options, int number);
 bool is_turntable_picture(const std::string& name);
-
-// The bytes of a picture file. EXR keeps the linear light and has the exposure as metadata ("exposure_ev").
-std::vector<std::uint8_t> encoded_look(const LightPicture& picture, double ev, bool with_alpha,
-                                       LookFormat format);
 
 }  // namespace herr

@@ -1,60 +1,110 @@
 #include "server/look/look_light.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scenes/document/environment_image.h"
+#include "scenes/environment/environment_image.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
-// Where the studio's sun stands, seen from the model, when the camera is at azimuth 0.
-constexpr double kSunAzimuth_deg = -35, kSunElevation_deg = 45;
+constexpr double kStudioPi = 3.141592653589793;
+constexpr int kRoomWidth_px = 128, kRoomHeight_px = 64;
+// Where the sun stands, seen from the model, when the camera is at azimuth 0; and the strip of light.
+constexpr double kSunAzimuth_deg = -35, kSunElevation_deg = 45, kStripAzimuth_deg = 70;
+
+glm::dvec3 direction_to(double azimuth_deg, double elevation_deg) {
+  const double a = glm::radians(azimuth_deg), e = glm::radians(elevation_deg);
+  return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
 
 // Mean over the sphere: rows count by the sine of their polar angle.
-glm::vec3 mean_radiance(const EnvironmentImage& image) {
+glm::dvec3 mean_radiance(const EnvironmentImage& image) {
   glm::dvec3 sum(0.0);
   double weights = 0;
   const float* texel = image.rgba.data();
   for (int y = 0; y < image.height_px; ++y) {
-    const double weight = std::sin(kPi * (y + 0.5) / image.height_px);
+    const double weight = std::sin(kStudioPi * (y + 0.5) / image.height_px);
     for (int x = 0; x < image.width_px; ++x, texel += 4)
       sum += weight * glm::dvec3(texel[0], texel[1], texel[2]);
     weights += weight * image.width_px;
   }
-  return glm::vec3(sum / weights);
+  return sum / weights;
+}
+
+// From 0 to 1 about `edge`, over `width`.
+double soft_step(double value, double edge, double width) {
+  const double t = std::clamp((value - edge) / width + 0.5, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// Radiance of the room, before its mean is brought to kStudioAmbient; azimuths are the camera's.
+double room_radiance(const glm::dvec3& direction) {
+  const double up = direction.y;
+  double light = 0.15 + 0.55 * soft_step(up, 0.25, 1.5) - 0.08 * soft_step(-up, 0.0, 0.1);
+  const double box = glm::dot(direction, direction_to(kSunAzimuth_deg, kSunElevation_deg));
+  light += 2.5 * soft_step(box, std::cos(glm::radians(22.0)), 0.03);
+  const double azimuth = std::atan2(direction.x, direction.z);
+  const double aside = std::abs(std::remainder(azimuth - glm::radians(kStripAzimuth_deg), 2 * kStudioPi));
+  light += 1.2 * soft_step(-aside, -glm::radians(12.0), 0.08) * soft_step(-std::abs(up), -0.6, 0.2);
+  return light;
+}
+
+void paint_room(double azimuth_deg, EnvironmentImage& image) {
+  image.width_px = kRoomWidth_px;
+  image.height_px = kRoomHeight_px;
+  image.turn_deg = 0;
+  image.rgba.resize(std::size_t{4} * kRoomWidth_px * kRoomHeight_px);
+  float* texel = image.rgba.data();
+  for (int y = 0; y < kRoomHeight_px; ++y) {
+    const double elevation_deg = 90 - 180 * (y + 0.5) / kRoomHeight_px;
+    for (int x = 0; x < kRoomWidth_px; ++x, texel += 4) {
+      // The middle column lies towards -Z, azimuth 180; columns run clockwise, azimuths against it.
+      const double azimuth = 180 - (360 * (x + 0.5) / kRoomWidth_px - 180);
+      const auto light =
+          static_cast<float>(room_radiance(direction_to(azimuth - azimuth_deg, elevation_deg)));
+      std::fill_n(texel, 3, light);
+    }
+  }
+  const auto scale = static_cast<float>(kStudioAmbient / mean_radiance(image).x);
+  for (float& value : image.rgba) value *= scale;
 }
 
 }  // namespace
-
-void add_environment(const LookOptions& options, Scene& scene) {
-  if (options.environment.empty()) return;
-  std::int64_t sanitised = 0;
-  scene.environment_map = read_environment_image(options.environment, sanitised);
-  scene.files.emplace_back(options.environment);
-  scene.ambient = mean_radiance(scene.environment_map);
-  if (sanitised > 0)
-    scene.warnings.push_back(printable(options.environment) + ": " + std::to_string(sanitised) +
-                             " values are negative, not finite or above 65504; they were limited");
-}
 
 bool needs_studio(const Scene& scene) {
   return scene.lights.empty() && scene.ambient == glm::vec3(0.0f) && scene.environment_map.rgba.empty();
 }
 
-std::vector<AreaLight> studio_lights(double azimuth_deg) {
-  const double azimuth = glm::radians(azimuth_deg + kSunAzimuth_deg),
-               elevation = glm::radians(kSunElevation_deg);
+void light_studio(double azimuth_deg, Scene& scene) {
   AreaLight sun;
   sun.name = "studio";
   sun.kind = LightKind::sun;
-  sun.direction = -glm::dvec3(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                              std::cos(azimuth) * std::cos(elevation));
-  sun.intensity_w_sr = glm::vec3(static_cast<float>(kPi * (1 - kStudioAmbient)));
-  return {sun};
+  sun.direction = -direction_to(azimuth_deg + kSunAzimuth_deg, kSunElevation_deg);
+  sun.intensity_w_sr = glm::vec3(static_cast<float>(kStudioPi * (1 - kStudioAmbient)));
+  scene.lights = {sun};
+  scene.ambient = scene.environment = glm::vec3(static_cast<float>(kStudioAmbient));
+  paint_room(azimuth_deg, scene.environment_map);
+}
+
+void add_environment(const LookOptions& options, Scene& scene) {
+  std::vector<std::string> remarks;
+  const bool studio = needs_studio(scene);
+  if (studio) light_studio(options.from.azimuth_deg, scene);
+  scene.environment_map = read_environment_image(options.environment, remarks);
+  const glm::dvec3 mean = mean_radiance(scene.environment_map);
+  if (studio) {
+    const double brightness = (mean.x + mean.y + mean.z) / 3;
+    scene.lights.front().intensity_w_sr *= static_cast<float>(brightness / kStudioAmbient);
+  }
+  scene.ambient = glm::vec3(mean);
+  scene.files.emplace_back(options.environment);
+  for (const std::string& remark : remarks) {
+    scene.warnings.push_back(printable(options.environment) + ": " + remark);
+  }
 }
 
 }  // namespace herr

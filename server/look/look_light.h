@@ -2,24 +2,25 @@
 // without default light. After: look_picture.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "scenes/model/scene.h"
 #include "server/look/look_options.h"
 
 namespace herr {
 
-// A model without light of its own stands in a studio: ambient and environment kStudioAmbient, and a sun at
-// the upper left behind the camera, such that a white surface that faces it has radiance 1.
+// The studio: a sun at the upper left behind the camera; around, a room with a bright ceiling, a soft box
+// where the sun stands and a strip of light at the right, for mirrors; its mean as ambient light. A white
+// surface that faces the sun has radiance 1. It turns with the camera, as if the model turned.
 inline constexpr double kStudioAmbient = 0.3;
+inline constexpr float kStudioBackdrop =
+    0.1f;  // radiance behind the model, sRGB 89: white and black stand out
 
-// Puts the environment of options.environment, if any, around the scene, its mean as the ambient light.
-// Throws InputError.
-void add_environment(const LookOptions& options, Scene& scene);
-// Whether light has to be made.
+// Whether a scene has no light at all.
 bool needs_studio(const Scene& scene);
-// The studio's lights for a camera at an azimuth: they turn with it, as if the model turned.
-std::vector<AreaLight> studio_lights(double azimuth_deg);
+// Lights the scene for a camera at an azimuth; again for the next one. Sizes stay: a renderer may read it.
+void light_studio(double azimuth_deg, Scene& scene);
+
+// Puts the picture of options.environment around the scene, its mean as the ambient light; the studio's sun,
+// if it shines, keeps its share of the light. Throws InputError.
+void add_environment(const LookOptions& options, Scene& scene);
 
 }  // namespace herr

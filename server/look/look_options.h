@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "renderer/render_settings.h"
@@ -25,15 +24,14 @@ struct LookOptions {
   int width_px = 800, height_px = 800;
   double fov_deg = 35;  // across the shorter side of the picture
   LookDirection from;
-  double distance = 1;       // of the camera, in multiples of the one from which the model fills the picture
-  int turntable = 0;         // pictures evenly around, in a new folder; 0: one picture
-  double time_s = 0;         // of animations, paths and the document's timeline
-  int samples = 4;           // rays per pixel
-  bool background = true;    // the environment behind the model; else transparent
-  std::string environment;   // picture of the light around; empty: the scene's own
-  std::optional<double> ev;  // none: automatic
-  RenderSettings render;     // light, rays, probes and the machine
-  bool json = false;         // results on stdout as JSON
+  double distance = 1;      // of the camera, in multiples of the one from which the model fills the picture
+  int turntable = 0;        // pictures evenly around, in a new folder; 0: one picture
+  double time_s = 0;        // of animations, paths and the document's timeline
+  int samples = 4;          // rays per pixel
+  bool background = true;   // the environment behind the model; else transparent
+  std::string environment;  // picture of the light around; empty: the scene's own
+  RenderSettings render;    // light, rays, probes, exposure (none: automatic) and the machine
+  bool json = false;        // results on stdout as JSON
 };
 
 // What no single flag can know. Throws UsageError.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "server/frames/resting_probes.h"
+#include "server/output/srgb_table.h"
 #include "server/process/stop_signal.h"
 
 namespace herr {
@@ -17,26 +20,21 @@ RenderSettings settings_of_look(const LookOptions& options) {
   return settings;
 }
 
-FrameSample sample_of(const Scene& scene, const LookCamera& camera, double time_s) {
-  FrameSample sample;
-  sample.t_ns = static_cast<TimeNs>(std::llround(time_s * 1e9));
-  sample.head.world_from_head = inverse(scene.world_from_session) * camera.world_from_camera;
-  return sample;
-}
-
-void add(const ViewportImage& image, float share, LightPicture& sum) {
-  float* out = sum.rgba.data();
+// Adds what `frame` shows to sums of `image`'s size.
+void add(const ViewportImage& image, std::vector<float>& sum) {
+  float* out = sum.data();
   for (int y = 0; y < image.height_px; ++y) {
     const std::uint16_t* texel = image.row(y);
     const std::uint16_t* end = texel + 4 * image.width_px;
-    for (; texel < end; ++texel, ++out) *out += share * float_from_half(*texel);
+    for (; texel < end; ++texel, ++out) *out += float_from_half(*texel);
   }
 }
 
-// The mean of `count` passes.
+// The mean of `count` passes. False: a signal asked for the end.
 bool average(Renderer& renderer, const FrameSample& sample, const SceneState& state, int count,
-             RenderedFrame& frame, LightPicture& mean) {
-  mean.rgba.assign(4 * mean.pixels(), 0.0f);
+             ViewportImage& mean) {
+  RenderedFrame frame;
+  std::vector<float> sum;
   for (int i = 0; i < count; ++i) {
     if (stop_signal() != 0) return false;
     PixelPass pass;
@@ -44,9 +42,38 @@ bool average(Renderer& renderer, const FrameSample& sample, const SceneState& st
     pass.jitter = true;
     pass.index = i;
     renderer.render_pass(sample, state, pass, frame);
-    add(frame.viewports.front(), 1.0f / static_cast<float>(count), mean);
+    if (count == 1) break;
+    const ViewportImage& image = frame.viewports.front();
+    sum.resize(4 * static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px));
+    add(image, sum);
+  }
+  mean = std::move(frame.viewports.front());
+  if (count == 1) return true;
+  const float share = 1.0f / static_cast<float>(count);
+  const float* from = sum.data();
+  for (int y = 0; y < mean.height_px; ++y) {
+    std::uint16_t* texel = mean.row(y);
+    for (std::uint16_t* end = texel + 4 * mean.width_px; texel < end; ++texel)
+      *texel = half_from_float(share * *from++);
   }
   return true;
+}
+
+// Puts the light of `behind(x, y)` where the model leaves it; every alpha is 1 then.
+template <typename Behind>
+void put_behind(ViewportImage& picture, const Behind& behind) {
+  const std::uint16_t one = half_from_float(1.0f);
+  for (int y = 0; y < picture.height_px; ++y) {
+    std::uint16_t* texel = picture.row(y);
+    for (int x = 0; x < picture.width_px; ++x, texel += 4) {
+      if (texel[3] == one) continue;
+      const float left = 1.0f - float_from_half(texel[3]);
+      const glm::vec3 light = behind(x, y);
+      for (std::size_t c = 0; c < 3; ++c)
+        texel[c] = half_from_float(float_from_half(texel[c]) + left * light[static_cast<int>(c)]);
+      texel[3] = one;
+    }
+  }
 }
 
 }  // namespace
@@ -55,54 +82,45 @@ LookRenderer::LookRenderer(const Scene& scene, const LookOptions& options, const
     : scene_(scene),
       options_(options),
       profile_(first.profile),
-      renderer_(std::make_unique<Renderer>(scene, profile_, settings_of_look(options), false)) {
-  if (!options.background || scene.environment_map.rgba.empty()) return;
-  outside_.environment_map = scene.environment_map;
-  RenderSettings settings = settings_of_look(options);
-  settings.camera = true;  // and none is there: the environment is drawn
-  settings.probes.on = false;
-  outside_renderer_ = std::make_unique<Renderer>(outside_, profile_, settings, false);
+      renderer_(std::make_unique<Renderer>(scene, profile_, settings_of_look(options), false)) {}
+
+FrameSample LookRenderer::sample(const LookCamera& camera) const {
+  FrameSample sample;
+  sample.t_ns = static_cast<TimeNs>(std::llround(options_.time_s * 1e9));
+  sample.head.world_from_head = inverse(scene_.world_from_session) * camera.world_from_camera;
+  return sample;
 }
 
-bool LookRenderer::render(const LookCamera& camera, const SceneState& state, Look& look) {
-  const FrameSample sample = sample_of(scene_, camera, options_.time_s);
-  let_probes_rest(*renderer_, sample, state, profile_.display_hz);
-  look.model.width_px = options_.width_px;
-  look.model.height_px = options_.height_px;
-  look.background = {};
-  if (!average(*renderer_, sample, state, options_.samples, frame_, look.model)) return false;
-  return !options_.background || render_background(sample, look.background);
-}
-
-bool LookRenderer::render_background(const FrameSample& sample, LightPicture& out) {
-  out.width_px = options_.width_px;
-  out.height_px = options_.height_px;
-  if (outside_renderer_) {
-    RenderedFrame frame;
-    FrameSample outside = sample;
-    outside.head.world_from_head = scene_.world_from_session * sample.head.world_from_head;
-    return average(*outside_renderer_, outside, SceneState(), 1, frame, out);
+bool LookRenderer::render(const LookCamera& camera, const SceneState& state,
+                          const std::optional<glm::vec3>& backdrop, Look& look) {
+  const FrameSample at = sample(camera);
+  let_probes_rest(*renderer_, at, state, profile_.display_hz);
+  if (!average(*renderer_, at, state, options_.samples, look.model)) return false;
+  look.picture = look.model;
+  if (!options_.background) return true;
+  if (!backdrop && !scene_.environment_map.rgba.empty()) {
+    ViewportImage outside;
+    if (!render_outside(at, outside)) return false;
+    put_behind(look.picture, [&](int x, int y) {
+      const std::uint16_t* texel = outside.row(y) + 4 * x;
+      return glm::vec3(float_from_half(texel[0]), float_from_half(texel[1]), float_from_half(texel[2]));
+    });
+    return true;
   }
-  out.rgba.reserve(4 * out.pixels());
-  for (std::size_t i = 0; i < out.pixels(); ++i)
-    out.rgba.insert(out.rgba.end(), {scene_.environment.x, scene_.environment.y, scene_.environment.z, 1.0f});
+  put_behind(look.picture, [light = backdrop.value_or(scene_.environment)](int, int) { return light; });
   return true;
 }
 
-LightPicture composed(const Look& look) {
-  LightPicture picture = look.model;
-  if (look.background.rgba.empty()) return picture;
-  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-    const float left = 1.0f - picture.rgba[i + 3];
-    for (std::size_t c = 0; c < 4; ++c) picture.rgba[i + c] += left * look.background.rgba[i + c];
+bool LookRenderer::render_outside(const FrameSample& sample, ViewportImage& out) {
+  if (!outside_renderer_) {
+    outside_.environment_map = scene_.environment_map;
+    outside_.world_from_session = scene_.world_from_session;
+    RenderSettings settings = settings_of_look(options_);
+    settings.camera = true;  // and none is there: the environment is drawn
+    settings.probes.on = false;
+    outside_renderer_ = std::make_unique<Renderer>(outside_, profile_, settings, false);
   }
-  return picture;
-}
-
-std::vector<std::uint8_t> covered(const LightPicture& model) {
-  std::vector<std::uint8_t> covers(model.pixels());
-  for (std::size_t i = 0; i < covers.size(); ++i) covers[i] = model.rgba[4 * i + 3] >= 0.5f ? 1 : 0;
-  return covers;
+  return average(*outside_renderer_, sample, SceneState(), 1, out);
 }
 
 }  // namespace herr

@@ -2,20 +2,18 @@
 // at a time, a camera. After: exposure and the file.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "renderer/renderer.h"
 #include "server/look/look_camera.h"
-#include "server/output/exposure.h"
 
 namespace herr {
 
-// The model alone (premultiplied, alpha its coverage), and what lies behind it.
+// The model alone (its alpha is its coverage), and with what lies behind it.
 struct Look {
-  LightPicture model;
-  LightPicture background;  // empty: none is wanted
+  ViewportImage model, picture;  // the same where no background is wanted
 };
 
 // Renders a scene that stands still from several sides. Not thread-safe.
@@ -24,25 +22,24 @@ class LookRenderer {
   // `scene` outlives it, with lights as many as any picture has.
   LookRenderer(const Scene& scene, const LookOptions& options, const LookCamera& first);
 
+  // `backdrop`: radiance behind the model in place of the environment; none: the environment.
   // False: a signal asked for the end.
-  bool render(const LookCamera& camera, const SceneState& state, Look& look);
+  bool render(const LookCamera& camera, const SceneState& state, const std::optional<glm::vec3>& backdrop,
+              Look& look);
+  // Of the camera's frame, for metadata.
+  FrameSample sample(const LookCamera& camera) const;
+  Renderer& renderer() { return *renderer_; }
 
  private:
-  bool render_background(const FrameSample& sample, LightPicture& out);
+  bool render_outside(const FrameSample& sample, ViewportImage& out);
 
   const Scene& scene_;
   const LookOptions& options_;
   DisplayProfile profile_;
   std::unique_ptr<Renderer> renderer_;
-  RenderedFrame frame_;
   // For a picture of the environment: the same outside, with nothing in it.
   Scene outside_;
   std::unique_ptr<Renderer> outside_renderer_;
 };
-
-// The model over its background, if it has one; then every alpha is 1.
-LightPicture composed(const Look& look);
-// One byte for each pixel that the model covers at least half of.
-std::vector<std::uint8_t> covered(const LightPicture& model);
 
 }  // namespace herr

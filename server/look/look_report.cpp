@@ -1,5 +1,6 @@
 #include "server/look/look_report.h"
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "server/results/summary_json.h"
@@ -13,6 +14,13 @@ std::string ev_text(double ev) {
   return (ev < 0 ? "" : "+") + fixed_text(ev, 2);
 }
 
+// Four digits, whatever the scale.
+std::string significant(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
 }  // namespace
 
 std::string look_text(const LookReport& report) {
@@ -20,10 +28,9 @@ std::string look_text(const LookReport& report) {
   return printable(report.out.string()) + ": " +
          (report.pictures > 1 ? std::to_string(report.pictures) + " pictures of " + size : size) + ", from " +
          shortest_text(report.from.azimuth_deg) + "," + shortest_text(report.from.elevation_deg) + " at " +
-         shortest_text(report.distance_m) + " m over " + shortest_text(report.fov_deg) +
-         " degrees, exposure " + ev_text(report.ev) + " EV" + (report.automatic_ev ? " (automatic)" : "") +
-         ", " + (report.studio ? "studio light" : "its own light") + ", " + std::to_string(report.triangles) +
-         " triangles\n";
+         significant(report.distance_m) + " m over " + shortest_text(report.fov_deg) + " degrees, exposure " +
+         ev_text(report.exposure.ev) + " EV" + (report.exposure.automatic ? " (automatic)" : "") + ", " +
+         report.light + ", " + std::to_string(report.triangles) + " triangles\n";
 }
 
 std::string look_json(const LookReport& report) {
@@ -35,9 +42,9 @@ std::string look_json(const LookReport& report) {
                               {"elevation_deg", report.from.elevation_deg},
                               {"distance_m", report.distance_m},
                               {"fov_deg", report.fov_deg},
-                              {"exposure_ev", report.ev},
-                              {"exposure", report.automatic_ev ? "automatic" : "given"},
-                              {"light", report.studio ? "studio" : "own"},
+                              {"exposure_ev", report.exposure.ev},
+                              {"exposure", report.exposure.automatic ? "automatic" : "given"},
+                              {"light", report.light},
                               {"triangles", report.triangles},
                               {"warnings", report.warnings}};
   return json_text(json);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/model/exposure.h"
 #include "server/look/look_options.h"
 
 namespace herr {
@@ -14,10 +15,9 @@ struct LookReport {
   int width_px = 0, height_px = 0, pictures = 1;
   LookDirection from;  // of the first picture
   double distance_m = 0, fov_deg = 0;
-  double ev = 0;
-  bool automatic_ev = true;
-  std::int64_t triangles = 0, nonfinite_values = 0;
-  bool studio = false;  // the model has no light of its own
+  Exposure exposure;
+  std::int64_t triangles = 0;
+  std::string light;  // whose it is
   std::vector<std::string> warnings;
 };
 

@@ -93,9 +93,9 @@ void parse_eyes(const JsonObject& root, ParsedSessionHeader& parsed) {
     parsed.warnings.emplace_back(root.file(), 0, "eye_offsets.left lies right of eye_offsets.right",
                                  "are the eyes swapped?");
   if (ipd_m < kNarrowestIpdM || ipd_m > kWidestIpdM)
-    parsed.warnings.emplace_back(root.file(), 0,
-                                 "eye_offsets are " + std::to_string(std::lround(ipd_m * 1000)) + " mm apart",
-                                 "eyes are 40 to 85 mm apart, offsets are in metres");
+    parsed.warnings.emplace_back(
+        root.file(), 0, "eye_offsets are " + shown_number(std::round(ipd_m * 1e9) / 1e6) + " mm apart",
+        "eyes are 40 to 85 mm apart, offsets are in metres");
 }
 
 void parse_gaze(const JsonObject& root, SessionHeader& header) {

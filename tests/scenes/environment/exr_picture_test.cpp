@@ -80,6 +80,14 @@ TEST(ExrPicture, EverySafeCompressionOfHalfAndFloatGivesTheSamePixels) {
   }
 }
 
+TEST(ExrPicture, LinesStoredFromTheBottomUpAreThePictureAllTheSame) {
+  for (const char* compression : {"none", "zips", "zip"}) {
+    OIIO::ImageSpec spec = spec_of(24, 41, {"R", "G", "B"}, compression);
+    spec.attribute("openexr:lineOrder", "decreasingY");
+    expect_channels(read_exr(spec), 0, 1, 2);
+  }
+}
+
 TEST(ExrPicture, RunsOfEqualPixelsAreUndone) {
   // Long runs for RLE: all pixels alike, and a single one that differs.
   for (const char* compression : {"rle", "zips", "zip"}) {

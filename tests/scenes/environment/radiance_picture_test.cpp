@@ -137,6 +137,8 @@ TEST(RadiancePicture, UnusualHeadersAreReadToo) {
       one + one);
   expect_colour(read, 1, 1, 1);
   EXPECT_TRUE(read.remarks.empty());
+  EXPECT_TRUE(
+      read_colour(kRgbeFormat + "GAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\n", one).remarks.empty());  // Photoshop
   EXPECT_TRUE(any_contains(read_colour(kRgbeFormat + "GAMMA=2.2\n", one).remarks, "GAMMA=2.2"));
   EXPECT_TRUE(any_contains(
       read_colour(kRgbeFormat + "PRIMARIES=.7347 .2653 0 1 .0001 -.077 .32168 .33767\n", one).remarks,

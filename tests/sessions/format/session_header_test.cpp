@@ -162,6 +162,15 @@ TEST(SessionHeader, WarnsOfSwappedEyesAndOfEyesMetresApart) {
   EXPECT_PRED2(test::holds, warnings[1].what(), "1000 mm apart");
 }
 
+// 39.9 mm are less than 40; told as 40 they would not be.
+TEST(SessionHeader, TellsAnEyeDistanceJustOutOfRangeWithAllItsDigits) {
+  nlohmann::json document = example();
+  document["eye_offsets"] = {{"left", {-0.0399, 0, 0}}, {"right", {0, 0, 0}}};
+  const std::vector<InputError> warnings = read(document).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_PRED2(test::holds, warnings[0].what(), "are 39.9 mm apart; eyes are 40 to 85 mm apart");
+}
+
 // Offsets in millimetres look like those of a session that was scaled with its scene.
 TEST(SessionHeader, WarnsOfOffsetsInMillimetres) {
   nlohmann::json document = example();
