@@ -1,5 +1,6 @@
 #include "scenes/gltf/file/gltf_materials.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -43,7 +44,7 @@ class MaterialReader {
     to.emission_texture = texture(from, "emissiveTexture");
     to.occlusion_texture = texture(from, "occlusionTexture");
     if (to.occlusion_texture.texture >= 0)
-      to.occlusion_strength = factor(from.object("occlusionTexture"), "strength", 1, 1);
+      to.occlusion_strength = share(from.object("occlusionTexture"), "strength", 1);
     to.normal_texture = texture(from, "normalTexture");
     to.normal_scale = normal_scale(from, "normalTexture");
     to.double_sided = from.boolean_or("doubleSided", false);
@@ -65,12 +66,20 @@ class MaterialReader {
   void warn_of_rounding() const { rounded_.warn(warnings_); }
 
  private:
-  float factor(const JsonObject& object, const char* key, double highest, double fallback) {
-    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback));
+  float factor(const JsonObject& object, const char* key, double highest, double fallback,
+               AboveRange above = AboveRange::rounding) {
+    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback, above));
   }
-
-  glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback) {
-    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback)));
+  glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback,
+                   AboveRange above = AboveRange::rounding) {
+    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback), above));
+  }
+  // Factors of extensions that a viewer may pass over refuse no file.
+  float share(const JsonObject& object, const char* key, double fallback) {
+    return factor(object, key, 1, fallback, AboveRange::clamped_both);
+  }
+  glm::vec3 tint(const JsonObject& object, const char* key, double fallback) {
+    return colour(object, key, 1, fallback, AboveRange::clamped_both);
   }
 
   GltfTextureUse texture(const JsonObject& parent, const char* key) const {
@@ -96,19 +105,31 @@ class MaterialReader {
     }
   }
 
-  void read_base_colour(const JsonObject& from, const char* key, GltfMaterial& to) {
+  void read_base_colour(const JsonObject& from, const char* key, AboveRange above, GltfMaterial& to) {
     if (!from.has(key)) return;
-    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1);
+    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1, above);
     to.base_colour = glm::vec3(rgba[0], rgba[1], rgba[2]);
     to.alpha = static_cast<float>(rgba[3]);
   }
 
   void read_metallic_roughness(const JsonObject& from, GltfMaterial& to) {
-    read_base_colour(from, "baseColorFactor", to);
+    read_base_colour(from, "baseColorFactor", AboveRange::rounding, to);
     to.metallic = factor(from, "metallicFactor", 1, 1);
     to.roughness = factor(from, "roughnessFactor", 1, 1);
     to.base_colour_texture = texture(from, "baseColorTexture");
     to.metallic_roughness_texture = texture(from, "metallicRoughnessTexture");
+  }
+
+  void read_distance(const JsonObject& volume, Attenuation& inside) {
+    constexpr const char* kKey = "attenuationDistance";
+    if (!volume.has(kKey)) return;
+    const double distance = volume.number(kKey, -kLargestDistance, kLargestDistance);
+    if (distance > 0) {
+      inside.distance_m = static_cast<float>(std::max(distance, kSmallestDistance));
+    } else {
+      warnings_.push_back("field " + printable(volume.where()) + "." + kKey + " is " +
+                          shown_number(distance) + ", not above 0; nothing is absorbed");
+    }
   }
 
   void read_emission_and_passing(const JsonObject& from, GltfMaterial& to) {
@@ -121,13 +142,11 @@ class MaterialReader {
     }
     if (const auto volume = extension(from, "KHR_materials_volume")) {
       texture(*volume, "thicknessTexture");  // checked; what light meets inside is traced
-      const float thickness = factor(*volume, "thicknessFactor", kLargestDistance, 0);
+      const float thickness =
+          factor(*volume, "thicknessFactor", kLargestDistance, 0, AboveRange::clamped_both);
       Attenuation inside;
-      inside.colour = colour(*volume, "attenuationColor", 1, 1);
-      if (volume->has("attenuationDistance")) {
-        inside.distance_m =
-            static_cast<float>(volume->number("attenuationDistance", kSmallestDistance, kLargestDistance));
-      }
+      inside.colour = tint(*volume, "attenuationColor", 1);
+      read_distance(*volume, inside);
       if (thickness > 0) to.attenuation = inside;  // 0: a thin wall, with nothing inside
     }
     if (const auto index = extension(from, "KHR_materials_ior")) {
@@ -150,23 +169,23 @@ class MaterialReader {
 
   void read_further_lobes(const JsonObject& from, GltfMaterial& to) {
     if (const auto coat = extension(from, "KHR_materials_clearcoat")) {
-      to.coat = factor(*coat, "clearcoatFactor", 1, 0);
-      to.coat_roughness = factor(*coat, "clearcoatRoughnessFactor", 1, 0);
+      to.coat = share(*coat, "clearcoatFactor", 0);
+      to.coat_roughness = share(*coat, "clearcoatRoughnessFactor", 0);
       to.coat_texture = texture(*coat, "clearcoatTexture");
       to.coat_roughness_texture = texture(*coat, "clearcoatRoughnessTexture");
       to.coat_normal_texture = texture(*coat, "clearcoatNormalTexture");
       to.coat_normal_scale = normal_scale(*coat, "clearcoatNormalTexture");
     }
     if (const auto sheen = extension(from, "KHR_materials_sheen")) {
-      to.sheen_colour = colour(*sheen, "sheenColorFactor", 1, 0);
-      to.sheen_roughness = factor(*sheen, "sheenRoughnessFactor", 1, 0);
+      to.sheen_colour = tint(*sheen, "sheenColorFactor", 0);
+      to.sheen_roughness = share(*sheen, "sheenRoughnessFactor", 0);
       to.sheen_colour_texture = texture(*sheen, "sheenColorTexture");
       to.sheen_roughness_texture = texture(*sheen, "sheenRoughnessTexture");
     }
     if (const auto stretched = extension(from, "KHR_materials_anisotropy")) {
-      to.anisotropy = factor(*stretched, "anisotropyStrength", 1, 0);
-      to.anisotropy_rotation_rad =
-          static_cast<float>(stretched->number_or("anisotropyRotation", -kLargestAngle, kLargestAngle, 0));
+      to.anisotropy = share(*stretched, "anisotropyStrength", 0);
+      to.anisotropy_rotation_rad = static_cast<float>(rounded_.number_or(
+          *stretched, "anisotropyRotation", -kLargestAngle, kLargestAngle, 0, AboveRange::clamped_both));
       to.anisotropy_texture = texture(*stretched, "anisotropyTexture");
     }
   }
@@ -174,15 +193,15 @@ class MaterialReader {
   // Checked wherever it stands, used where nothing else says what the surface is made of.
   void read_specular_glossiness(const JsonObject& from, bool stands_alone, GltfMaterial& to) {
     GltfMaterial old = to;
-    read_base_colour(from, "diffuseFactor", old);
+    read_base_colour(from, "diffuseFactor", AboveRange::clamped_both, old);
     old.base_colour_texture = texture(from, "diffuseTexture");
     old.metallic = 0.0f;
     old.has_glossiness = true;
-    old.glossiness = factor(from, "glossinessFactor", 1, 1);
+    old.glossiness = share(from, "glossinessFactor", 1);
     old.refractive_index = 0.0f;
     old.specular = 1.0f;
     old.specular_texture = {};
-    old.specular_colour = colour(from, "specularFactor", 1, 1);
+    old.specular_colour = tint(from, "specularFactor", 1);
     old.specular_colour_texture = texture(from, "specularGlossinessTexture");
     if (stands_alone) to = old;
   }

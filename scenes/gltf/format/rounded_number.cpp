@@ -20,6 +20,7 @@ double rounding_at(double end, double width) {
 bool RoundedNumbers::bring_into(double lowest, double highest, AboveRange above, double& value) const {
   const double found = value, width = highest - lowest;
   value = std::clamp(value, lowest, highest);
+  if (above == AboveRange::clamped_both) return true;
   if (found > highest) return above == AboveRange::clamped || found - highest <= rounding_at(highest, width);
   return lowest - found <= rounding_at(lowest, width);
 }

@@ -14,8 +14,9 @@ namespace herr {
 
 // What becomes of a number above its range.
 enum class AboveRange {
-  rounding,  // an error, unless it lies within kRounding of the end
-  clamped    // the end of the range, however far out it lies: for what older files were allowed to write
+  rounding,     // an error, unless it lies within kRounding of the end
+  clamped,      // the end of the range, however far out it lies: for what older files were allowed to write
+  clamped_both  // as clamped, and below the range its lower end: for what was not read before
 };
 
 // 1e-4 of the end of a range; at an end of 0, of the range's width (of 1 where that is less).

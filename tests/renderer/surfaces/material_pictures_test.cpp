@@ -62,5 +62,28 @@ TEST(MaterialPicturesTest, AnUnlitSurfaceOfOneColourHasNoHighlight) {
   for (int x = 0; x < 8; ++x) EXPECT_EQ(at(scene, x, 4)[0], 0.0) << x;
 }
 
+TEST(MaterialPicturesTest, AnOcclusionTextureDimsAmbientLightAlone) {
+  Material paint = test::matte(glm::vec3{0.5f});
+  paint.specular = 0;
+  paint.occlusion_texture.texture = 0;
+  Scene scene = wall(paint);
+  TextureImage half;
+  half.width_px = half.height_px = 1;
+  half.srgb = false;
+  half.rgba = {51, 255, 255, 255};
+  scene.textures = {half};
+  scene.ambient = glm::vec3{1.0f};
+  // 0.5 x 51 / 255; with strength 0.25, 0.5 (1 + 0.25 (0.2 - 1)).
+  EXPECT_NEAR(at(scene, 4, 4)[0], 0.1, test::half_rounding(0.1) * 2);
+  scene.materials[0].occlusion_strength = 0.25f;
+  EXPECT_NEAR(at(scene, 4, 4)[0], 0.4, test::half_rounding(0.4) * 2);
+  // A lamp shines as without.
+  scene.ambient = glm::vec3{0.0f};
+  scene.lights = {test::light_at({0, 0, 0}, glm::vec3{1.0f})};
+  const double lit = at(scene, 4, 4)[0];
+  scene.materials[0].occlusion_texture.texture = -1;
+  EXPECT_EQ(at(scene, 4, 4)[0], lit);
+}
+
 }  // namespace
 }  // namespace herr

@@ -138,9 +138,13 @@ TEST(GltfMaterials, ABodyAbsorbsWhereTheFileGivesItAThickness) {
   volume["thicknessFactor"] = 0;
   const Material wall = MaterialFile(with_extension("KHR_materials_volume", volume)).material();
   EXPECT_EQ(wall.attenuation.distance_m, std::numeric_limits<float>::infinity());
-  volume["attenuationDistance"] = 0;
-  EXPECT_TRUE(contains(MaterialFile(with_extension("KHR_materials_volume", volume)).error(),
-                       "KHR_materials_volume.attenuationDistance"));
+  // Out of their range: attenuation without a distance is none.
+  volume = {{"thicknessFactor", 1}, {"attenuationDistance", 0}, {"attenuationColor", {-0.5, 1.5, 1}}};
+  const Scene odd = MaterialFile(with_extension("KHR_materials_volume", volume)).load();
+  EXPECT_EQ(odd.materials.at(0).attenuation.distance_m, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(odd.materials.at(0).attenuation.colour, glm::vec3(0, 1, 1));
+  EXPECT_TRUE(any_contains(odd.warnings, "attenuationDistance"));
+  EXPECT_TRUE(any_contains(odd.warnings, "attenuationColor"));
 }
 
 TEST(GltfMaterials, OcclusionHasATextureOfLinearValuesAndAStrength) {
