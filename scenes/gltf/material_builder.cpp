@@ -129,11 +129,11 @@ Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSo
 
 // Mean of one channel of a texture, 0 ... 1.
 float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t channel) {
-  const DecodedImage& image = decoded(model_.textures[static_cast<std::size_t>(use.texture)].image);
+  const std::vector<std::uint8_t>& rgba =
+      pixels_of(model_.textures[static_cast<std::size_t>(use.texture)].image);
   std::uint64_t sum = 0;
-  for (std::size_t i = channel; i < image.rgba.size(); i += 4) sum += image.rgba[i];
-  return static_cast<float>(static_cast<double>(sum) /
-                            (255.0 * 0.25 * static_cast<double>(image.rgba.size())));
+  for (std::size_t i = channel; i < rgba.size(); i += 4) sum += rgba[i];
+  return static_cast<float>(static_cast<double>(sum) / (255.0 * 0.25 * static_cast<double>(rgba.size())));
 }
 
 TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values,
@@ -170,8 +170,12 @@ int MaterialBuilder::texture(const GltfTexture& from, Values values) {
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
   to.nearest = from.nearest;
-  if (pixels_ == TexturePixels::decoded) to.rgba = decoded(from.image).rgba;
   entry->second = static_cast<int>(scene_.textures.size());
+  if (pixels_ == TexturePixels::decoded) {
+    // The first texture of an image keeps its pixels, for further ones and for means to read.
+    const bool first = holders_.try_emplace(from.image, scene_.textures.size()).second;
+    to.rgba = first ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
+  }
   scene_.textures.push_back(std::move(to));
   return entry->second;
 }
@@ -186,6 +190,11 @@ const DecodedImage& MaterialBuilder::decoded(int index) {
   const auto [entry, added] = decoded_.try_emplace(index);
   if (added) entry->second = decode_image(encoded(index), texture_bytes_left());
   return entry->second;
+}
+
+const std::vector<std::uint8_t>& MaterialBuilder::pixels_of(int image) {
+  const auto holder = holders_.find(image);
+  return holder != holders_.end() ? scene_.textures[holder->second].rgba : decoded(image).rgba;
 }
 
 EncodedImage MaterialBuilder::encoded(int index) const {
