@@ -274,9 +274,19 @@ int MaterialBuilder::texture(const GltfTexture& from, Values values, float facto
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
   to.nearest = from.nearest;
-  if (pixels_ == TexturePixels::decoded) to.rgba = decoded(from.image).rgba;
+  if (pixels_ == TexturePixels::decoded) {
+    // The first texture of an image keeps its pixels as they are, for further ones and for means to read.
+    const bool first = values != Values::rough_gloss &&
+                       holders_.try_emplace(from.image, scene_.textures.size()).second;
+    to.rgba = first ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
+  }
   if (values == Values::rough_gloss) make_rough(factor, to.rgba);
   entry->second = static_cast<int>(scene_.textures.size());
+  if (pixels_ == TexturePixels::decoded) {
+    // The first texture of an image keeps its pixels, for further ones and for means to read.
+    const bool first = holders_.try_emplace(from.image, scene_.textures.size()).second;
+    to.rgba = first ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
+  }
   scene_.textures.push_back(std::move(to));
   return entry->second;
 }
@@ -291,6 +301,11 @@ const DecodedImage& MaterialBuilder::decoded(int index) {
   const auto [entry, added] = decoded_.try_emplace(index);
   if (added) entry->second = decode_image(encoded(index), texture_bytes_left());
   return entry->second;
+}
+
+const std::vector<std::uint8_t>& MaterialBuilder::pixels_of(int image) {
+  const auto holder = holders_.find(image);
+  return holder != holders_.end() ? scene_.textures[holder->second].rgba : decoded(image).rgba;
 }
 
 EncodedImage MaterialBuilder::encoded(int index) const {
