@@ -1,6 +1,5 @@
 #include "scenes/gltf/file/gltf_materials.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -40,11 +39,11 @@ class MaterialReader {
     to.name = from.text_or("name", "");
     // Above 1 before there was KHR_materials_emissive_strength.
     to.emission =
-        glm::vec3(rounded_.vec3_or(from, "emissiveFactor", 0, 1, glm::dvec3(0.0), AboveRange::clamped));
+        glm::vec3(rounded_.vec3_or(from, "emissiveFactor", 0, 1, glm::dvec3(0.0), OutOfRange::clamped_above));
     to.emission_texture = texture(from, "emissiveTexture");
     to.occlusion_texture = texture(from, "occlusionTexture");
     if (to.occlusion_texture.texture >= 0)
-      to.occlusion_strength = share(from.object("occlusionTexture"), "strength", 1);
+      to.occlusion_strength = factor(from.object("occlusionTexture"), "strength", 1, 1, OutOfRange::clamped);
     to.normal_texture = texture(from, "normalTexture");
     to.normal_scale = normal_scale(from, "normalTexture");
     to.double_sided = from.boolean_or("doubleSided", false);
@@ -67,19 +66,13 @@ class MaterialReader {
 
  private:
   float factor(const JsonObject& object, const char* key, double highest, double fallback,
-               AboveRange above = AboveRange::rounding) {
-    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback, above));
+               OutOfRange beyond = OutOfRange::refused) {
+    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback, beyond));
   }
+
   glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback,
-                   AboveRange above = AboveRange::rounding) {
-    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback), above));
-  }
-  // Factors of extensions that a viewer may pass over refuse no file.
-  float share(const JsonObject& object, const char* key, double fallback) {
-    return factor(object, key, 1, fallback, AboveRange::clamped_both);
-  }
-  glm::vec3 tint(const JsonObject& object, const char* key, double fallback) {
-    return colour(object, key, 1, fallback, AboveRange::clamped_both);
+                   OutOfRange beyond = OutOfRange::refused) {
+    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback), beyond));
   }
 
   GltfTextureUse texture(const JsonObject& parent, const char* key) const {
@@ -105,31 +98,19 @@ class MaterialReader {
     }
   }
 
-  void read_base_colour(const JsonObject& from, const char* key, AboveRange above, GltfMaterial& to) {
+  void read_base_colour(const JsonObject& from, const char* key, OutOfRange beyond, GltfMaterial& to) {
     if (!from.has(key)) return;
-    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1, above);
+    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1, beyond);
     to.base_colour = glm::vec3(rgba[0], rgba[1], rgba[2]);
     to.alpha = static_cast<float>(rgba[3]);
   }
 
   void read_metallic_roughness(const JsonObject& from, GltfMaterial& to) {
-    read_base_colour(from, "baseColorFactor", AboveRange::rounding, to);
+    read_base_colour(from, "baseColorFactor", OutOfRange::refused, to);
     to.metallic = factor(from, "metallicFactor", 1, 1);
     to.roughness = factor(from, "roughnessFactor", 1, 1);
     to.base_colour_texture = texture(from, "baseColorTexture");
     to.metallic_roughness_texture = texture(from, "metallicRoughnessTexture");
-  }
-
-  void read_distance(const JsonObject& volume, Attenuation& inside) {
-    constexpr const char* kKey = "attenuationDistance";
-    if (!volume.has(kKey)) return;
-    const double distance = volume.number(kKey, -kLargestDistance, kLargestDistance);
-    if (distance > 0) {
-      inside.distance_m = static_cast<float>(std::max(distance, kSmallestDistance));
-    } else {
-      warnings_.push_back("field " + printable(volume.where()) + "." + kKey + " is " +
-                          shown_number(distance) + ", not above 0; nothing is absorbed");
-    }
   }
 
   void read_emission_and_passing(const JsonObject& from, GltfMaterial& to) {
@@ -142,10 +123,9 @@ class MaterialReader {
     }
     if (const auto volume = extension(from, "KHR_materials_volume")) {
       texture(*volume, "thicknessTexture");  // checked; what light meets inside is traced
-      const float thickness =
-          factor(*volume, "thicknessFactor", kLargestDistance, 0, AboveRange::clamped_both);
+      const float thickness = factor(*volume, "thicknessFactor", kLargestDistance, 0, OutOfRange::clamped);
       Attenuation inside;
-      inside.colour = tint(*volume, "attenuationColor", 1);
+      inside.colour = colour(*volume, "attenuationColor", 1, 1, OutOfRange::clamped);
       read_distance(*volume, inside);
       if (thickness > 0) to.attenuation = inside;  // 0: a thin wall, with nothing inside
     }
@@ -155,6 +135,18 @@ class MaterialReader {
       if (to.refractive_index > 0 && to.refractive_index < 1) {
         index->fail("ior", "lies between 0 and 1", "write 0, or 1 and above");
       }
+    }
+  }
+
+  // Writers that know no infinity write 0.
+  void read_distance(const JsonObject& volume, Attenuation& inside) {
+    if (!volume.has("attenuationDistance")) return;
+    const double distance_m = volume.number("attenuationDistance", -kLargestDistance, kLargestDistance);
+    if (distance_m >= kSmallestDistance) {
+      inside.distance_m = static_cast<float>(distance_m);
+    } else {
+      warnings_.push_back("field " + printable(volume.where()) + ".attenuationDistance is " +
+                          shown_number(distance_m) + "; nothing is taken from light inside");
     }
   }
 
@@ -169,23 +161,23 @@ class MaterialReader {
 
   void read_further_lobes(const JsonObject& from, GltfMaterial& to) {
     if (const auto coat = extension(from, "KHR_materials_clearcoat")) {
-      to.coat = share(*coat, "clearcoatFactor", 0);
-      to.coat_roughness = share(*coat, "clearcoatRoughnessFactor", 0);
+      to.coat = factor(*coat, "clearcoatFactor", 1, 0, OutOfRange::clamped);
+      to.coat_roughness = factor(*coat, "clearcoatRoughnessFactor", 1, 0, OutOfRange::clamped);
       to.coat_texture = texture(*coat, "clearcoatTexture");
       to.coat_roughness_texture = texture(*coat, "clearcoatRoughnessTexture");
       to.coat_normal_texture = texture(*coat, "clearcoatNormalTexture");
       to.coat_normal_scale = normal_scale(*coat, "clearcoatNormalTexture");
     }
     if (const auto sheen = extension(from, "KHR_materials_sheen")) {
-      to.sheen_colour = tint(*sheen, "sheenColorFactor", 0);
-      to.sheen_roughness = share(*sheen, "sheenRoughnessFactor", 0);
+      to.sheen_colour = colour(*sheen, "sheenColorFactor", 1, 0, OutOfRange::clamped);
+      to.sheen_roughness = factor(*sheen, "sheenRoughnessFactor", 1, 0, OutOfRange::clamped);
       to.sheen_colour_texture = texture(*sheen, "sheenColorTexture");
       to.sheen_roughness_texture = texture(*sheen, "sheenRoughnessTexture");
     }
     if (const auto stretched = extension(from, "KHR_materials_anisotropy")) {
-      to.anisotropy = share(*stretched, "anisotropyStrength", 0);
+      to.anisotropy = factor(*stretched, "anisotropyStrength", 1, 0, OutOfRange::clamped);
       to.anisotropy_rotation_rad = static_cast<float>(rounded_.number_or(
-          *stretched, "anisotropyRotation", -kLargestAngle, kLargestAngle, 0, AboveRange::clamped_both));
+          *stretched, "anisotropyRotation", -kLargestAngle, kLargestAngle, 0, OutOfRange::clamped));
       to.anisotropy_texture = texture(*stretched, "anisotropyTexture");
     }
   }
@@ -193,15 +185,15 @@ class MaterialReader {
   // Checked wherever it stands, used where nothing else says what the surface is made of.
   void read_specular_glossiness(const JsonObject& from, bool stands_alone, GltfMaterial& to) {
     GltfMaterial old = to;
-    read_base_colour(from, "diffuseFactor", AboveRange::clamped_both, old);
+    read_base_colour(from, "diffuseFactor", OutOfRange::clamped, old);
     old.base_colour_texture = texture(from, "diffuseTexture");
     old.metallic = 0.0f;
     old.has_glossiness = true;
-    old.glossiness = share(from, "glossinessFactor", 1);
+    old.glossiness = factor(from, "glossinessFactor", 1, 1, OutOfRange::clamped);
     old.refractive_index = 0.0f;
     old.specular = 1.0f;
     old.specular_texture = {};
-    old.specular_colour = tint(from, "specularFactor", 1);
+    old.specular_colour = colour(from, "specularFactor", 1, 1, OutOfRange::clamped);
     old.specular_colour_texture = texture(from, "specularGlossinessTexture");
     if (stands_alone) to = old;
   }
