@@ -10,9 +10,11 @@
 
 namespace herr {
 
-// Interfaces that light is followed through at most; the next surface is shown as if it were opaque. A solid
-// object has two, a hollow one four.
-inline constexpr int kMostInterfaces = 8;
+// Interfaces at which light is followed on at most, through glass and off it; beyond them a path brings what
+// comes from outside along its direction. A solid object has two on the straight way, a hollow one four.
+inline constexpr int kMostInterfaces = 12;
+// Rays that follow light through glass, per sample in the mean of a tile at most.
+inline constexpr int kMostGlassRays = 32;
 
 // Blended surfaces that eyes look through at most, one behind another.
 inline constexpr int kMostLayers = 8;

@@ -10,7 +10,7 @@ using Effect = SettingEffect;
 
 constexpr int kLargestPolar = 8192;
 constexpr double kLargestSeed = 4294967295;  // 32 bits
-constexpr double kLongestMemory_s = 1e6, kFarthestFeed_m = 1e9;
+constexpr double kLongestMemory_s = 1e6, kNearest_m = 1e-9, kFarthest_m = 1e9;
 
 // Rows: name, flag, unit, group, effect, sentence, value; then what holds where it has none.
 
@@ -36,7 +36,7 @@ std::vector<Setting> of_rays(RenderSettings& s) {
        "jittered strata of a light, or random: independent places on it",
        one_of(s.light_sampler, {"jittered", "random"})},
       {"occlusion_radius_m", "--occlusion-radius", "m", Group::rays, Effect::pictures,
-       "metres that they reach", real(s.occlusion_radius_m, 0.001, 1000)},
+       "metres that they reach", real(s.occlusion_radius_m, kNearest_m, kFarthest_m)},
       {"reflections", "--no-reflections", "", Group::rays, Effect::error_for_time, "trace no mirror rays",
        on_off(s.reflections)},
       {"refraction", "--no-refraction", "", Group::rays, Effect::error_for_time,
@@ -82,8 +82,8 @@ NumberSetting feed_distance(std::optional<double>& distance_m) {
     return distance_m.value_or(kUsualFeedDistance_m);
   };
   setting.set = [&distance_m](std::optional<double> number) { distance_m = number; };
-  setting.lowest = 0.01;
-  setting.highest = kFarthestFeed_m;
+  setting.lowest = kNearest_m;
+  setting.highest = kFarthest_m;
   return setting;
 }
 

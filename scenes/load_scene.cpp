@@ -22,7 +22,8 @@ namespace {
 // irradiance at the middle is pi W/m^2: a white diffuse surface there has radiance 1.
 AreaLight light_above(const Bounds& bounds) {
   const glm::dvec3 extent = bounds.upper - bounds.lower;
-  const double diagonal_m = std::max(glm::length(extent), 1e-3);
+  double diagonal_m = glm::length(extent);
+  if (!(diagonal_m > 0)) diagonal_m = 1;  // nothing, or a point
   const double distance_m = 0.5 * extent.y + diagonal_m;
   AreaLight light;
   light.name = "above";

@@ -8,7 +8,19 @@ namespace herr {
 
 void Renderer::Impl::measure_reach() {
   const Bounds& all = boxes.all();
-  beyond_scene_m = all.upper.x >= all.lower.x ? 1.0 + 2.0 * glm::length(all.upper - all.lower) : 1.0;
+  const double diagonal_m = all.upper.x >= all.lower.x ? glm::length(all.upper - all.lower) : 0.0;
+  beyond_scene_m = diagonal_m > 0 ? 2.0 * diagonal_m : 1.0;
+  double farthest_m = diagonal_m > 0 ? std::max(glm::length(all.lower), glm::length(all.upper)) : 0.0;
+  for (const AreaLight& light : scene.lights) {
+    const double around_m = light.path_radius_m + glm::length(glm::dvec3(light.size));
+    farthest_m = std::max(farthest_m, glm::length(light.centre) + around_m);
+  }
+  if (scene.probes.box) {
+    farthest_m =
+        std::max({farthest_m, glm::length(scene.probes.box->lower), glm::length(scene.probes.box->upper)});
+  }
+  if (geometry->expect_rays(2.0 * farthest_m + beyond_scene_m))
+    threads.inside([this] { geometry->place_at(glm::dvec3(geometry->anchor())); });
 }
 
 // True if another feature runs, or one no longer does. What memory was set up for stays: the probes, and

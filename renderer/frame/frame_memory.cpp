@@ -36,6 +36,7 @@ void Renderer::Impl::allocate_buffers() {
 void Renderer::Impl::allocate_scratch() {
   for (const std::unique_ptr<TileScratch>& scratch : tile_scratch) {
     allocate_if(plan.mirror_rays || plan.refraction, scratch->second);
+    if (scratch->second) allocate_if(plan.refraction, scratch->second->pending);
     allocate_if(plan.further_lobes, scratch->first.lobes);
     if (scratch->second) allocate_if(plan.further_lobes, scratch->second->hits.lobes);
     allocate_if(plan.catchers_occlude, scratch->blocked);
@@ -54,7 +55,7 @@ MemoryUse Renderer::memory() const {
   for (const auto& samples : impl.samples) buffers += samples ? samples->bytes() : 0;
   for (const std::unique_ptr<TileScratch>& scratch : impl.tile_scratch) {
     tiles += static_cast<std::int64_t>(sizeof(TileScratch));
-    second += bytes_if(scratch->second);
+    second += bytes_if(scratch->second) + (scratch->second ? bytes_if(scratch->second->pending) : 0);
     blocked += bytes_if(scratch->blocked);
     layers += bytes_if(scratch->layers);
     adaptive += bytes_if(scratch->adaptive);

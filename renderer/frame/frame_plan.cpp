@@ -19,16 +19,21 @@ struct Traits {
   bool catchers_may_occlude = false;
 };
 
+constexpr double kFlatShare = 1e-5;  // of a mesh's extent
+
 bool lies_flat(const TriangleMesh& mesh) {
   // All corners in one plane: such a catcher cannot shadow itself.
   if (mesh.triangles.empty()) return true;
   const auto& t = mesh.triangles.front();
-  const glm::vec3 origin = mesh.positions[t[0]];
-  const glm::vec3 normal = glm::cross(mesh.positions[t[1]] - origin, mesh.positions[t[2]] - origin);
-  const float reach = glm::length(normal);
-  return std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const glm::vec3& p) {
-    return std::abs(glm::dot(normal, p - origin)) <= 1e-5f * reach * std::max(1.0f, glm::length(p - origin));
-  });
+  const glm::dvec3 origin(mesh.positions[t[0]]);
+  const glm::dvec3 normal =
+      glm::cross(glm::dvec3(mesh.positions[t[1]]) - origin, glm::dvec3(mesh.positions[t[2]]) - origin);
+  double farthest = 0, highest = 0;
+  for (const glm::vec3& p : mesh.positions) {
+    farthest = std::max(farthest, glm::distance(glm::dvec3(p), origin));
+    highest = std::max(highest, std::abs(glm::dot(normal, glm::dvec3(p) - origin)));
+  }
+  return highest <= kFlatShare * glm::length(normal) * farthest;
 }
 
 Traits traits_of(const Scene& scene) {
@@ -141,8 +146,8 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "no surface blends", t.blended == 0 && settings.adaptive_min_samples == 0);
   if (plan.alpha_blend) need(plan.surface_details, "surface details", "alpha layers");
   decide(plan.back_face_culling, t.back_face_culling > 0, "back faces left out",
-         share(t.back_face_culling, t.instances, "are open and single-sided"),
-         "every surface is closed or double-sided", t.back_face_culling == 0);
+         share(t.back_face_culling, t.instances, "are single-sided"),
+         "every surface is double-sided or lets light pass", t.back_face_culling == 0);
   decide(plan.specular, t.specular > 0, "specular lobe",
          share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight",
          t.specular == 0);

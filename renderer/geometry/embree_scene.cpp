@@ -3,8 +3,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -15,22 +13,31 @@ namespace herr {
 namespace {
 
 constexpr double kAnchorGrid_m = 16.0;
-constexpr double kAnchorReach_m = 24.0;
+constexpr double kShortestAxisShare = 1e-17;
 constexpr double kLargestCoordinate_m = 1e15;  // Embree asserts below 1.8e18; leaves room for rays' ends
 
 }  // namespace
 
 void check_transform(const glm::dmat4x3& m, const std::string& name) {
-  const glm::dmat3 linear(m[0], m[1], m[2]);
-  const double determinant = std::abs(glm::determinant(linear));
   const double reach = glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]) + glm::length(m[3]);
-  const double scale = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  const double box = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]),
+               volume = std::abs(determinant(m));
   // scenes/ refuses such transforms with the name of the file; this is the last guard before Embree.
-  if (!(reach < kLargestCoordinate_m) || !(determinant >= 1e-18) ||
-      !(determinant >= 0.5 * kMinVolumeShare * scale)) {
+  if (!(reach < kLargestCoordinate_m) || !(volume >= 0.5 * kMinDeterminant) ||
+      !(volume >= 0.5 * kMinVolumeShare * box)) {
     throw std::invalid_argument("instance '" + name +
                                 "' has a transform that is not finite or not invertible");
   }
+}
+
+glm::dmat4x3 keep_rays_traceable(glm::dmat4x3 m, double rays_reach_m) {
+  const double box = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  const double least = kShortestAxisShare * rays_reach_m * box / std::abs(determinant(m));
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = glm::length(m[axis]);
+    if (length < least) m[axis] *= least / length;
+  }
+  return m;
 }
 
 EmbreeScene::EmbreeScene(const Scene& scene, Isa isa, int threads)
@@ -61,7 +68,7 @@ void EmbreeScene::build_meshes() {
   for (const Instance& instance : scene_.instances) {
     if (instance.kind != ShapeKind::mesh) continue;
     MeshFilter& filter = filters[instance.mesh];
-    if (has_holes(scene_, instance) || culls_back_faces(scene_, instance)) filter.instances = &table_;
+    if (has_holes(scene_, instance) || shows_backs(scene_, instance)) filter.instances = &table_;
     filter.blends |= blends(scene_, instance);
     // Its coarser forms stand in its place.
     for (const CoarserMesh& form : scene_.meshes[instance.mesh].coarser) {
@@ -117,6 +124,12 @@ void EmbreeScene::follow(const glm::dvec3& head_position) {
   if (placed_ && glm::distance(head_position, anchor_) <= kAnchorReach_m) return;
   anchor_ = glm::round(head_position / kAnchorGrid_m) * kAnchorGrid_m;
   place_instances();
+}
+
+bool EmbreeScene::expect_rays(double reach_m) {
+  const bool farther = reach_m > rays_reach_m_;
+  if (farther) rays_reach_m_ = 2 * reach_m;
+  return farther && placed_;
 }
 
 void EmbreeScene::show_mesh(std::size_t instance, std::uint32_t mesh) {

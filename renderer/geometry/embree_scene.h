@@ -29,6 +29,13 @@ namespace herr {
 // Throws std::invalid_argument unless the matrix is one that Embree can take: finite, and no axis collapsed.
 void check_transform(const glm::dmat4x3& matrix, const std::string& name);
 
+inline constexpr double kAnchorReach_m = 24.0;  // how far from the anchor a head may be
+
+// The matrix with axes lengthened that are so short that rays, turned into object space, would leave the
+// range that Embree takes: those below 1e-17 of how far rays start and lead, which no float of that size
+// resolves.
+glm::dmat4x3 keep_rays_traceable(glm::dmat4x3 matrix, double rays_reach_m);
+
 // What a frame changed, and what that took.
 struct SceneUpdate {
   int commits = 0;       // Embree scenes committed
@@ -68,6 +75,9 @@ class EmbreeScene {
   void apply(const SceneState& state, SceneUpdate& done);
   // Outside the arena: bends the meshes whose pose is new, on all threads.
   void bend(const SceneState& state, RenderThreads& threads);
+  // How far from the world's origin rays start or lead, at most. True if that is farther than instances were
+  // placed for: place_at() anew.
+  bool expect_rays(double reach_m);
   // Lets an instance of kind mesh show another mesh with the same material.
   void show_mesh(std::size_t instance, std::uint32_t mesh);
   // Makes what changed visible to rays: bent meshes, then the top level once; nothing where nothing changed.
@@ -116,6 +126,7 @@ class EmbreeScene {
   std::vector<std::unique_ptr<DetailRecord>> details_;  // per instance, null where it has none
   InstanceTable table_;                                 // what hit filters look into
   glm::dvec3 anchor_{0.0};
+  double rays_reach_m_ = 0;
   bool placed_ = false;
   bool changed_ = false;  // since the last commit
 };

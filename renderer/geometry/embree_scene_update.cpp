@@ -1,6 +1,7 @@
 // Stage: acceleration structures. What SceneState says has changed goes to Embree, slot by slot; an instance
 // that only moved costs its own transform and one commit of the top level.
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "renderer/geometry/embree_scene.h"
 
@@ -31,7 +32,8 @@ void EmbreeScene::show_instance(std::size_t slot) {
 }
 
 void EmbreeScene::place_instance(std::size_t slot) {
-  glm::dmat4x3 m = scene_.instances[slot].world_from_object;
+  glm::dmat4x3 m = keep_rays_traceable(scene_.instances[slot].world_from_object,
+                                       rays_reach_m_ + glm::length(anchor_) + 2 * kAnchorReach_m);
   m[3] -= anchor_;
   float columns[12];
   for (int column = 0; column < 4; ++column) {

@@ -13,16 +13,29 @@ namespace herr {
 void set_matrix(const Instance& instance, InstanceRecord& record) {
   const glm::dmat4x3& m = instance.world_from_object;
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m[0], m[1], m[2])));
+  // Normals are made unit afterwards: a power of two keeps squares of the largest entry in a float's range.
+  double largest = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normal_matrix[column][row]));
+  }
+  const int exponent = std::ilogb(largest);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      record.normal_from_object[3 * row + column] = static_cast<float>(normal_matrix[column][row]);
+      record.normal_from_object[3 * row + column] =
+          static_cast<float>(std::ldexp(normal_matrix[column][row], -exponent));
     }
   }
   const double volume = std::abs(glm::determinant(glm::dmat3(m[0], m[1], m[2])));
   record.object_per_world2 = static_cast<float>(std::pow(volume, -2.0 / 3.0));
+  const double stretch = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  record.least_offset_m = static_cast<float>(stretch * double{record.object_rounding});
 }
 
 namespace {
+
+// Of light that a body lets through after its attenuation distance: what a colour of 0 is taken as, since 0
+// would ask for an infinite absorption.
+constexpr float kDarkestAttenuation = 1e-6f;
 
 void set_material(const Material& material, InstanceRecord& record) {
   for (int channel = 0; channel < 3; ++channel) {
@@ -32,10 +45,16 @@ void set_material(const Material& material, InstanceRecord& record) {
   record.metallic = material.metallic;
   record.roughness = material.roughness;
   record.mirror = material.mirror;
-  record.transmission = material.transmission;
-  record.refractive_index = material.refractive_index;
+  // Index 0 is no index: a mirror, of F0 1, which nothing passes.
+  const bool full = material.refractive_index <= 0;
+  record.transmission = full ? 0.0f : material.transmission;
+  record.refractive_index = full ? 1.0f : material.refractive_index;
   const float f0_root = (material.refractive_index - 1.0f) / (material.refractive_index + 1.0f);
-  record.dielectric_f0 = f0_root * f0_root;
+  record.dielectric_f0 = full ? 1.0f : f0_root * f0_root;
+  for (int channel = 0; channel < 3; ++channel) {
+    const float colour = std::max(material.attenuation.colour[channel], kDarkestAttenuation);
+    record.absorption[channel] = -std::log(colour) / material.attenuation.distance_m;
+  }
 }
 
 void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,
@@ -54,14 +73,16 @@ void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,
   }
 }
 
-// A point on an analytic shape is only as good as the ray in the shape's own space, where its coordinates are
-// about 1: eight roundings of the largest half extent (going there, crossing, coming back), and twice that.
-constexpr double kShapeOffset = 0x1p-20;
+// Where rays are met, coordinates are the object's own. On an analytic shape they are about 1: eight
+// roundings (going there, crossing, coming back), and twice that. On a triangle they are differences to its
+// corners, and in voxels up to their number along the grid: two roundings.
+constexpr float kShapeRounding = 0x1p-20f, kCornerRounding = 0x1p-23f;
 
-void set_shape(const Instance& instance, InstanceRecord& record) {
-  const glm::dmat4x3& m = instance.world_from_object;
-  const double reach = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-  record.shape_offset_m = static_cast<float>(kShapeOffset * reach);
+float object_rounding(const Scene& scene, const Instance& instance, const BakedMesh* baked) {
+  if (baked) return kCornerRounding * baked->longest_edge;
+  if (instance.kind != ShapeKind::voxels) return kShapeRounding;
+  const glm::ivec3& counts = scene.voxel_grids[instance.grid].counts;
+  return kCornerRounding * static_cast<float>(std::max({counts.x, counts.y, counts.z}));
 }
 
 }  // namespace
@@ -73,9 +94,9 @@ InstanceRecord instance_record(const Scene& scene, const Instance& instance, con
   record.kind = instance.kind;
   record.catcher = instance.catcher;
   record.back_face_culling = culls_back_faces(scene, instance);
+  record.object_rounding = object_rounding(scene, instance, baked);
   set_matrix(instance, record);
   set_material(material, record);
-  if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) set_shape(instance, record);
   if (baked) set_mesh(material, *baked, !scene.meshes[instance.mesh].uvs.empty(), textures, record);
   return record;
 }

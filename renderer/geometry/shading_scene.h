@@ -53,14 +53,27 @@ struct TextureUse {
   float uv_lower[2] = {}, uv_scale[2] = {};     // uv = lower + scale * unorm
 };
 
+// Lobes beyond diffuse and one round highlight: factors and their textures. By default there is none.
+struct LobeRecord {
+  float coat = 0, coat_roughness = 0, coat_normal_scale = 1;
+  float sheen[3] = {}, sheen_roughness = 0;
+  float stretch = 0, stretch_cos = 1, stretch_sin = 0;  // the angle from the tangent, counter-clockwise
+  TextureUse coat_texture, coat_roughness_texture, sheen_texture, sheen_roughness_texture, stretch_texture;
+  TextureUse coat_normal;  // with DetailRecord::tangents
+};
+inline constexpr LobeRecord kNoLobes{};
+
 // What most instances do without; only where a material or mesh asks for it.
 struct DetailRecord {
   const ColourRecord* colours = nullptr;  // of vertices, one per triangle
   // The two base textures stand here instead of in the instance's record where they read a second set.
   TextureUse base_colour, metallic_roughness, emission, specular_use, specular_colour, transmission;
   TextureUse normal;                        // with `tangents`
-  const TangentRecord* tangents = nullptr;  // one per triangle; null: no normal texture
+  const TangentRecord* tangents = nullptr;  // one per triangle; null: no normal texture and no stretch
   float normal_scale = 1;
+  TextureUse occlusion;
+  float occlusion_strength = 1;
+  LobeRecord lobes;
   TextureUse coverage;  // alpha = that of the base colour texture, wherever that stands
   float specular = 1, specular_rgb[3] = {1, 1, 1};
   float alpha = 1, alpha_cutoff = 0.5f;
@@ -75,11 +88,13 @@ struct InstanceRecord {
   float base_colour[3] = {};
   float metallic = 0, roughness = 1, mirror = 0;
   float transmission = 0, refractive_index = 1.5f;
-  float dielectric_f0 = 0.04f;  // ((n - 1) / (n + 1))^2
+  float dielectric_f0 = 0.04f;  // ((n - 1) / (n + 1))^2; 1 of index 0 alone
+  float absorption[3] = {};     // of the body behind the surface, per metre
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
-  float shape_offset_m = 0;              // of kind sphere or box: secondary rays start at least this far off
+  float least_offset_m = 0;              // secondary rays start at least this far off
+  float object_rounding = 0;             // the same in object space
   const DetailRecord* detail = nullptr;  // null: nothing more
   float object_per_world2 = 1;           // squared length in object space of a metre (mean over directions)
   bool back_face_culling = false;        // eyes do not see its back faces

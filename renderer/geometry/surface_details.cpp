@@ -1,5 +1,10 @@
 #include "renderer/geometry/surface_details.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/model/material_textures.h"
+
 namespace herr {
 namespace {
 
@@ -13,10 +18,69 @@ bool has_colours(const Scene& scene, const Instance& instance) {
 }
 
 bool has_further_textures(const Material& m) {
-  return m.emission_texture.texture >= 0 || m.normal_texture.texture >= 0 ||
-         m.specular_texture.texture >= 0 || m.specular_colour_texture.texture >= 0 ||
-         m.transmission_texture.texture >= 0 || (m.base_colour_texture >= 0 && m.base_colour_uv_set != 0) ||
+  const auto slots = texture_slots(m);
+  const bool further = std::any_of(slots.begin() + kBaseTextures, slots.end(),
+                                   [](const TextureSlot& slot) { return slot.texture >= 0; });
+  return further || (m.base_colour_texture >= 0 && m.base_colour_uv_set != 0) ||
          (m.metallic_roughness_texture >= 0 && m.metallic_roughness_uv_set != 0);
+}
+
+void set_lobe_factors(const Material& m, LobeRecord& to) {
+  to.coat = m.clearcoat.strength;
+  to.coat_roughness = m.clearcoat.roughness;
+  to.coat_normal_scale = m.clearcoat.normal_scale;
+  for (int channel = 0; channel < 3; ++channel) to.sheen[channel] = m.sheen.colour[channel];
+  to.sheen_roughness = m.sheen.roughness;
+  to.stretch = m.anisotropy.strength;
+  to.stretch_cos = std::cos(m.anisotropy.rotation_rad);
+  to.stretch_sin = std::sin(m.anisotropy.rotation_rad);
+}
+
+// The textures of an instance, where they are and with the coordinates that they read.
+class TextureUses {
+ public:
+  TextureUses(const BakedMesh& baked, std::span<const TextureRecord> textures)
+      : baked_(baked), textures_(textures) {}
+
+  TextureUse operator()(const TextureSlot& from) const {
+    TextureUse to;
+    if (from.texture < 0) return to;
+    const BakedCoordinates& set =
+        from.uv_set == 0 ? baked_ : baked_.more[static_cast<std::size_t>(from.uv_set) - 1];
+    to.texture = &textures_[static_cast<std::size_t>(from.texture)];
+    to.coordinates = set.records.data();
+    for (int axis = 0; axis < 2; ++axis) {
+      to.uv_lower[axis] = set.uv_lower[axis];
+      to.uv_scale[axis] = set.uv_scale[axis] / 65535.0f;
+    }
+    return to;
+  }
+
+ private:
+  const BakedMesh& baked_;
+  std::span<const TextureRecord> textures_;
+};
+
+void set_textures(const Material& material, const TextureUses& use, DetailRecord& record) {
+  record.emission = use(material.emission_texture);
+  record.specular_use = use(material.specular_texture);
+  record.specular_colour = use(material.specular_colour_texture);
+  record.transmission = use(material.transmission_texture);
+  record.occlusion = use(material.occlusion_texture);
+  record.coverage = use({material.base_colour_texture, material.base_colour_uv_set});
+  if (material.base_colour_uv_set != 0) record.base_colour = record.coverage;
+  if (material.metallic_roughness_uv_set != 0) {
+    record.metallic_roughness =
+        use({material.metallic_roughness_texture, material.metallic_roughness_uv_set});
+  }
+  record.lobes.coat_texture = use(material.clearcoat.strength_texture);
+  record.lobes.coat_roughness_texture = use(material.clearcoat.roughness_texture);
+  record.lobes.sheen_texture = use(material.sheen.colour_texture);
+  record.lobes.sheen_roughness_texture = use(material.sheen.roughness_texture);
+  record.lobes.stretch_texture = use(material.anisotropy.texture);
+  if (record.tangents == nullptr) return;
+  record.normal = use(material.normal_texture);
+  record.lobes.coat_normal = use(material.clearcoat.normal_texture);
 }
 
 }  // namespace
@@ -24,8 +88,11 @@ bool has_further_textures(const Material& m) {
 bool culls_back_faces(const Scene& scene, const Instance& instance) {
   const Material& material = scene.materials[instance.material];
   const TriangleMesh* mesh = mesh_of(scene, instance);
-  return mesh != nullptr && !material.double_sided && !mesh->closed && material.transmission == 0 &&
-         !instance.catcher;
+  return mesh != nullptr && !material.double_sided && material.transmission == 0 && !instance.catcher;
+}
+
+bool shows_backs(const Scene& scene, const Instance& instance) {
+  return culls_back_faces(scene, instance) && !scene.meshes[instance.mesh].closed;
 }
 
 bool has_textures(const Scene& scene, const Instance& instance) {
@@ -50,7 +117,8 @@ bool has_details(const Scene& scene, const Instance& instance) {
   const TriangleMesh* mesh = mesh_of(scene, instance);
   const bool textured = mesh != nullptr && !mesh->uvs.empty() && has_further_textures(material);
   return textured || has_colours(scene, instance) || has_holes(scene, instance) || material.unlit ||
-         material.specular != 1.0f || material.specular_colour != glm::vec3(1.0f);
+         has_further_lobes(material) || material.specular != 1.0f ||
+         material.specular_colour != glm::vec3(1.0f);
 }
 
 std::optional<DetailRecord> detail_record(const Scene& scene, const Instance& instance,
@@ -62,39 +130,16 @@ std::optional<DetailRecord> detail_record(const Scene& scene, const Instance& in
   record.specular = material.specular;
   for (int channel = 0; channel < 3; ++channel)
     record.specular_rgb[channel] = material.specular_colour[channel];
+  set_lobe_factors(material, record.lobes);
   if (baked == nullptr) return record;
   record.alpha = material.alpha;
   record.alpha_cutoff = material.alpha_cutoff;
   record.alpha_mode = material.alpha_mode;
+  record.normal_scale = material.normal_scale;
+  record.occlusion_strength = material.occlusion_strength;
   if (!baked->colours.empty()) record.colours = baked->colours.data();
-  if (scene.meshes[instance.mesh].uvs.empty()) return record;
-  const auto use = [&](int texture, int uv_set) {
-    TextureUse to;
-    if (texture < 0) return to;
-    const BakedCoordinates& set = uv_set == 0 ? *baked : baked->more[static_cast<std::size_t>(uv_set) - 1];
-    to.texture = &textures[static_cast<std::size_t>(texture)];
-    to.coordinates = set.records.data();
-    for (int axis = 0; axis < 2; ++axis) {
-      to.uv_lower[axis] = set.uv_lower[axis];
-      to.uv_scale[axis] = set.uv_scale[axis] / 65535.0f;
-    }
-    return to;
-  };
-  const auto slot = [&](const TextureSlot& from) { return use(from.texture, from.uv_set); };
-  record.emission = slot(material.emission_texture);
-  record.specular_use = slot(material.specular_texture);
-  record.specular_colour = slot(material.specular_colour_texture);
-  record.transmission = slot(material.transmission_texture);
-  if (!baked->tangents.empty() && material.normal_texture.texture >= 0) {
-    record.normal = slot(material.normal_texture);
-    record.normal_scale = material.normal_scale;
-    record.tangents = baked->tangents.data();
-  }
-  record.coverage = use(material.base_colour_texture, material.base_colour_uv_set);
-  if (material.base_colour_uv_set != 0) record.base_colour = record.coverage;
-  if (material.metallic_roughness_uv_set != 0) {
-    record.metallic_roughness = use(material.metallic_roughness_texture, material.metallic_roughness_uv_set);
-  }
+  if (!baked->tangents.empty()) record.tangents = baked->tangents.data();
+  if (!scene.meshes[instance.mesh].uvs.empty()) set_textures(material, TextureUses(*baked, textures), record);
   return record;
 }
 

@@ -80,6 +80,15 @@ TangentRecord bake_tangents(const TriangleMesh& mesh, const std::array<std::uint
   return record;
 }
 
+float longest_edge(const TriangleMesh& mesh) {
+  float longest = 0;
+  for (const auto& t : mesh.triangles) {
+    const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    longest = std::max({longest, glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+  }
+  return longest;
+}
+
 }  // namespace
 
 float common_handedness(float a, float b, float c) {
@@ -137,6 +146,7 @@ BakedMesh bake_triangles(const TriangleMesh& mesh) {
     baked.records[i].curvature =
         shading_curvature({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, codes);
   }
+  baked.longest_edge = longest_edge(mesh);
   bake_coordinates(mesh, mesh.uvs, baked);
   for (const auto& uvs : mesh.more_uvs) {
     BakedCoordinates& set = baked.more.emplace_back();

@@ -23,6 +23,7 @@ struct BakedMesh : BakedCoordinates {
   std::vector<BakedCoordinates> more;   // of TriangleMesh::more_uvs, without normals
   std::vector<ColourRecord> colours;    // empty where the mesh has none
   std::vector<TangentRecord> tangents;  // likewise
+  float longest_edge = 0;               // of a triangle, in object space
   std::int64_t bytes() const;
 };
 BakedMesh bake_triangles(const TriangleMesh& mesh);

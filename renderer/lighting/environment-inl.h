@@ -9,13 +9,13 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// u to the right from the azimuth -180 degrees of an unturned picture, v downwards from
-// the zenith; [0, 1] each.
+// u to the right from the azimuth -180 degrees of an unturned picture, v downwards from the zenith; [0, 1]
+// each. A picture that was turned counter-clockwise shows in a direction what lies farther clockwise in it.
 HWY_INLINE V3 environment_texel(const EnvironmentRecord& map, const V3& direction) {
   constexpr float kTurnsPerRadian = 0.159154943f;
   const VF zero = hn::Zero(kF), one = set(1.0f), half = set(0.5f);
   const VF turns = hn::Mul(atan2(direction.x, hn::Neg(direction.z)), set(kTurnsPerRadian));
-  VF u = hn::Add(turns, set(0.5f - map.turn));
+  VF u = hn::Add(turns, set(0.5f + map.turn));
   u = hn::Sub(u, hn::Floor(u));
   const VF across = hn::Sqrt(hn::MulAdd(direction.x, direction.x, hn::Mul(direction.z, direction.z)));
   const VF v = hn::Mul(atan2(across, direction.y), set(2.0f * kTurnsPerRadian));

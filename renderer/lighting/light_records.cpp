@@ -53,6 +53,22 @@ void order_strata(LightRecord& light) {
   }
 }
 
+namespace {
+
+constexpr double kNearestShare = 0x1p-24;  // of the scene: a float does not tell nearer places apart
+constexpr float kMostIrradiance = 1e29f;   // what it is multiplied by must not leave a float's range
+constexpr float kSmallestSquare = 1e-36f;  // so that its inverse is finite
+
+// Below this squared distance a light gets no brighter.
+float nearest2(const AreaLight& light, double beyond_scene_m) {
+  const glm::vec3& i = light.intensity_w_sr;
+  const double nearest_m = kNearestShare * beyond_scene_m;
+  return std::max({static_cast<float>(nearest_m * nearest_m), std::max({i.x, i.y, i.z}) / kMostIrradiance,
+                   kSmallestSquare});
+}
+
+}  // namespace
+
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
                    double beyond_scene_m, std::vector<LightRecord>& out) {
   out.clear();
@@ -68,7 +84,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
       record.intensity[axis] = light.intensity_w_sr[axis];
     }
     const float half = 0.5f * std::max({light.size.x, light.size.y, light.size.z});
-    record.min_distance2 = std::max(half * half, 1e-12f);
+    record.min_distance2 = std::max(half * half, nearest2(light, beyond_scene_m));
     for (int axis = 0; axis < 3; ++axis) record.direction[axis] = static_cast<float>(light.direction[axis]);
     if (light.range_m > 0) record.inverse_range2 = static_cast<float>(1.0 / (light.range_m * light.range_m));
     if (light.kind == LightKind::spot) {
@@ -104,13 +120,13 @@ glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const
       sum += light.intensity_w_sr;
       continue;
     }
-    double farthest2 = 1e-12;
+    double farthest2 = 0;
     for (const Bounds& box : boxes) {
       const glm::dvec3 reach =
           glm::max(glm::abs(box.lower - light.centre), glm::abs(box.upper - light.centre));
       farthest2 = std::max(farthest2, glm::dot(reach, reach));
     }
-    sum += light.intensity_w_sr / static_cast<float>(farthest2);
+    sum += light.intensity_w_sr / std::max(static_cast<float>(farthest2), kSmallestSquare);
   }
   return sum;
 }

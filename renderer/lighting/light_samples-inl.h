@@ -37,7 +37,7 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
       job.shading->plan->catchers ? hn::Max(visible, load(&scratch.visible_without[slot])) : visible;
   const MF lit = hn::And(facing(hits, slot, to_light), hn::Gt(counts, hn::Zero(kF)));
   if (hn::AllFalse(kF, lit)) return;
-  const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-20f));
+  const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-36f));
   const VF per_distance = hn::Div(set(1.0f), hn::Sqrt(distance2));
   const V3 direction = scale(to_light, per_distance);
   const V3 n = load3(hits.normal, slot);

@@ -2,6 +2,7 @@
 // indirectly; before: resolve (first hits), second_rays (second hits).
 #pragma once
 
+#include "renderer/lighting/further_lobes-inl.h"
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/tiles/lanes-inl.h"
 
@@ -16,27 +17,41 @@ HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, VF held_back) {
   return hn::MulAdd(hn::NegMulAdd(held_back, diffuse, f0), rough_share, diffuse);
 }
 
+// Share of light from all sides that reaches hits [slot, slot + kLanes): by short rays, by the occlusion
+// texture, or the smaller where both are there, which tell of the same neighbours.
+HWY_INLINE VF open_share(const HitBatch& hits, int slot, const FramePlan& plan, bool occlusion_traced) {
+  const VF one = set(1.0f);
+  const VF traced = occlusion_traced ? hn::Max(load(&hits.open[slot]), hn::Zero(kF)) : one;
+  return plan.surface_details ? hn::Min(traced, load(&hits.occlusion[slot])) : traced;
+}
+
 // Radiance that hits [slot, slot + kLanes) send back: emission, direct light, and light from all sides
 // (constant, or from probes). The mirror ray stands for the mirror's share of the specular ambient light,
-// where one is traced; ambient light reaches the `open` share of a hit where short rays were traced.
+// where one is traced; ambient light reaches the `open` share of a hit.
 HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced,
                        bool occlusion_traced) {
   const VF one = set(1.0f);
   const bool probes = shading.probes != nullptr;
   const VF held_back = probes ? load(&hits.held_back[slot]) : hn::Zero(kF);
   const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
-  const VF open = occlusion_traced ? hn::Max(load(&hits.open[slot]), hn::Zero(kF)) : one;
+  const VF open = open_share(hits, slot, *shading.plan, occlusion_traced);
+  const VF none = hn::Zero(kF);
+  const V3 layers =
+      shading.plan->further_lobes ? layers_share(hits, slot, rough_share) : V3{none, none, none};
   const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
-                           const Lane<float>& direct, const Lane<float>& indirect, float ambient) HWY_ATTR {
+                           const Lane<float>& direct, const Lane<float>& indirect, VF layer,
+                           float ambient) HWY_ATTR {
     const VF around = probes ? load(&indirect[slot]) : set(ambient);
-    const VF scattered = scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, held_back);
+    const VF scattered =
+        hn::Add(layer, scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, held_back));
     return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
   };
-  return {
-      channel(hits.emission.x, hits.diffuse.x, hits.f0.x, hits.direct.x, hits.indirect.x, shading.ambient[0]),
-      channel(hits.emission.y, hits.diffuse.y, hits.f0.y, hits.direct.y, hits.indirect.y, shading.ambient[1]),
-      channel(hits.emission.z, hits.diffuse.z, hits.f0.z, hits.direct.z, hits.indirect.z,
-              shading.ambient[2])};
+  return {channel(hits.emission.x, hits.diffuse.x, hits.f0.x, hits.direct.x, hits.indirect.x, layers.x,
+                  shading.ambient[0]),
+          channel(hits.emission.y, hits.diffuse.y, hits.f0.y, hits.direct.y, hits.indirect.y, layers.y,
+                  shading.ambient[1]),
+          channel(hits.emission.z, hits.diffuse.z, hits.f0.z, hits.direct.z, hits.indirect.z, layers.z,
+                  shading.ambient[2])};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -21,8 +21,13 @@ constexpr float kLeastSight = 1e-7f;
 constexpr float kSmallestKnowledge = 1e-10f;
 // A probe counts in full from 1/8 = 7 degrees above the surface's plane, and not at all from behind it.
 constexpr float kSideSlope = 8.0f;
+// Of a probe's tolerance: a thousandth of the smallest spacing.
+constexpr float kBeforeSurface = 0.1f;
 // Sight below this falls off as its cube: walls must hold better than Chebyshev's bound.
 constexpr float kPoorSight = 0.2f;
+
+// No way is shorter, nor its square, however small the scene: keeps inverses finite.
+constexpr float kShortest = 1e-24f;
 
 // Three nodes of an octahedral map around a direction, and their weights, which sum to 1.
 struct MapTaps {
@@ -63,7 +68,7 @@ HWY_INLINE MapTaps map_taps(const V3& d, VF inverse_norm) {
 }
 
 HWY_INLINE VF norm_of(const V3& d) {
-  return hn::Max(hn::Add(hn::Abs(d.x), hn::Add(hn::Abs(d.y), hn::Abs(d.z))), set(1e-6f));
+  return hn::Max(hn::Add(hn::Abs(d.x), hn::Add(hn::Abs(d.y), hn::Abs(d.z))), set(kShortest));
 }
 
 // The first lane of `some` in every lane. Hits of a packet mostly share their cell, and on flat surfaces the
@@ -216,7 +221,9 @@ HWY_INLINE LookupPoint lookup_point(const ProbeView& view, const HitBatch& hits,
   out.side_normal = at(hits.geometric_normal);
   out.seen_point = mul_add(set(view.normal_bias_m), out.side_normal,
                            mul_add(set(view.view_bias_m), at(hits.viewer), out.point));
-  out.cell = probe_cell(view, out.point, out.side_normal);
+  // On a surface between two cells, the one before it: rounding must not choose.
+  out.cell = probe_cell(view, mul_add(set(kBeforeSurface * view.tolerance_m), out.side_normal, out.point),
+                        out.side_normal);
   const VI first = first_of(out.cell.first, surface);
   out.one_cell = all_same(out.cell.first, first, surface);
   const V3& n = out.normal;
@@ -248,7 +255,7 @@ HWY_INLINE ProbeStand probe_stand(const ProbeView& view, VI probe, bool one) {
 HWY_INLINE VF standing_weight(const LookupPoint& at, const ProbeStand& stand, int dx, int dy, int dz) {
   const VF one = set(1.0f), half = set(0.5f);
   const V3 to_probe = sub(stand.place, at.point);
-  const VF inverse_length = hn::Div(one, hn::Sqrt(hn::Max(dot(to_probe, to_probe), set(1e-12f))));
+  const VF inverse_length = hn::Div(one, hn::Sqrt(hn::Max(dot(to_probe, to_probe), set(kShortest))));
   const VF side = hn::Mul(hn::Mul(dot(to_probe, at.side_normal), inverse_length), set(kSideSlope));
   const VF facing = hn::MulAdd(hn::Mul(dot(to_probe, at.normal), inverse_length), half, half);
   const V3& place = at.cell.place;

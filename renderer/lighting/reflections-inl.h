@@ -1,50 +1,43 @@
 // Stage: second rays by reflection. One mirror bounce for hits whose material asks for
-// it, objects and catchers.
+// it, objects and catchers; where the frame follows light through glass, glass that is mirrored is seen
+// through, and reflects.
 #pragma once
 
-#include "renderer/lighting/second_rays-inl.h"
+#include "renderer/lighting/follow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Direction mirrored at the normal; `v` is towards the viewer. An interpolated normal can send the ray into
-// the surface; the triangle's own normal never does.
-HWY_INLINE V3 mirrored(const V3& v, const V3& n, const V3& g) {
-  const auto reflect = [&](const V3& normal) HWY_ATTR {
-    return mul_add(hn::Mul(set(2.0f), dot(normal, v)), normal, scale(v, set(-1.0f)));
-  };
-  const V3 bent = reflect(n);
-  return select(hn::Gt(dot(bent, g), hn::Zero(kF)), bent, reflect(g));
-}
-
-// Share of the mirror ray that is seen, per channel: mirror * (F0 + (F90 - F0) (1 - n.v)^5); F90 is 1 unless
-// highlights are `weighted`.
-HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine, bool weighted) {
-  const VF one = set(1.0f), grazing = schlick_weight(cosine), mirror = load(&hits.mirror[slot]);
-  const VF f90 = weighted ? load(&hits.f90[slot]) : one;
-  const V3 f0 = load3(hits.f0, slot);
-  return scale(mul_add(grazing, sub({f90, f90, f90}, f0), f0), mirror);
+// Remembers the weights of the next rays of the queue.
+HWY_INLINE void append_weights(Lane3& weights, int at, const V3& weight, MF lanes) {
+  hn::StoreU(hn::Compress(weight.x, lanes), kF, weights.x.data() + at);
+  hn::StoreU(hn::Compress(weight.y, lanes), kF, weights.y.data() + at);
+  hn::StoreU(hn::Compress(weight.z, lanes), kF, weights.z.data() + at);
 }
 
 HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   const HitBatch& hits = scratch.first;
+  const FramePlan& plan = *job.shading->plan;
   RayQueue& queue = scratch.queue;
   queue.count = 0;
   const VI lane = hn::Iota(kI, 0);
   for (int slot = 0; slot < count; slot += kLanes) {
     MF mirrors = of_kind(hits, slot, HitKind::object);
-    if (job.shading->plan->catcher_mirrors) {
-      mirrors = hn::Or(mirrors, of_kind(hits, slot, HitKind::catcher));
-    }
+    if (plan.catcher_mirrors) mirrors = hn::Or(mirrors, of_kind(hits, slot, HitKind::catcher));
     if (hn::AllFalse(kF, mirrors)) continue;
     const V3 v = load3(hits.viewer, slot);
     const V3 n = load3(hits.normal, slot);
-    const V3 weight = mirror_weight(hits, slot, dot(n, v), job.shading->plan->surface_details);
+    V3 weight = mirror_weight(hits, slot, dot(n, v), plan.surface_details);
+    if (plan.refraction) {
+      const VF one = set(1.0f);
+      const Onward onward = onward_from(plan, hits, slot, {one, one, one}, first_lanes(0), kNegligibleWeight);
+      weight = select(onward.clear, onward.back, weight);
+    }
     const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
     if (hn::AllFalse(kF, reflects)) continue;
-    store3(weight, scratch.second->weight, slot);
+    append_weights(scratch.second->weight, queue.count, weight, reflects);
     const V3 g = load3(hits.geometric_normal, slot);
     push(queue, ray_origin(hits, slot), mirrored(v, n, g), hn::Add(lane, hn::Set(kI, slot)), reflects);
   }
@@ -54,17 +47,23 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
 template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_NOINLINE void reflect_light(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
+  const bool glass = job.shading->plan->refraction;
   if (job.shading->plan->catcher_mirrors) clear(scratch.first.mirrored, count);
   queue_mirror_rays(job, count);
   const int rays = scratch.queue.count;
   if (rays == 0) return;
   remember_senders(scratch);
   trace_second_rays<kDetail>(job, RayKind::mirror, 0x517cc1b7u);
+  if (glass) {
+    remember_mirror_paths(scratch, rays);
+    send_onward(job, rays);
+  }
   job.cycles->lap(Stage::second_hits);
   direct_light<kLobe>(job, scratch.second->hits, rays, RayKind::mirror_shadow);
   light_indirectly(job, rays);
-  gather_second_light(job, rays);
+  gather_second_light(job, rays, glass);
   job.cycles->lap(Stage::second_light);
+  if (glass) follow_rays<kDetail, kLobe>(job);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -6,6 +6,7 @@
 
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/environment-inl.h"
+#include "renderer/lighting/interfaces-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
@@ -18,16 +19,24 @@ namespace HWY_NAMESPACE {
 // traced. What is left out is below this times the radiance that the ray would have brought.
 constexpr float kNegligibleWeight = 1.0f / 512.0f;
 
-// (1 - cosine)^5, for Schlick's approximation of Fresnel's reflectance.
-HWY_INLINE VF schlick_weight(VF cosine) {
-  const VF one = set(1.0f);
-  const VF k = hn::Sub(one, hn::Min(hn::Max(cosine, hn::Zero(kF)), one));
-  const VF k2 = hn::Mul(k, k);
-  return hn::Mul(hn::Mul(k2, k2), k);
-}
+// The way of a ray since its first hit, where there is glass: the sender, whether an opaque mirror lies on
+// the way, and a code of which way light took at each surface, with a leading 1. Its random numbers depend on
+// it.
+constexpr int kSenderBits = 10;
+static_assert(1 << kSenderBits == kTileRays);
+constexpr std::int32_t kMirroredPath = 1 << kSenderBits;
+constexpr std::int32_t kFirstCode = kMirroredPath << 1;
+constexpr std::int32_t kLastPath = kFirstCode << kMostInterfaces;  // codes from here on have no room for more
+static_assert(kMostInterfaces < 19);
 
-HWY_INLINE VF largest(const V3& v) {
-  return hn::Max(v.x, hn::Max(v.y, v.z));
+HWY_INLINE std::int32_t sender_of(std::int32_t path) {
+  return path & (kMirroredPath - 1);
+}
+HWY_INLINE VI path_through(VI path) {
+  return hn::Add(path, hn::AndNot(hn::Set(kI, kFirstCode - 1), path));
+}
+HWY_INLINE VI path_back(VI path) {
+  return hn::Add(path_through(path), hn::Set(kI, kFirstCode));
 }
 
 // Sets out on a pass of second rays: those of the queue, each remembered with its sender.
@@ -37,9 +46,10 @@ HWY_INLINE void remember_senders(TileScratch& scratch) {
 }
 
 // Traces the queued rays and stores their surfaces in the second batch, slot i for ray i. `salt` tells the
-// random numbers of this pass from those of others.
+// random numbers of this pass from those of others; those that follow `glass` also depend on the path.
 template <SurfaceDetail kDetail>
-HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt) {
+HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint32_t salt,
+                                    bool glass = false) {
   TileScratch& scratch = *job.scratch;
   SecondRays& second = *scratch.second;
   const RayQueue& queue = scratch.queue;
@@ -72,8 +82,12 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
     record(job, kind, packet.ray, valid, false);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
     surface_of_packet<kDetail>(packet, lanes, *job.shading, true, second.hits, start);
-    const VU key = hn::BitCast(
+    VU key = hn::BitCast(
         kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), sender));
+    if (glass) {
+      const VU path = hn::BitCast(kU, hn::Load(kI, &second.path[start]));
+      key = hn::Xor(key, hn::Mul(hn::ShiftRight<kSenderBits + 1>(path), hn::Set(kU, 0x9e3779b1u)));
+    }
     hn::Store(hash(key, salt), kU, &second.hits.key[start]);
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
@@ -91,15 +105,15 @@ HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
 
 // Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to
 // all, what is not virtual to objects only, since a catcher's feed shows the real room already. Rays of
-// kind none bring nothing.
-HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays) {
+// kind none bring nothing. `onward`: the hits' mirrored light was followed (HitBatch::mirror says how much).
+HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool onward) {
   HitBatch& first = job.scratch->first;
   const SecondRays& sent = *job.scratch->second;
   const HitBatch& second = sent.hits;
   alignas(64) float r[kMaxLanes], g[kMaxLanes], b[kMaxLanes];
   for (int start = 0; start < rays; start += kLanes) {
     const MF object = of_kind(second, start, HitKind::object), miss = of_kind(second, start, HitKind::miss);
-    V3 radiance = outgoing(second, start, *job.shading, false, false);
+    V3 radiance = outgoing(second, start, *job.shading, onward, false);
     if (!hn::AllFalse(kF, miss)) {
       const V3 back = load3(second.viewer, start);
       radiance = select(object, radiance, environment_radiance(*job.shading, scale(back, set(-1.0f))));
@@ -114,13 +128,13 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays) {
       const auto hit = static_cast<std::size_t>(sent.sender[ray]);
       if (first.kind[hit] == static_cast<int>(HitKind::catcher)) {
         if (second.kind[ray] != static_cast<int>(HitKind::object) || second.is_catcher[ray] != 0) continue;
-        first.mirrored.x[hit] += sent.weight.x[hit] * r[i];
-        first.mirrored.y[hit] += sent.weight.y[hit] * g[i];
-        first.mirrored.z[hit] += sent.weight.z[hit] * b[i];
+        first.mirrored.x[hit] += sent.weight.x[ray] * r[i];
+        first.mirrored.y[hit] += sent.weight.y[ray] * g[i];
+        first.mirrored.z[hit] += sent.weight.z[ray] * b[i];
       } else {
-        first.direct.x[hit] += sent.weight.x[hit] * r[i];
-        first.direct.y[hit] += sent.weight.y[hit] * g[i];
-        first.direct.z[hit] += sent.weight.z[hit] * b[i];
+        first.direct.x[hit] += sent.weight.x[ray] * r[i];
+        first.direct.y[hit] += sent.weight.y[ray] * g[i];
+        first.direct.z[hit] += sent.weight.z[ray] * b[i];
       }
     }
   }

@@ -98,7 +98,8 @@ void pack_distances(std::span<const float> distances, double nearest_m, std::uin
   const std::vector<glm::vec3>& directions = distance_directions();
   std::vector<double> inverse(directions.size());
   for (std::size_t i = 0; i < inverse.size(); ++i) {
-    inverse[i] = std::min(1.0, nearest_m / (std::max(double{distances[i]}, 1e-9) * norm_of(directions[i])));
+    inverse[i] = std::min(
+        1.0, nearest_m / (std::max(double{distances[i]}, 1e-9 * nearest_m) * norm_of(directions[i])));
   }
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {

@@ -10,7 +10,7 @@ namespace herr {
 namespace {
 
 constexpr double kThinnestShare = 1.0 / 16.0;  // of the longest edge
-constexpr double kSmallestExtent_m = 1e-3;     // a scene that is a single point
+constexpr double kPointExtent_m = 1e-3;        // of a scene that is a single point
 
 // The cells of a grid along one axis: one before the first probe, those between two, one after the last. Cell
 // i ends at probe i. In the outer ones look-ups take the outermost probes alone.
@@ -111,7 +111,8 @@ ProbeGrid grid_over(const Bounds& box, const glm::ivec3& counts) {
   grid.counts = counts;
   glm::dvec3 extent = box.upper - box.lower;
   const glm::dvec3 middle = 0.5 * (box.lower + box.upper);
-  const double longest = std::max({extent.x, extent.y, extent.z, kSmallestExtent_m});
+  double longest = std::max({extent.x, extent.y, extent.z});
+  if (!(longest > 0)) longest = kPointExtent_m;
   extent = glm::max(extent, glm::dvec3{kThinnestShare * longest});
   grid.lower = middle - 0.5 * extent;
   grid.spacing = extent / glm::dvec3(counts);

@@ -43,7 +43,7 @@ struct MaterialAt {
   Rgba base;
   VF metallic, roughness, transmission;
   V3 emission, f0;  // f0: of a dielectric
-  VF f90;
+  VF f90, occlusion;
 };
 
 HWY_INLINE MaterialAt material_factors(const InstanceRecord& instance) {
@@ -54,6 +54,7 @@ HWY_INLINE MaterialAt material_factors(const InstanceRecord& instance) {
           set(instance.transmission),
           set3(instance.emission),
           {f0, f0, f0},
+          one,
           one};
 }
 

@@ -40,9 +40,17 @@ HWY_INLINE void store_curvature(const InstanceRecord& instance, VF curvature, MF
   store_lanes(hn::Mul(curvature, object_per_world), lanes, out.curvature.data() + slot);
 }
 
-// Normals of `lanes`, turned to the viewer's side.
-HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
-                              const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
+// Above 1 exactly where the viewer is `inside`: by a hair where the index itself is 1 (or 0, a mirror).
+HWY_INLINE void store_index_ratio(const InstanceRecord& instance, MF inside, MF lanes, HitBatch& out,
+                                  int slot) {
+  const float index = instance.refractive_index > 1 ? instance.refractive_index : 1.0f + 0x1p-23f;
+  store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
+}
+
+// Normals of `lanes`, turned to the viewer's side. Returns where the triangle's back is seen: some of
+// `lanes`.
+HWY_INLINE MF store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
+                            const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
   // Embree's normal has the triangle's area for its length: brought near 1 first, or a
   // sliver's would underflow.
   const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
@@ -55,8 +63,7 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   const MF g_behind = hn::Lt(dot(g, viewer), hn::Zero(kF));
   g = select(g_behind, scale(g, set(-1.0f)), g);
   // Normals of a closed surface point outwards: from behind, the viewer is inside.
-  const float index = instance.refractive_index;
-  store_lanes(hn::IfThenElse(g_behind, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
+  store_index_ratio(instance, g_behind, lanes, out, slot);
   // The shading normal follows the geometric one's side, so that both see the same lights.
   n = select(hn::Lt(dot(n, g), hn::Zero(kF)), scale(n, set(-1.0f)), n);
   // A flat triangle's stored normal is its own but for rounding to 16 bits (6.6e-5 rad at
@@ -67,6 +74,7 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   store_lanes(n, lanes, out.normal, slot);
   const VF curvature = hn::GatherIndex(kF, reinterpret_cast<const float*>(instance.triangles) + 7, record);
   store_curvature(instance, curvature, lanes, out, slot);
+  return hn::And(g_behind, lanes);
 }
 
 // The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat:
@@ -76,13 +84,10 @@ HWY_INLINE void store_shape(const InstanceRecord& instance, const RayHit& packet
   V3 n = normal_to_world(instance, load3(packet.hit.Ng_x, packet.hit.Ng_y, packet.hit.Ng_z));
   const MF inside = hn::Lt(dot(n, viewer), hn::Zero(kF));
   n = select(inside, scale(n, set(-1.0f)), n);
-  const float index = instance.refractive_index;
-  store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
+  store_index_ratio(instance, inside, lanes, out, slot);
   store_lanes(n, lanes, out.normal, slot);
   store_lanes(n, lanes, out.geometric_normal, slot);
   store_curvature(instance, set(instance.kind == ShapeKind::sphere ? 1.0f : 0.0f), lanes, out, slot);
-  const VF offset = hn::Max(load(&out.offset[slot]), set(instance.shape_offset_m));
-  store_lanes(offset, lanes, out.offset.data() + slot);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -65,6 +65,10 @@ HWY_INLINE void apply_details(const DetailRecord& detail, VI record, const Baryc
     const Rgba texel = fetch_use(detail.transmission, record, at, object_width2, lanes);
     m.transmission = hn::Mul(m.transmission, texel.r);
   }
+  if (detail.occlusion.texture != nullptr) {
+    const VF texel = fetch_use(detail.occlusion, record, at, object_width2, lanes).r;
+    m.occlusion = hn::MulAdd(set(detail.occlusion_strength), hn::Sub(texel, set(1.0f)), set(1.0f));
+  }
   weigh_highlights(detail, record, at, object_width2, lanes, m);
   if (!detail.unlit) return;
   // What it shows is its colour, whatever the light: that is emission.

@@ -3,20 +3,19 @@
 // and textures are then broadcast, and only the triangle's record is gathered.
 #pragma once
 
-#include "renderer/surfaces/normal_texture-inl.h"
+#include "renderer/surfaces/further_lobes-inl.h"
 #include "renderer/tiles/generate_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-constexpr float kSmallestAlpha = 1e-3f;  // keeps the highlight's peak, 1 / (pi alpha^2), finite in float
 // Secondary rays start off the surface by 256 units in the last place of the largest coordinate or distance
 // that went into the hit point, along the geometric normal (after Waechter & Binder, "A Fast and Robust
 // Method for Avoiding Self-Intersection", 2019; they take each coordinate's own, which is too little for p =
-// o + t d near a plane of 0).
+// o + t d near a plane of 0), and at least by what rounds where the triangle or shape was met in its own
+// space.
 constexpr float kOffsetScale = 0x1p-16f;
-constexpr float kSmallestOffsetScale_m = 1.0f / 32.0f;
 
 // What surfaces are looked up for. colours: all that they send back. matte: as probes take them, what they
 // scatter is in `diffuse`.
@@ -27,15 +26,15 @@ enum class SurfaceUse : std::uint8_t { colours, matte };
 constexpr float kUsualF0 = 0.04f, kStrongF0 = 0.08f;
 
 // What a surface scatters evenly: `diffuse`, a metal its colour, and a dielectric whose highlights are strong
-// theirs, for which its diffuse layer gets less.
-HWY_INLINE V3 matte_albedo(const MaterialAt& m, const V3& base, const V3& diffuse) {
+// theirs, of which its diffuse layer misses what is `held_back`.
+HWY_INLINE V3 matte_albedo(const MaterialAt& m, const V3& base, const V3& diffuse, VF held_back) {
   const VF f0 = hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z));
   const VF strong =
       hn::Min(hn::Max(hn::Mul(hn::Sub(f0, set(kUsualF0)), set(1.0f / (kStrongF0 - kUsualF0))), hn::Zero(kF)),
               set(1.0f));
   const VF dielectric = hn::Mul(strong, hn::Sub(set(1.0f), m.metallic));
   const auto channel = [&](VF metal, VF layer, VF highlight) HWY_ATTR {
-    const VF under = hn::NegMulAdd(hn::Mul(strong, f0), layer, layer);
+    const VF under = hn::NegMulAdd(hn::Mul(strong, held_back), layer, layer);
     return hn::Min(hn::MulAdd(m.metallic, metal, hn::MulAdd(dielectric, highlight, under)), set(1.0f));
   };
   return {channel(base.x, diffuse.x, m.f0.x), channel(base.y, diffuse.y, m.f0.y),
@@ -62,9 +61,16 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
       if (instance.detail->alpha_mode == AlphaMode::blend) put(m.base.a, out.coverage);
     }
     put(hn::MulAdd(m.metallic, hn::Sub(set(1.0f), m.f90), m.f90), out.f90);
+    put(m.occlusion, out.occlusion);
   }
   const V3 base{m.base.r, m.base.g, m.base.b};
   VF dielectric = hn::Sub(set(1.0f), m.metallic);
+  VF held_back = hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z));
+  if (instance.dielectric_f0 >= 1.0f) {
+    // Index 0: light that is not reflected goes on, as KHR_materials_ior and _specular mix it.
+    dielectric = hn::Mul(dielectric, hn::Sub(set(1.0f), held_back));
+    held_back = hn::Zero(kF);
+  }
   if (shading.plan->refraction) {
     // What passes the surface is not scattered by it.
     const VF transmission = hn::Mul(dielectric, m.transmission);
@@ -72,10 +78,12 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     put(transmission, out.transmission);
     put(set(instance.dielectric_f0), out.dielectric_f0);
     store_lanes(base, lanes, out.tint, slot);
+    store_lanes(set3(instance.absorption), lanes, out.absorption, slot);
   }
   const V3 diffuse = scale(base, dielectric);
-  store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse) : diffuse, lanes, out.diffuse, slot);
-  if (shading.probes != nullptr) put(hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z)), out.held_back);
+  store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse, held_back) : diffuse, lanes,
+              out.diffuse, slot);
+  if (shading.probes != nullptr) put(held_back, out.held_back);
   store_lanes(mul_add(m.metallic, sub(base, m.f0), m.f0), lanes, out.f0, slot);
   const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
   put(hn::Mul(alpha, alpha), out.alpha2);
@@ -87,11 +95,11 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
 // a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
 // HitBatch::cone_width and cone_spread are the rays' at the origin before, and the width is the hit's
-// afterwards.
+// afterwards. Returns where the back of a surface is seen that shows eyes its front only.
 template <SurfaceDetail kDetail>
-HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
-                                    bool see_catchers, HitBatch& out, int slot,
-                                    SurfaceUse use = SurfaceUse::colours) {
+HWY_NOINLINE MF surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
+                                  bool see_catchers, HitBatch& out, int slot,
+                                  SurfaceUse use = SurfaceUse::colours) {
   const VU geometry = hn::Load(kU, packet.hit.geomID);
   const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
   const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
@@ -101,15 +109,15 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   store3(viewer, out.viewer, slot);
   if (hn::AllFalse(kF, hit)) {
     hn::Store(kind, kI, out.kind.data() + slot);
-    return;
+    return hit;
   }
   const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
   const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
   const V3 p = mul_add(t, direction, origin);
   store3(p, out.position, slot);
   const VF largest = hn::Max(hn::Max(hn::Abs(p.x), hn::Abs(p.y)), hn::Max(hn::Abs(p.z), t));
-  hn::Store(hn::Mul(hn::Max(largest, set(kSmallestOffsetScale_m)), set(kOffsetScale)), kF,
-            out.offset.data() + slot);
+  const VF rounding = hn::Mul(largest, set(kOffsetScale));
+  hn::Store(rounding, kF, out.offset.data() + slot);
 
   const VF u = load(packet.hit.u), v = load(packet.hit.v);
   const Barycentric at{hn::Sub(hn::Sub(set(1.0f), u), v), u, v};
@@ -117,7 +125,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
   store_lanes(width, hit, &out.cone_width[slot]);
   const VF area = hn::Mul(width, width);  // of the ray's cross section on the surface, but for its slope
-  MF left = hit;
+  MF left = hit, backs = first_lanes(0);
   while (!hn::AllFalse(kF, left)) {
     const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
     const std::uint32_t id = packet.hit.instID[0][first];
@@ -125,8 +133,10 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     left = hn::AndNot(lanes, left);
     const InstanceRecord& instance = shading.instances[id];
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
+    store_lanes(hn::Max(rounding, set(instance.least_offset_m)), lanes, out.offset.data() + slot);
     if (instance.kind == ShapeKind::mesh) {
-      store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      const MF behind = store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      if (instance.back_face_culling) backs = hn::Or(backs, behind);
     } else {
       store_shape(instance, packet, viewer, lanes, out, slot);
     }
@@ -136,14 +146,20 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
       object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
     }
     if constexpr (kDetail == SurfaceDetail::all) {
-      if (instance.detail && instance.detail->tangents)
-        bend_normals(instance, record, at, object_width2, lanes, out, slot);
+      if (out.lobes) store_coat_normal(instance, record, at, object_width2, lanes, out, slot);
+      if (const DetailRecord* detail = instance.detail; detail && detail->normal.texture != nullptr) {
+        store_lanes(bent_normals(instance, detail->normal, detail->normal_scale, record, at, object_width2,
+                                 lanes, out, slot),
+                    lanes, out.normal, slot);
+      }
+      if (out.lobes) store_lobes(instance, record, at, object_width2, lanes, out, slot);
     }
     store_material<kDetail>(instance, record, at, object_width2, shading, use, lanes, out, slot);
     const HitKind of_instance = instance.catcher && !see_catchers ? HitKind::catcher : HitKind::object;
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
   }
   hn::Store(kind, kI, out.kind.data() + slot);
+  return backs;
 }
 
 }  // namespace HWY_NAMESPACE

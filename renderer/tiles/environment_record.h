@@ -4,8 +4,8 @@
 
 namespace herr {
 
-// Row 0 lies at the zenith. Column 0 begins at the azimuth `turn` (in turns) and columns run clockwise as
-// seen from above, so that -Z of the world is the middle of an unturned picture.
+// Row 0 lies at the zenith. Columns run clockwise as seen from above; the middle of the picture lies `turn`
+// turns counter-clockwise of -Z of the world.
 struct EnvironmentRecord {
   const float* texels = nullptr;  // four floats each: R, G, B, unused; null: there is no picture
   int width = 0, height = 0;

@@ -124,12 +124,29 @@ struct alignas(64) AlphaLayers {
   Lane<std::int32_t> kind;  // HitKind of the first layer
 };
 
-// Rays that first hits send on, and what those meet.
+// Rays through glass and off it that wait to be traced: a stack.
+inline constexpr int kMostPending = 4 * kTileRays;
+struct alignas(64) PendingRays {
+  template <typename T>
+  using Stack = std::array<T, kMostPending + kMaxLanes>;
+  struct Stack3 {
+    Stack<float> x, y, z;
+  };
+  Stack3 origin, direction;
+  Stack3 weight;              // share of what they bring that is seen
+  Stack3 medium;              // what light loses per metre on their way
+  Stack<std::int32_t> path;   // as SecondRays::path
+  int count = 0, budget = 0;  // budget: how many more of them may be traced
+};
+
+// Rays that first hits send on, and what those meet. All but `hits` per ray in work.
 struct alignas(64) SecondRays {
   HitBatch hits;
-  RayQueue onward;            // rays that leave a transparent surface
-  Lane<std::int32_t> sender;  // per second ray: the first hit that sent it
-  Lane3 weight;               // per first hit: of its second ray
+  Lane<std::int32_t> sender;  // the first hit that sent it
+  Lane3 weight;               // share of what it brings that is seen
+  Lane3 medium;               // only with glass, as PendingRays::medium
+  Lane<std::int32_t> path;    // only with glass: sender, and the way since (lighting/onward_rays-inl.h)
+  std::unique_ptr<PendingRays> pending;  // only with glass
 };
 
 // One worker's memory for the tile in work. What only some scenes need is there where the plan asks for it

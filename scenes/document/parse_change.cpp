@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::array kKinds{ChangeKind::spawn,     ChangeKind::remove,       ChangeKind::move,
                             ChangeKind::set_light, ChangeKind::set_material, ChangeKind::replace_mesh};
-constexpr double kLargestLight_m = 1e6;
 
 ChangeKind parse_kind(const JsonObject& object) {
   const std::string op = object.text("op");
@@ -32,11 +31,12 @@ LightChange parse_light_change(const JsonObject& object) {
   if (object.has("intensity_w_sr") && object.has("irradiance_w_m2")) {
     object.fail("irradiance_w_m2", "stands beside intensity_w_sr", "write the one that the light's kind has");
   }
-  for (const char* key : {"intensity_w_sr", "irradiance_w_m2"}) {
-    if (object.has(key)) change.intensity_w_sr = glm::vec3(object.vec3(key, 0, kBrightest));
-  }
+  if (object.has("intensity_w_sr"))
+    change.intensity_w_sr = glm::vec3(object.vec3("intensity_w_sr", 0, kStrongest_w_sr));
+  if (object.has("irradiance_w_m2"))
+    change.intensity_w_sr = glm::vec3(object.vec3("irradiance_w_m2", 0, kBrightest));
   if (object.has("centre")) change.centre = object.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
-  if (object.has("size")) change.size = glm::vec3(object.vec3("size", 0, kLargestLight_m));
+  if (object.has("size")) change.size = glm::vec3(object.vec3("size", 0, kLargest_m));
   if (object.has("direction")) {
     const glm::dvec3 direction = object.vec3("direction", -kFarthestPlace_m, kFarthestPlace_m);
     const double length = glm::length(direction);

@@ -16,10 +16,10 @@
 namespace herr {
 namespace {
 
-constexpr double kFarthestInRoom_m = 1e4;   // of a place in a room
-constexpr double kSameTop_m = 0.05;         // between a box's top and the plane that was seen of it
-constexpr double kSmallestExtent_m = 1e-3;  // thinner parts have no area to catch light with
-constexpr double kUnitLength = 1e-3;        // tolerance of a quaternion's length
+constexpr double kFarthestInRoom_m = 1e9;  // of a place in a room
+constexpr double kSameTopShare = 0.05;     // of the box: between its top and the plane that was seen of it
+constexpr double kThinnestShare = 1e-6;    // of a part: less has no area to catch light with
+constexpr double kUnitLength = 1e-3;       // tolerance of a quaternion's length
 
 // One labelled part: a plane in x and z (lower.y = upper.y = 0), or a box.
 struct ScanPart {
@@ -51,17 +51,23 @@ glm::dmat4x3 parse_location(const JsonObject& part) {
   return {rotation[0], rotation[1], rotation[2], components(located.object("position"))};
 }
 
+double longest_of(const glm::dvec3& sizes) {
+  return std::max({sizes.x, sizes.y, sizes.z});
+}
+
 // `axes`: where width, height and depth lie.
 void parse_extent(const JsonObject& bounds, const std::vector<int>& axes, ScanPart& part) {
   constexpr std::array kOffsets{"x", "y", "z"}, kExtents{"width", "height", "depth"};
   const JsonObject offset = bounds.object("offset"), extent = bounds.object("extent");
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const double size = extent.number(kExtents[i], 0, kFarthestInRoom_m);
-    if (size < kSmallestExtent_m) {
-      extent.fail(kExtents[i], "is less than a millimetre", "take the part out of the scan");
-    }
     part.lower[axes[i]] = offset.number(kOffsets[i], -kFarthestInRoom_m, kFarthestInRoom_m);
     part.upper[axes[i]] = part.lower[axes[i]] + size;
+  }
+  const glm::dvec3 sizes = part.upper - part.lower;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (sizes[axes[i]] > kThinnestShare * longest_of(sizes)) continue;
+    extent.fail(kExtents[i], "leaves no area to catch light with", "take the part out of the scan");
   }
 }
 
@@ -92,7 +98,8 @@ std::vector<ScanPart> parse_parts(const JsonObject& root) {
 bool is_top_of_a_box(const ScanPart& plane, const std::vector<ScanPart>& parts) {
   return std::any_of(parts.begin(), parts.end(), [&](const ScanPart& box) {
     return !box.plane && box.label == plane.label &&
-           glm::distance(box.scan_from_part[3], plane.scan_from_part[3]) <= kSameTop_m;
+           glm::distance(box.scan_from_part[3], plane.scan_from_part[3]) <=
+               kSameTopShare * longest_of(box.upper - box.lower);
   });
 }
 

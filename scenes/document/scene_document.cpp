@@ -6,13 +6,13 @@
 
 #include "scenes/detail/simplify_mesh.h"
 #include "scenes/document/document_limits.h"
-#include "scenes/document/environment_image.h"
 #include "scenes/document/parse_change.h"
 #include "scenes/document/room_scan.h"
 #include "scenes/document/scene_document_parts.h"
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/document/scene_document_shapes.h"
 #include "scenes/document/scene_document_voxels.h"
+#include "scenes/environment/environment_image.h"
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/model/transform_checks.h"
@@ -116,14 +116,14 @@ void read_environment(const JsonObject& entry, Scene& scene) {
   const std::filesystem::path file = named_file(entry, "file");
   const auto turn_deg = static_cast<float>(entry.number_or("turn_deg", -360, 360, 0));
   const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightest, 1));
-  std::int64_t sanitised = 0;
-  scene.environment_map = read_environment_image(file, sanitised);
+  std::vector<std::string> remarks;
+  scene.environment_map = read_environment_image(file, remarks);
   scene.environment_map.turn_deg = turn_deg;
   for (float& value : scene.environment_map.rgba) value *= scale;
   scene.files.push_back(file);
-  if (sanitised == 0) return;
-  scene.warnings.push_back(printable(file.string()) + ": " + std::to_string(sanitised) +
-                           " values are negative, not finite or above 65504; brought into range");
+  for (const std::string& remark : remarks) {
+    scene.warnings.push_back(printable(file.string()) + ": " + remark);
+  }
 }
 
 }  // namespace

@@ -20,16 +20,15 @@
 namespace herr {
 namespace {
 
-constexpr double kLargestScale = 1e6;
 constexpr double kLargestRefractiveIndex = 100;  // glTF sets no limit; diamond has 2.4
 
 glm::dvec3 parse_scale(const JsonObject& entry) {
   if (!entry.has("scale")) return glm::dvec3(1.0);
   glm::dvec3 scale(0.0);
   if (entry.is_number("scale")) {
-    scale = glm::dvec3(entry.number("scale", -kLargestScale, kLargestScale));
+    scale = glm::dvec3(entry.number("scale", -kLargest_m, kLargest_m));
   } else {
-    scale = entry.vec3("scale", -kLargestScale, kLargestScale);
+    scale = entry.vec3("scale", -kLargest_m, kLargest_m);
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(scale[axis]) < kMinAxisScale) {
@@ -189,12 +188,16 @@ Material MaterialOverride::apply(Material material) const {
     material.transmission_texture = {};
   }
   if (refractive_index) material.refractive_index = *refractive_index;
-  if (metallic || roughness || transmission) {
-    material.mirror = mirror_of(material.metallic, material.roughness, material.transmission);
-  }
+  if (metallic || roughness || transmission || refractive_index) material.mirror = mirror_of(material);
   if (emission) {
     material.emission = *emission;
     material.emission_texture = {};
+    // What an unlit surface shows is its emission: now this one.
+    if (material.unlit) {
+      material.unlit = false;
+      if (!base_colour) material.base_colour = glm::vec3(0.0f);
+      material.specular = 0.0f;
+    }
   }
   if (mirror) material.mirror = *mirror;
   return material;
@@ -299,11 +302,11 @@ AreaLight parse_light(const JsonObject& object) {
     light.intensity_w_sr = glm::vec3(object.vec3("irradiance_w_m2", 0, kBrightest));
   } else {
     light.centre = object.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
-    light.intensity_w_sr = glm::vec3(object.vec3("intensity_w_sr", 0, kBrightest));
+    light.intensity_w_sr = glm::vec3(object.vec3("intensity_w_sr", 0, kStrongest_w_sr));
     light.range_m = object.number_or("range_m", 0, kFarthestPlace_m, 0);
   }
   if (light.kind == LightKind::box)
-    light.size = glm::vec3(object.vec3_or("size", 0, kLargestScale, glm::dvec3(0.0)));
+    light.size = glm::vec3(object.vec3_or("size", 0, kLargest_m, glm::dvec3(0.0)));
   if (light.kind != LightKind::box) light.direction = parse_direction(object);
   if (light.kind == LightKind::spot) {
     light.outer_cone_rad = glm::radians(object.number_or("outer_cone_deg", 0.1, 90, 45));
@@ -315,7 +318,7 @@ AreaLight parse_light(const JsonObject& object) {
   if (!object.has("path")) return light;
   const JsonObject path = object.object("path");
   path.allow_only({"circle_radius_m", "period_s", "phase_deg"});
-  light.path_radius_m = path.number("circle_radius_m", 0, kLargestScale);
+  light.path_radius_m = path.number("circle_radius_m", 0, kLargest_m);
   light.path_period_s = path.number("period_s", 1e-3, 1e9);
   light.path_phase_deg = path.number_or("phase_deg", -360, 360, 0);
   return light;

@@ -12,8 +12,6 @@
 namespace herr {
 namespace {
 
-constexpr double kLargestReach_m = 1e6;  // radius, half extent
-
 void require_thickness(const JsonObject& object, const char* key, const glm::dvec3& half) {
   for (int axis = 0; axis < 3; ++axis) {
     if (half[axis] >= kMinAxisScale) continue;
@@ -35,8 +33,8 @@ glm::dmat4x3 parse_sphere(const JsonObject& sphere) {
   }
   const glm::dvec3 centre = sphere.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
   const char* key = sphere.has("radius") ? "radius" : "radii";
-  const glm::dvec3 radii = sphere.has("radius") ? glm::dvec3(sphere.number("radius", 0, kLargestReach_m))
-                                                : sphere.vec3("radii", 0, kLargestReach_m);
+  const glm::dvec3 radii = sphere.has("radius") ? glm::dvec3(sphere.number("radius", 0, kLargest_m))
+                                                : sphere.vec3("radii", 0, kLargest_m);
   require_thickness(sphere, key, radii);
   return placed(radii, parse_orientation(sphere, "rotation_xyzw"), centre);
 }
@@ -50,7 +48,7 @@ glm::dmat4x3 parse_box_shape(const JsonObject& box) {
   }
   if (!by_corners) {
     const glm::dvec3 centre = box.vec3("centre", -kFarthestPlace_m, kFarthestPlace_m);
-    const glm::dvec3 half = box.vec3("half_extents", 0, kLargestReach_m);
+    const glm::dvec3 half = box.vec3("half_extents", 0, kLargest_m);
     require_thickness(box, "half_extents", half);
     return placed(half, parse_orientation(box, "rotation_xyzw"), centre);
   }

@@ -255,9 +255,9 @@ std::optional<MeshDeformation> mesh_deformation(const GltfModel& model, const Bu
     if (mesh.tangents.empty()) continue;
     if (target.tangent >= 0 && !built.made_tangents) {
       made.tangents = read(target.tangent);
-    } else {
-      if (directions.empty()) directions = tangent_directions(mesh, built.normal_uv_set);
-      made.tangents = tangent_offsets(to, made, mesh, built.normal_uv_set, directions);
+    } else if (!mesh.uvs.empty()) {
+      if (directions.empty()) directions = tangent_directions(mesh, built.tangent_uv_set);
+      made.tangents = tangent_offsets(to, made, mesh, built.tangent_uv_set, directions);
     }
   }
   return to;

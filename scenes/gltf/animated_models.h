@@ -36,8 +36,9 @@ struct BuiltPrimitive {
   std::uint32_t mesh, material;
   const GltfPrimitive* from = nullptr;
   std::vector<std::uint32_t> sources;  // as of BuiltMesh; only where something may bend it
-  int normal_uv_set = 0;               // where its mesh has tangents: the coordinates that they follow
+  int tangent_uv_set = 0;              // where its mesh has tangents: the coordinates that they follow
   bool made_tangents = false;          // these are ours, not the file's
+  double unit = 1;                     // of its mesh's coordinates: how many of the file's
 };
 
 // None for a primitive that a node neither skins nor morphs. `mesh` is its shape at rest. Throws InputError

@@ -1,7 +1,6 @@
 #include "scenes/gltf/load_gltf.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <new>
 #include <optional>
@@ -16,8 +15,10 @@
 #include "scenes/gltf/file/read_gltf.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/gltf/mesh_builder.h"
+#include "scenes/gltf/mesh_unit.h"
 #include "scenes/gltf/node_flattener.h"
 #include "scenes/gltf/vertex_tangents.h"
+#include "scenes/model/material_textures.h"
 #include "scenes/model/transform_checks.h"
 #include "sessions/files/input_error.h"
 #include "sessions/pictures/loaded_module.h"
@@ -25,12 +26,9 @@
 namespace herr {
 namespace {
 
-bool reads_coordinates(const Material& material) {
-  const int textures[] = {material.base_colour_texture,         material.metallic_roughness_texture,
-                          material.emission_texture.texture,    material.normal_texture.texture,
-                          material.specular_texture.texture,    material.specular_colour_texture.texture,
-                          material.transmission_texture.texture};
-  return std::any_of(std::begin(textures), std::end(textures), [](int texture) { return texture >= 0; });
+bool reads_textures(const Material& material) {
+  const auto slots = texture_slots(material);
+  return std::any_of(slots.begin(), slots.end(), [](const TextureSlot& slot) { return slot.texture >= 0; });
 }
 
 // Builds the meshes of a file when the first instance asks for them.
@@ -64,24 +62,35 @@ class PrimitiveCache {
            "\" has no texture coordinates for some of its textures; these are left out");
     }
     built.mesh.name = name;
-    const std::uint32_t material =
-        materials_.material(primitive.material, sources, !built.mesh.colours.empty());
+    const std::uint32_t material = materials_.material(primitive.material, sources);
     const auto mesh = static_cast<std::uint32_t>(scene_.meshes.size());
     const Material& made = scene_.materials[material];
+    const bool makes_tangents = give_tangents(made, built);
     // Textures may turn out unusable; then the coordinates have no reader.
-    if (!reads_coordinates(made)) {
+    if (!reads_textures(made) && !follows_tangents(made)) {
       built.mesh.uvs.clear();
       built.mesh.more_uvs.clear();
     }
-    const bool bends_normals = made.normal_texture.texture >= 0;
-    const bool makes_tangents = bends_normals && built.mesh.tangents.empty();
-    if (!bends_normals) built.mesh.tangents = {};
-    if (makes_tangents) make_tangents(built, made.normal_texture.uv_set);
-    if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
+    if (!made.double_sided) built.mesh.closed = is_closed_outwards(built.mesh);
+    const bool bends = primitive.joints[0] >= 0 || !primitive.targets.empty();
+    const double unit = bends ? 1 : take_unit(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
-    if (primitive.joints[0] < 0 && primitive.targets.empty()) built.sources.clear();
-    return BuiltPrimitive{
-        mesh, material, &primitive, std::move(built.sources), made.normal_texture.uv_set, makes_tangents};
+    if (!bends) built.sources.clear();
+    return BuiltPrimitive{mesh,          material, &primitive, std::move(built.sources), tangent_uv_set(made),
+                          makes_tangents, unit};
+  }
+
+  // Leaves tangents where the material follows them; true: made here.
+  bool give_tangents(const Material& material, BuiltMesh& built) {
+    if (!follows_tangents(material)) built.mesh.tangents = {};
+    if (!follows_tangents(material) || !built.mesh.tangents.empty()) return false;
+    if (built.mesh.uvs.empty()) {
+      warn("mesh \"" + printable(built.mesh.name) +
+           "\" has neither tangents nor texture coordinates: its highlights are round, not stretched");
+      return false;
+    }
+    make_tangents(built, tangent_uv_set(material));
+    return true;
   }
 
   // Says each thing once, however many primitives it holds for.
@@ -126,12 +135,13 @@ class ModelBuilder {
     instance.name = placed.name;
     instance.mesh = primitive.mesh;
     instance.material = primitive.material;
-    instance.world_from_object = placed.gltf_from_mesh;
+    instance.world_from_object = in_units(placed.gltf_from_mesh, primitive.unit);
     std::optional<MeshDeformation> bent;
     if (!primitive.sources.empty()) {
       bent = mesh_deformation(gltf_, primitive, placed.node, rest_of(primitive.mesh), budget_);
     }
     const bool skinned = bent && bent->skin >= 0;
+    if (!skinned) check(instance, placed.node);
     if (bent) instance.mesh = bend(std::move(*bent), primitive.mesh);
     // A skin alone says where its mesh stands, whatever its node says.
     if (skinned) {
@@ -139,10 +149,12 @@ class ModelBuilder {
     } else if (plays() && moved_[static_cast<std::size_t>(placed.node)]) {
       instance.model = index_;
       instance.node = placed.node;
-      const glm::dmat4x3 posed = compose(pose_.model_from_node(placed.node), placed.node_from_mesh);
+      instance.placed_from_object = in_units(placed.node_from_mesh, primitive.unit);
+      const glm::dmat4x3 posed = compose(pose_.model_from_node(placed.node), instance.placed_from_object);
       if (!transform_problem(posed)) instance.world_from_object = posed;
+      return instance;
     }
-    instance.placed_from_object = instance.model >= 0 ? placed.node_from_mesh : instance.world_from_object;
+    instance.placed_from_object = instance.world_from_object;
     return instance;
   }
 
@@ -152,6 +164,16 @@ class ModelBuilder {
 
  private:
   bool plays() const { return model_.playback.clip >= 0; }
+
+  void check(const Instance& instance, int node) const {
+    const auto problem = transform_problem(instance.world_from_object);
+    if (!problem) return;
+    const std::string& name = gltf_.nodes[static_cast<std::size_t>(node)].name;
+    throw InputError(
+        gltf_.file, 0,
+        "the transform of nodes[" + std::to_string(node) + "] \"" + printable(name) + "\" " + *problem,
+        "give the node a scale that is not 0, or remove it");
+  }
 
   // The shape at rest of a mesh that may have been bent already.
   TriangleMesh rest_of(std::uint32_t mesh) {

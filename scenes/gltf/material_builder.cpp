@@ -1,6 +1,10 @@
 #include "scenes/gltf/material_builder.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "scenes/gltf/file/gltf_limits.h"
@@ -16,11 +20,33 @@ const GltfMaterial& material_of(const GltfModel& model, int index) {
 }
 
 // Every texture that a material reads, base colour first: its coordinates become the mesh's first set.
-std::array<const GltfTextureUse*, 7> texture_uses(const GltfMaterial& material) {
-  return {&material.base_colour_texture, &material.metallic_roughness_texture,
-          &material.emission_texture,    &material.normal_texture,
-          &material.specular_texture,    &material.specular_colour_texture,
-          &material.transmission_texture};
+std::vector<const GltfTextureUse*> texture_uses(const GltfMaterial& material) {
+  std::vector<const GltfTextureUse*> uses{
+      &material.base_colour_texture,  &material.metallic_roughness_texture, &material.emission_texture,
+      &material.normal_texture,       &material.specular_texture,           &material.specular_colour_texture,
+      &material.transmission_texture, &material.occlusion_texture};
+  if (material.coat > 0) {
+    uses.insert(uses.end(),
+                {&material.coat_texture, &material.coat_roughness_texture, &material.coat_normal_texture});
+  }
+  if (material.sheen_colour != glm::vec3(0.0f))
+    uses.insert(uses.end(), {&material.sheen_colour_texture, &material.sheen_roughness_texture});
+  if (material.anisotropy > 0) uses.push_back(&material.anisotropy_texture);
+  std::erase_if(uses, [](const GltfTextureUse* use) { return use->texture < 0; });
+  return uses;
+}
+
+double brightness(const glm::dvec3& colour) {
+  return std::sqrt(glm::dot(glm::dvec3(0.299, 0.587, 0.114), colour * colour));
+}
+
+// Glossiness in alpha -> roughness in green, as a metallic-roughness texture has it.
+void make_rough(float glossiness, std::vector<std::uint8_t>& rgba) {
+  for (std::size_t i = 0; i < rgba.size(); i += 4) {
+    const float rough = 255.0f - glossiness * static_cast<float>(rgba[i + 3]);
+    rgba[i] = rgba[i + 2] = rgba[i + 3] = 255;
+    rgba[i + 1] = static_cast<std::uint8_t>(std::lround(rough));
+  }
 }
 
 std::int64_t texture_bytes(const ImageSize& size) {
@@ -29,28 +55,48 @@ std::int64_t texture_bytes(const ImageSize& size) {
 
 }  // namespace
 
-float mirror_of(float metallic, float roughness, float transmission) {
+float metal_share(const glm::vec3& diffuse, const glm::vec3& f0) {
+  // base (1 - metallic) 0.96 = diffuse (1 - max F0) and 0.04 (1 - metallic) + base metallic = F0, in
+  // brightness, without base: 0.04 m^2 + b m + c = 0.
+  constexpr double kDielectric = 0.04;
+  const double specular = brightness(f0);
+  if (specular < kDielectric) return 0.0f;
+  const double passed = 1.0 - std::max({f0.x, f0.y, f0.z});
+  const double b = brightness(diffuse) * passed / (1.0 - kDielectric) + specular - 2.0 * kDielectric;
+  const double c = kDielectric - specular;
+  const double root = std::sqrt(std::max(b * b - 4.0 * kDielectric * c, 0.0));
+  return static_cast<float>(std::clamp((root - b) / (2.0 * kDielectric), 0.0, 1.0));
+}
+
+float mirror_of(float metallic, float roughness, float clear_dielectric) {
   // At roughness 0.35 a GGX lobe is some 14 degrees wide: a single mirror ray no longer stands for it.
   constexpr float kRoughest = 0.35f;
-  const float clear = std::max(metallic, (1.0f - metallic) * transmission);
+  const float clear = std::max(metallic, (1.0f - metallic) * clear_dielectric);
   return std::clamp(clear, 0.0f, 1.0f) * std::clamp((kRoughest - roughness) / kRoughest, 0.0f, 1.0f);
+}
+
+float mirror_of(const Material& m) {
+  if (m.unlit) return 0.0f;
+  const glm::vec3 f0 = glm::min(m.specular_colour, glm::vec3(1.0f)) * m.specular;
+  return mirror_of(m.metallic, m.roughness,
+                   m.refractive_index > 0 ? m.transmission : metal_share(m.base_colour, f0));
 }
 
 std::vector<UvSource> MaterialBuilder::uv_sources(int material, const GltfPrimitive& primitive) const {
   std::vector<UvSource> sources;
-  for (const GltfTextureUse* use : texture_uses(material_of(model_, material))) {
-    if (use->texture < 0) continue;
-    if (static_cast<std::size_t>(use->coordinates.set) >= primitive.uv_sets.size()) continue;
-    if (std::find(sources.begin(), sources.end(), use->coordinates) == sources.end()) {
-      sources.push_back(use->coordinates);
-    }
-  }
+  const auto add = [&](const UvSource& source) {
+    if (static_cast<std::size_t>(source.set) >= primitive.uv_sets.size()) return;
+    if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(source);
+  };
+  const GltfMaterial& from = material_of(model_, material);
+  for (const GltfTextureUse* use : texture_uses(from)) add(use->coordinates);
+  // Tangents that are made follow coordinates even where no texture reads them.
+  if (sources.empty() && reads_tangents(material) && primitive.tangent < 0) add({});
   return sources;
 }
 
 bool MaterialBuilder::lacks_coordinates(int material, const std::vector<UvSource>& sources) const {
   for (const GltfTextureUse* use : texture_uses(material_of(model_, material))) {
-    if (use->texture < 0) continue;
     if (std::find(sources.begin(), sources.end(), use->coordinates) == sources.end()) return true;
   }
   return false;
@@ -58,85 +104,144 @@ bool MaterialBuilder::lacks_coordinates(int material, const std::vector<UvSource
 
 bool MaterialBuilder::reads_tangents(int material) const {
   const GltfMaterial& from = material_of(model_, material);
-  return from.normal_texture.texture >= 0 && !from.unlit;
+  if (from.unlit) return false;
+  return from.normal_texture.texture >= 0 || from.anisotropy > 0 ||
+         (from.coat > 0 && from.coat_normal_texture.texture >= 0);
 }
 
-std::uint32_t MaterialBuilder::material(int material, const std::vector<UvSource>& sources, bool coloured) {
+std::uint32_t MaterialBuilder::material(int material, const std::vector<UvSource>& sources) {
   // Transforms belong to the material: sets tell meshes of one material apart.
-  Key key{material, {}, coloured};
+  Key key{material, {}};
   for (const UvSource& source : sources) key.sets.push_back(source.set);
   const auto [entry, added] = materials_.try_emplace(key, 0);
   if (added) {
-    const Material built = build(material_of(model_, material), sources, coloured);
+    const Material built = build(material_of(model_, material), sources);
     entry->second = static_cast<std::uint32_t>(scene_.materials.size());
     scene_.materials.push_back(built);
   }
   return entry->second;
 }
 
-Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSource>& sources,
-                                bool coloured) {
+Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSource>& sources) {
   Material to;
   to.name = from.name;
   to.base_colour = from.base_colour;
-  to.emission = from.emission;
-  to.metallic = from.metallic;
-  to.roughness = from.roughness;
-  to.transmission = from.transmission;
-  to.refractive_index = from.refractive_index > 0 ? from.refractive_index : 100.0f;  // 0: reflects everything
   to.alpha = from.alpha;
   to.alpha_mode = from.alpha_mode;
   to.alpha_cutoff = from.alpha_cutoff;
   to.double_sided = from.double_sided;
+  const Get get = [&](const GltfTextureUse& use, Values values, float factor) {
+    return slot(use, values, factor, sources, from.name);
+  };
+  const bool covers = from.alpha_mode != AlphaMode::opaque;
+  const TextureSlot base =
+      get(from.base_colour_texture, covers ? Values::covering_colour : Values::colour, 1);
+  to.base_colour_texture = base.texture;
+  to.base_colour_uv_set = base.uv_set;
+  // An unlit surface shows its colour whatever the light.
+  to.unlit = from.unlit;
+  if (from.unlit) {
+    to.roughness = 1.0f;
+    return to;
+  }
+  to.emission = from.emission;
+  to.metallic = from.metallic;
   to.specular = from.specular;
   to.specular_colour = from.specular_colour;
   to.normal_scale = from.normal_scale;
-  const auto get = [&](const GltfTextureUse& use, Values values) {
-    return slot(use, values, sources, from.name);
-  };
-  const bool covers = from.alpha_mode != AlphaMode::opaque;
-  const TextureSlot base = get(from.base_colour_texture, covers ? Values::covering_colour : Values::colour);
-  to.base_colour_texture = base.texture;
-  to.base_colour_uv_set = base.uv_set;
-  // An unlit surface shows its colour whatever the light: that is emission, unless the colour varies.
-  if (from.unlit) {
-    to.metallic = to.transmission = to.mirror = 0.0f;
-    to.roughness = 1.0f;
-    to.unlit = base.texture >= 0 || coloured;
-    to.emission = to.unlit ? glm::vec3(0.0f) : to.base_colour;
-    if (!to.unlit) to.base_colour = glm::vec3(0.0f);
-    return to;
+  to.refractive_index = from.refractive_index;
+  to.transmission = from.transmission;
+  to.attenuation = from.attenuation;
+  if (from.refractive_index <= 0 && from.transmission > 0) {
+    warn("material \"" + printable(from.name) + "\" has the index 0 of a mirror: nothing passes it");
+    to.transmission = 0.0f;
   }
-  const TextureSlot rough = get(from.metallic_roughness_texture, Values::linear);
-  to.metallic_roughness_texture = rough.texture;
-  to.metallic_roughness_uv_set = rough.uv_set;
-  if (to.emission != glm::vec3(0.0f)) to.emission_texture = get(from.emission_texture, Values::colour);
-  to.normal_texture = get(from.normal_texture, Values::linear);
-  to.specular_texture = get(from.specular_texture, Values::linear);
-  to.specular_colour_texture = get(from.specular_colour_texture, Values::colour);
-  if (to.transmission > 0) to.transmission_texture = get(from.transmission_texture, Values::linear);
-
-  // The mirror share is one number per material: textures count with their mean.
-  if (to.metallic <= 0 && to.transmission <= 0) return to;  // no mirror, whatever the textures hold
-  const auto mean = [&](const TextureSlot& read, const GltfTextureUse& use, std::size_t channel) {
-    return read.texture < 0 ? 1.0f : channel_mean(use, channel);
-  };
-  const GltfTextureUse& roughness = from.metallic_roughness_texture;
-  to.mirror = mirror_of(to.metallic * mean(rough, roughness, 2), to.roughness * mean(rough, roughness, 1),
-                        to.transmission * mean(to.transmission_texture, from.transmission_texture, 0));
+  add_textures(from, get, to);
+  add_lobes(from, get, to);
+  to.mirror = mirror_with_textures(from, to);
   return to;
 }
 
-// Mean of one channel of a texture, 0 ... 1.
-float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t channel) {
-  const std::vector<std::uint8_t>& rgba =
-      pixels_of(model_.textures[static_cast<std::size_t>(use.texture)].image);
-  std::uint64_t sum = 0;
-  for (std::size_t i = channel; i < rgba.size(); i += 4) sum += rgba[i];
-  return static_cast<float>(static_cast<double>(sum) / (255.0 * 0.25 * static_cast<double>(rgba.size())));
+void MaterialBuilder::add_textures(const GltfMaterial& from, const Get& get, Material& to) {
+  const TextureSlot rough = from.has_glossiness
+                                ? get(from.specular_colour_texture, Values::rough_gloss, from.glossiness)
+                                : get(from.metallic_roughness_texture, Values::linear, 1);
+  to.metallic_roughness_texture = rough.texture;
+  to.metallic_roughness_uv_set = rough.uv_set;
+  to.roughness = from.roughness;
+  if (from.has_glossiness) to.roughness = rough.texture >= 0 ? 1.0f : 1.0f - from.glossiness;
+  if (to.emission != glm::vec3(0.0f)) to.emission_texture = get(from.emission_texture, Values::colour, 1);
+  to.normal_texture = get(from.normal_texture, Values::linear, 1);
+  to.specular_texture = get(from.specular_texture, Values::linear, 1);
+  to.specular_colour_texture = get(from.specular_colour_texture, Values::colour, 1);
+  if (to.transmission > 0) to.transmission_texture = get(from.transmission_texture, Values::linear, 1);
+  to.occlusion_strength = from.occlusion_strength;
+  if (to.occlusion_strength > 0) to.occlusion_texture = get(from.occlusion_texture, Values::linear, 1);
 }
 
-TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values,
+void MaterialBuilder::add_lobes(const GltfMaterial& from, const Get& get, Material& to) {
+  if (from.coat > 0) {
+    to.clearcoat = {from.coat,
+                    from.coat_roughness,
+                    from.coat_normal_scale,
+                    get(from.coat_texture, Values::linear, 1),
+                    get(from.coat_roughness_texture, Values::linear, 1),
+                    get(from.coat_normal_texture, Values::linear, 1)};
+  }
+  if (from.sheen_colour != glm::vec3(0.0f)) {
+    to.sheen = {from.sheen_colour, from.sheen_roughness, get(from.sheen_colour_texture, Values::colour, 1),
+                get(from.sheen_roughness_texture, Values::linear, 1)};
+  }
+  if (from.anisotropy > 0) {
+    to.anisotropy = {from.anisotropy, from.anisotropy_rotation_rad,
+                     get(from.anisotropy_texture, Values::linear, 1)};
+  }
+}
+
+// The mirror share is one number per material: textures count with their mean.
+float MaterialBuilder::mirror_with_textures(const GltfMaterial& from, const Material& to) {
+  // No mirror, whatever the textures hold.
+  if (to.metallic <= 0 && to.transmission <= 0 && to.refractive_index > 0) return 0.0f;
+  Material mean = to;
+  const auto weigh = [&](float& factor, int texture, const GltfTextureUse& use, std::size_t channel) {
+    if (texture >= 0) factor *= channel_mean(use, channel);
+  };
+  const int rough = to.metallic_roughness_texture;
+  if (from.has_glossiness) {
+    if (rough >= 0) mean.roughness = 1.0f - from.glossiness * channel_mean(from.specular_colour_texture, 3);
+  } else {
+    weigh(mean.metallic, rough, from.metallic_roughness_texture, 2);
+    weigh(mean.roughness, rough, from.metallic_roughness_texture, 1);
+  }
+  weigh(mean.transmission, to.transmission_texture.texture, from.transmission_texture, 0);
+  if (to.refractive_index > 0) return mirror_of(mean);
+  weigh(mean.specular, to.specular_texture.texture, from.specular_texture, 3);
+  const auto tint = [&](glm::vec3& colour, int texture, const GltfTextureUse& use) {
+    if (texture < 0) return;
+    for (int channel = 0; channel < 3; ++channel)
+      colour[channel] *= channel_mean(use, static_cast<std::size_t>(channel), true);
+  };
+  tint(mean.base_colour, to.base_colour_texture, from.base_colour_texture);
+  tint(mean.specular_colour, to.specular_colour_texture.texture, from.specular_colour_texture);
+  return mirror_of(mean);
+}
+
+// Mean of one channel of a texture, 0 ... 1; `decode`: from IEC 61966-2-1 to linear light.
+float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode) {
+  const std::vector<std::uint8_t>& rgba =
+      pixels_of(model_.textures[static_cast<std::size_t>(use.texture)].image);
+  std::array<std::uint64_t, 256> counts{};
+  for (std::size_t i = channel; i < rgba.size(); i += 4) ++counts[rgba[i]];
+  double sum = 0;
+  for (std::size_t value = 0; value < counts.size(); ++value) {
+    const double share = static_cast<double>(value) / 255.0;
+    const double linear = share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    sum += static_cast<double>(counts[value]) * (decode ? linear : share);
+  }
+  return static_cast<float>(sum / (0.25 * static_cast<double>(rgba.size())));
+}
+
+TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values, float factor,
                                   const std::vector<UvSource>& sources, const std::string& material) {
   if (use.texture < 0) return {};
   const GltfTexture& from = model_.textures[static_cast<std::size_t>(use.texture)];
@@ -148,13 +253,13 @@ TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values,
   // load_gltf warns of primitives without the coordinates.
   const auto source = std::find(sources.begin(), sources.end(), use.coordinates);
   if (source == sources.end()) return {};
-  return {texture(from, values), static_cast<int>(source - sources.begin())};
+  return {texture(from, values, factor), static_cast<int>(source - sources.begin())};
 }
 
-int MaterialBuilder::texture(const GltfTexture& from, Values values) {
+int MaterialBuilder::texture(const GltfTexture& from, Values values, float factor) {
   const auto [entry, added] =
       textures_.try_emplace({from.image, static_cast<int>(values), static_cast<int>(from.wrap_u),
-                             static_cast<int>(from.wrap_v), from.nearest ? 1 : 0},
+                             static_cast<int>(from.wrap_v), from.nearest ? 1 : 0, std::bit_cast<int>(factor)},
                             -1);
   if (!added) return entry->second;
   const ImageSize size = size_of(from.image);
@@ -165,17 +270,20 @@ int MaterialBuilder::texture(const GltfTexture& from, Values values) {
   to.name = model_.images[static_cast<std::size_t>(from.image)].name;
   to.width_px = size.width_px;
   to.height_px = size.height_px;
-  to.srgb = values != Values::linear;
+  to.srgb = values == Values::colour || values == Values::covering_colour;
   to.covers = values == Values::covering_colour;
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
   to.nearest = from.nearest;
   entry->second = static_cast<int>(scene_.textures.size());
   if (pixels_ == TexturePixels::decoded) {
-    // The first texture of an image keeps its pixels, for further ones and for means to read.
-    const bool first = holders_.try_emplace(from.image, scene_.textures.size()).second;
-    to.rgba = first ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
+    // The first texture that shows an image as it is keeps its pixels, for further ones and for means to
+    // read.
+    const bool keeps =
+        values != Values::rough_gloss && holders_.try_emplace(from.image, entry->second).second;
+    to.rgba = keeps ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
   }
+  if (values == Values::rough_gloss) make_rough(factor, to.rgba);
   scene_.textures.push_back(std::move(to));
   return entry->second;
 }
@@ -194,7 +302,8 @@ const DecodedImage& MaterialBuilder::decoded(int index) {
 
 const std::vector<std::uint8_t>& MaterialBuilder::pixels_of(int image) {
   const auto holder = holders_.find(image);
-  return holder != holders_.end() ? scene_.textures[holder->second].rgba : decoded(image).rgba;
+  return holder != holders_.end() ? scene_.textures[static_cast<std::size_t>(holder->second)].rgba
+                                  : decoded(image).rgba;
 }
 
 EncodedImage MaterialBuilder::encoded(int index) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,9 +16,14 @@
 
 namespace herr {
 
+// How much of a metal a surface of this diffuse colour and this reflectance at normal incidence is, 0 ... 1:
+// the appendix of KHR_materials_pbrSpecularGlossiness.
+float metal_share(const glm::vec3& diffuse, const glm::vec3& f0);
+
 // Share of the mirror ray that a surface shows: smooth metals and smooth glass mirror, rough surfaces and
-// other dielectrics do not.
-float mirror_of(float metallic, float roughness, float transmission);
+// other dielectrics do not. `clear_dielectric`: the transmission, or what metal_share says of index 0.
+float mirror_of(float metallic, float roughness, float clear_dielectric);
+float mirror_of(const Material& material);  // by its factors
 
 // Appends to scene.materials and scene.textures as materials are asked for. One per glTF file. Where
 // pixels are left out, only those that say how much a material mirrors are decoded.
@@ -31,28 +37,31 @@ class MaterialBuilder {
   std::vector<UvSource> uv_sources(int material, const GltfPrimitive& primitive) const;
   // Does it read coordinates that are not among `sources`?
   bool lacks_coordinates(int material, const std::vector<UvSource>& sources) const;
-  // Has it a normal texture that is seen, which needs tangents?
+  // Has it a normal texture or a stretched highlight, which need tangents?
   bool reads_tangents(int material) const;
   // Index in scene.materials, for a mesh that has `sources`; textures that read others are left out.
-  // `coloured`: the mesh has vertex colours.
-  std::uint32_t material(int material, const std::vector<UvSource>& sources, bool coloured);
+  std::uint32_t material(int material, const std::vector<UvSource>& sources);
 
  private:
   struct Key {
     int material;
     std::vector<int> sets;
-    bool coloured;
     auto operator<=>(const Key&) const = default;
   };
-  enum class Values : std::uint8_t { linear, colour, covering_colour };
-  Material build(const GltfMaterial& from, const std::vector<UvSource>& sources, bool coloured);
-  TextureSlot slot(const GltfTextureUse& use, Values values, const std::vector<UvSource>& sources,
-                   const std::string& material);
-  int texture(const GltfTexture& from, Values values);
+  // rough_gloss: 1 - factor x alpha, which is made of a glossiness.
+  enum class Values : std::uint8_t { linear, colour, covering_colour, rough_gloss };
+  using Get = std::function<TextureSlot(const GltfTextureUse&, Values, float factor)>;
+  Material build(const GltfMaterial& from, const std::vector<UvSource>& sources);
+  static void add_textures(const GltfMaterial& from, const Get& get, Material& to);
+  static void add_lobes(const GltfMaterial& from, const Get& get, Material& to);
+  float mirror_with_textures(const GltfMaterial& from, const Material& to);
+  TextureSlot slot(const GltfTextureUse& use, Values values, float factor,
+                   const std::vector<UvSource>& sources, const std::string& material);
+  int texture(const GltfTexture& from, Values values, float factor);
   ImageSize size_of(int image);
   const DecodedImage& decoded(int image);
   const std::vector<std::uint8_t>& pixels_of(int image);
-  float channel_mean(const GltfTextureUse& use, std::size_t channel);
+  float channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode = false);
   EncodedImage encoded(int image) const;
   std::int64_t texture_bytes_left() const;
   void warn(const std::string& text);
@@ -61,9 +70,9 @@ class MaterialBuilder {
   Scene& scene_;
   TexturePixels pixels_;
   std::map<Key, std::uint32_t> materials_;
-  std::map<std::array<int, 5>, int> textures_;  // image, values, wrap u, wrap v, nearest
+  std::map<std::array<int, 6>, int> textures_;  // image, values, wrap u, wrap v, nearest, factor's bits
   std::map<int, DecodedImage> decoded_;         // without pixels where a texture holds them
-  std::map<int, std::size_t> holders_;          // by image: the texture of the scene that holds its pixels
+  std::map<int, int> holders_;                  // by image: the texture of the scene that holds its pixels
 };
 
 }  // namespace herr

@@ -33,12 +33,6 @@ FlattenedNodes flatten_nodes(const GltfModel& model) {
       const std::string& mesh_name = model.meshes[static_cast<std::size_t>(node.mesh)].name;
       for (const glm::dmat4x3& node_from_instance : instance_transforms(model, node)) {
         const glm::dmat4x3 gltf_from_mesh = compose(gltf_from_node, node_from_instance);
-        if (const auto problem = transform_problem(gltf_from_mesh)) {
-          throw InputError(model.file, 0,
-                           "the transform of nodes[" + std::to_string(index) + "] \"" + printable(node.name) +
-                               "\" " + *problem,
-                           "give the node a scale that is not 0, or remove it");
-        }
         placed.meshes.push_back({node.name.empty() ? mesh_name : node.name, node.mesh, gltf_from_mesh, index,
                                  node_from_instance});
       }

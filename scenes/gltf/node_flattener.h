@@ -24,7 +24,8 @@ struct FlattenedNodes {
   std::vector<AreaLight> lights;  // where their nodes put them
 };
 
-// Depth first, in the order of the file. Throws InputError for a transform that cannot be rendered.
+// Depth first, in the order of the file. Throws InputError for more than a million. Transforms are as the
+// file has them: load_gltf checks them with what they place.
 FlattenedNodes flatten_nodes(const GltfModel& model);
 
 // A light moved along: its place, and its direction as a vector. Brightness and range stay, as

@@ -41,7 +41,7 @@ struct TriangleMesh {
   // xyz unit, w = 1 or -1: the bitangent is w cross(normal, xyz). Empty unless a normal texture reads them.
   std::vector<glm::vec4> tangents;
   std::vector<glm::vec4> colours;  // of vertices, linear RGBA in [0, 1]; empty = white
-  bool closed = false;             // known to be a closed surface: from within, its inside is seen
+  bool closed = false;             // known to be closed with its fronts outside: its backs show from within
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
   std::vector<CoarserMesh> coarser;  // by ascending error; empty unless a document asks for detail levels
 };
@@ -55,7 +55,7 @@ struct Instance {
   std::string name;
   std::uint32_t mesh = 0;               // of kind mesh: index into Scene::meshes
   std::uint32_t material = 0;           // index into Scene::materials
-  glm::dmat4x3 world_from_object{1.0};  // |det| >= 1e-12, finite
+  glm::dmat4x3 world_from_object{1.0};  // as transform_checks.h has it
   bool catcher = false;                 // stand-in for a real surface: invisible, receives shadows
   ShapeKind kind = ShapeKind::mesh;
   std::uint32_t grid = 0;                // of kind voxels: index into Scene::voxel_grids

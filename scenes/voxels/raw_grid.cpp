@@ -55,7 +55,7 @@ RawGrid append_raw_grid(const std::filesystem::path& header, Scene& scene) {
   root.integer("format_version", 1, 1);
   const glm::ivec3 counts = counts_of(root);
   RawGrid made;
-  made.voxel_size_m = root.number("voxel_size_m", 1e-6, 1e6);
+  made.voxel_size_m = root.number("voxel_size_m", kMinVoxel_m, kMaxVoxel_m);
   const std::string name = root.text("data");
 
   const std::size_t bytes = std::size_t{4} * static_cast<std::size_t>(counts.x) *

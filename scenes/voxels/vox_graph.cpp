@@ -3,11 +3,12 @@
 #include <array>
 #include <charconv>
 #include <glm/vec3.hpp>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "scenes/model/transform_checks.h"
-#include "scenes/voxels/voxel_limits.h"
+#include "scenes/voxels/vox_tally.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -76,77 +77,58 @@ struct Visit {
   std::int32_t node;
   glm::dmat4x3 vox_from_node;
   std::string name;
-  bool hidden;
-  int depth;
 };
 
 class GraphWalk {
  public:
-  GraphWalk(const VoxFile& vox, const std::filesystem::path& file) : vox_(vox), file_(file) {}
+  GraphWalk(const VoxFile& vox, const std::filesystem::path& file)
+      : vox_(vox), file_(file), tally_(tally_vox_graph(vox, file)) {}
 
+  // What shows nothing is not entered, so that there are at most as many steps as models times depth.
   VoxShow walk() {
     const std::int32_t root = vox_.nodes.begin()->first;
-    stack_.push_back({root, glm::dmat4x3(1.0), "", false, 0});
+    show_.hidden = tally_.at(root).hidden;
+    stack_.push_back({root, glm::dmat4x3(1.0), ""});
     while (!stack_.empty()) {
       const Visit visit = std::move(stack_.back());
       stack_.pop_back();
-      step(visit);
+      if (tally_.at(visit.node).models > 0) step(visit);
     }
+    show_.animated = animated_.size();
     return std::move(show_);
   }
 
  private:
   void step(const Visit& visit) {
     const VoxNode& node = vox_.nodes.at(visit.node);
-    if (!seen_.insert(visit.node).second) {
-      fail(file_, node, "is its own ancestor or has two parents", "export it again from MagicaVoxel");
+    if (node.frames > 1 || (node.kind == VoxNodeKind::shape && node.children.size() > 1)) {
+      animated_.insert(visit.node);
     }
-    if (visit.depth > kMaxVoxDepth) {
-      fail(file_, node, "lies deeper than 64 nodes", "flatten the groups");
-    }
-    Visit below = visit;
-    ++below.depth;
     if (node.kind == VoxNodeKind::shape) return show(node, visit);
+    Visit below = visit;
     if (node.kind == VoxNodeKind::transform) {
-      const auto layer = vox_.layer_hidden.find(node.layer);
-      below.hidden |= node.hidden || (layer != vox_.layer_hidden.end() && layer->second);
       below.vox_from_node = compose(visit.vox_from_node, matrix_of(node, file_));
       if (!node.name.empty()) below.name = node.name;
-      show_.animated += node.frames > 1 ? 1 : 0;
     }
     // From the last to the first: they come off the stack in the file's order.
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-      if (!vox_.nodes.contains(*child)) {
-        fail(file_, node, "names node " + std::to_string(*child) + ", which does not exist",
-             "export it again from MagicaVoxel");
-      }
       below.node = *child;
       stack_.push_back(below);
     }
   }
 
   void show(const VoxNode& node, const Visit& visit) {
-    if (node.children.empty()) return;
-    const std::int32_t model = node.children.front();
-    if (model < 0 || static_cast<std::size_t>(model) >= vox_.models.size()) {
-      fail(file_, node, "names model " + std::to_string(model) + " of " + std::to_string(vox_.models.size()),
-           "export it again from MagicaVoxel");
-    }
-    if (visit.hidden) {
-      ++show_.hidden;
-      return;
-    }
-    show_.animated += node.children.size() > 1 ? 1 : 0;
-    const auto index = static_cast<std::size_t>(model);
+    const auto index = static_cast<std::size_t>(node.children.front());
     show_.models.push_back(
         {index, visit.name, compose(visit.vox_from_node, pivot_from_corner(vox_.models[index]))});
   }
 
   const VoxFile& vox_;
   const std::filesystem::path& file_;
+  const std::map<std::int32_t, VoxTally> tally_;
   VoxShow show_;
   std::vector<Visit> stack_;
-  std::set<std::int32_t> seen_;
+  std::set<std::int32_t> animated_;
 };
 
 }  // namespace

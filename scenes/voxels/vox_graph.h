@@ -1,8 +1,10 @@
 // The scene graph of a .vox file -> which models stand where. Transforms have whole-number translations and
-// rotations by quarter turns, mirrors included. Before: vox_file. After: load_vox makes instances.
+// rotations by quarter turns, mirrors included. A node with several parents shows once below each. Before:
+// vox_tally. After: load_vox makes instances.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <glm/mat4x3.hpp>
 #include <string>
@@ -20,11 +22,11 @@ struct PlacedModel {
 
 struct VoxShow {
   std::vector<PlacedModel> models;
-  std::size_t hidden = 0;    // shapes that are not shown: they or their layer are hidden
-  std::size_t animated = 0;  // nodes with more than one frame or model; the first is shown
+  std::int64_t hidden = 0;   // models that are not shown: a node above them or its layer is hidden
+  std::size_t animated = 0;  // nodes shown that have more than one frame or model; the first is shown
 };
 
-// Throws InputError: a node that does not exist, lies in a cycle or below two parents, or too deep.
+// Throws InputError: what tally_vox_graph throws; a transform that is none.
 VoxShow placed_models(const VoxFile& vox, const std::filesystem::path& file);
 
 }  // namespace herr

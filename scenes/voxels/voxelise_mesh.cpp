@@ -153,7 +153,7 @@ VoxelisedMesh append_voxelised_mesh(const std::filesystem::path& gltf_file, int 
   const glm::dvec3 extent = box.upper - box.lower;
   const double longest = std::max({extent.x, extent.y, extent.z});
   const double voxel_m = longest / resolution;
-  if (!(voxel_m >= 1e-9)) {
+  if (!(voxel_m >= kMinVoxel_m)) {
     throw InputError(gltf_file, 0, "is too small to be made of voxels", "check its units and scales");
   }
   VoxelGrid grid;

@@ -50,7 +50,7 @@ std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, s
       {"catcher_shadow", plan.catchers_occlude ? shadow + mirror_shadow + refraction_shadow : 0.0},
       {"mirror", plan.mirror_rays ? layers : 0.0},
       {"mirror_shadow", mirror * per_hit},
-      {"refraction", plan.refraction ? layers * kMostInterfaces : 0.0},
+      {"refraction", plan.refraction ? layers * kMostGlassRays : 0.0},
       {"refraction_shadow", refraction * per_hit},
       {"occlusion", plan.occlusion ? layers * settings.occlusion_rays : 0.0},
       {"catcher_occlusion", plan.catchers_occlude ? occlusion : 0.0},

@@ -14,6 +14,7 @@
 #include "server/check/report/ci_reports.h"
 #include "server/check/report/text_report.h"
 #include "server/process/exit_code.h"
+#include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
 #include "server/results/output_folder.h"
@@ -67,6 +68,7 @@ int run_check(const CheckOptions& options) {
   CheckReport report;
   report.session = printable(session_folder_name(options.run.replay.sessions.front()));
   int exit_code = kExitDone;
+  const std::int64_t start_ns = steady_now_ns();
   try {
     compare(options, report);
     exit_code = exit_code_of(report.verdict);
@@ -75,6 +77,7 @@ int run_check(const CheckOptions& options) {
     report.error = failure.what();
     print_message(report.error);
   }
+  report.seconds = 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
   write_reports(options, report);
   if (options.json) {
     print_result(json_text(check_json(report)));

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scenes/document/environment_image.h"
+#include "scenes/environment/environment_image.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -91,20 +91,19 @@ void light_studio(double azimuth_deg, Scene& scene) {
 }
 
 void add_environment(const LookOptions& options, Scene& scene) {
-  std::int64_t sanitised = 0;
   const bool studio = needs_studio(scene);
   if (studio) light_studio(options.from.azimuth_deg, scene);
-  scene.environment_map = read_environment_image(options.environment, sanitised);
+  std::vector<std::string> remarks;
+  scene.environment_map = read_environment_image(options.environment, remarks);
+  for (const std::string& remark : remarks)
+    scene.warnings.push_back(printable(options.environment) + ": " + remark);
+  scene.files.emplace_back(options.environment);
   const glm::dvec3 mean = mean_radiance(scene.environment_map);
   if (studio) {
     const double brightness = (mean.x + mean.y + mean.z) / 3;
     scene.lights.front().intensity_w_sr *= static_cast<float>(brightness / kStudioAmbient);
   }
   scene.ambient = glm::vec3(mean);
-  scene.files.emplace_back(options.environment);
-  if (sanitised > 0)
-    scene.warnings.push_back(printable(options.environment) + ": " + std::to_string(sanitised) +
-                             " values are negative, not finite or above 65504; they were limited");
 }
 
 }  // namespace herr

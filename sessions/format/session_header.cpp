@@ -12,6 +12,7 @@ namespace herr {
 namespace {
 
 constexpr double kDefaultHalfIpdM = 0.0315;
+constexpr double kFarthestEye_m = 1e9;  // a session may be scaled with its scene
 // Adults' pupils are 50 to 78 mm apart; children's from 40 mm.
 constexpr double kNarrowestIpdM = 0.040, kWidestIpdM = 0.085;
 // 2 degrees: a lens model that turns back there is a typo.
@@ -85,16 +86,16 @@ void parse_eyes(const JsonObject& root, ParsedSessionHeader& parsed) {
   if (!root.has("eye_offsets")) return;
   const JsonObject offsets = root.object("eye_offsets");
   offsets.allow_only({"left", "right"});
-  eyes[0].position = offsets.vec3("left", -1, 1);
-  eyes[1].position = offsets.vec3("right", -1, 1);
+  eyes[0].position = offsets.vec3("left", -kFarthestEye_m, kFarthestEye_m);
+  eyes[1].position = offsets.vec3("right", -kFarthestEye_m, kFarthestEye_m);
   const double ipd_m = glm::distance(eyes[0].position, eyes[1].position);
   if (eyes[0].position.x > eyes[1].position.x)
     parsed.warnings.emplace_back(root.file(), 0, "eye_offsets.left lies right of eye_offsets.right",
                                  "are the eyes swapped?");
   if (ipd_m < kNarrowestIpdM || ipd_m > kWidestIpdM)
-    parsed.warnings.emplace_back(root.file(), 0,
-                                 "eye_offsets are " + std::to_string(std::lround(ipd_m * 1000)) + " mm apart",
-                                 "eyes are 40 to 85 mm apart, offsets are in metres");
+    parsed.warnings.emplace_back(
+        root.file(), 0, "eye_offsets are " + shown_number(std::round(ipd_m * 1e9) / 1e6) + " mm apart",
+        "eyes are 40 to 85 mm apart, offsets are in metres");
 }
 
 void parse_gaze(const JsonObject& root, SessionHeader& header) {
@@ -105,7 +106,7 @@ void parse_gaze(const JsonObject& root, SessionHeader& header) {
   if (!root.has("vergence_m")) return;
   if (!header.gaze_combined)
     root.fail("vergence_m", "is given for per_eye gaze", "remove it: each eye has its own direction already");
-  header.vergence_m = root.number("vergence_m", 0.05, 10000);
+  header.vergence_m = root.number("vergence_m", 1e-6, 1e9);
 }
 
 DisplayProfile parse_profile(const JsonObject& root) {
@@ -218,7 +219,7 @@ ParsedSessionHeader read_session_header(const std::filesystem::path& session_jso
   header.scene = root.text_or("scene", "");
   if (!header.scene.empty() && header.scene.front() == '/')
     root.fail("scene", "is an absolute path", "write it relative to the session's folder");
-  if (root.has("feed_distance_m")) header.feed_distance_m = root.number("feed_distance_m", 0.01, 10000);
+  if (root.has("feed_distance_m")) header.feed_distance_m = root.number("feed_distance_m", 1e-6, 1e9);
   if (root.has("conversion")) header.conversion = parse_conversion(root.object("conversion"));
   const std::vector<JsonObject> cameras = root.objects("cameras");
   if (cameras.size() > 2)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sessions/files/input_error.h"
+#include "sessions/pictures/exr_header.h"
 
 namespace herr {
 namespace {
@@ -13,10 +14,10 @@ namespace {
 // are refused before the library reads on: decoding such files has had memory errors.
 void check_exr_flags(const std::filesystem::path& file, std::string_view bytes) {
   const auto flags = static_cast<unsigned char>(bytes[5]);
-  const std::string remedy = "save it as a flat, single-part EXR with scan lines";
-  if ((flags & 0x02) != 0) throw InputError(file, 0, "is a tiled EXR", remedy);
-  if ((flags & 0x08) != 0) throw InputError(file, 0, "is a deep EXR", remedy);
-  if ((flags & 0x10) != 0) throw InputError(file, 0, "is an EXR of several parts", remedy);
+  if ((flags & 0x02) != 0) throw InputError(file, 0, "is a tiled EXR", exr_conversion());
+  if ((flags & 0x08) != 0) throw InputError(file, 0, "is a deep EXR", exr_conversion("--flatten "));
+  if ((flags & 0x10) != 0)
+    throw InputError(file, 0, "is an EXR of several parts", exr_conversion("--subimage 0 "));
 }
 
 std::string lower_extension(const std::filesystem::path& file) {

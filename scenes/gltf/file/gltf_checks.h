@@ -1,6 +1,6 @@
 // Proves a glTF document sound before tinygltf or we follow any of its numbers: tinygltf 2.7.0 checks no
 // extent and reads out of bounds. Before: sessions/strict_json has parsed the text (depth, size, duplicate
-// keys). After: read_gltf hands the same bytes to tinygltf. Rules: glTF 2.0 specification, Khronos.
+// keys). After: gltf_bytes, and read_gltf hands the same document to tinygltf. Rules: glTF 2.0, Khronos.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace herr {
 
 // Throws InputError that names the field. Returns warnings (without the file's name) about
-// content that is left out.
+// what is left out.
 std::vector<std::string> check_gltf_document(const nlohmann::json& document,
                                              const std::filesystem::path& file, bool binary);
 

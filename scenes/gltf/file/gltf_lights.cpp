@@ -11,7 +11,7 @@ namespace herr {
 namespace {
 
 constexpr const char* kLightsExtension = "KHR_lights_punctual";
-constexpr double kBrightestLight = 1e9, kFarthestLight_m = 1e9;
+constexpr double kBrightestLight = 1e24, kBrightestColour = 1e9, kFarthestLight_m = 1e9;
 constexpr double kHalfPi = 1.5707963267948966;
 
 bool has_extension(const JsonObject& object) {
@@ -49,7 +49,7 @@ AreaLight read_light(const JsonObject& object, RoundedNumbers& rounded, std::vec
   }
   const auto intensity = static_cast<float>(rounded.number_or(object, "intensity", 0, kBrightestLight, 1));
   light.intensity_w_sr =
-      glm::vec3(rounded.vec3_or(object, "color", 0, kBrightestLight, glm::dvec3(1.0))) * intensity;
+      glm::vec3(rounded.vec3_or(object, "color", 0, kBrightestColour, glm::dvec3(1.0))) * intensity;
   light.range_m =
       light.kind == LightKind::sun ? 0 : rounded.number_or(object, "range", 0, kFarthestLight_m, 0);
   if (light.kind == LightKind::spot) read_cone(object.object("spot"), rounded, warnings, light);

@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "scenes/gltf/format/rounded_number.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -14,6 +16,8 @@ constexpr double kStrongestFactor = 1e6;  // emissive strength, specular colour
 constexpr double kLargestScale = 1e6;     // of a normal texture
 constexpr double kLargestIndex = 100;     // of refraction; the extension sets no limit, diamond has 2.4
 constexpr double kLargestCutoff = 1e6;    // above 1 nothing of the surface is left, which is allowed
+constexpr double kLargestAngle = 1e6;     // radians
+constexpr double kSmallestDistance = 1e-12, kLargestDistance = 1e12;  // metres, inside a body
 
 std::optional<JsonObject> part(const JsonObject& parent, const char* key) {
   if (!parent.has(key)) return std::nullopt;
@@ -25,44 +29,62 @@ std::optional<JsonObject> extension(const JsonObject& parent, const char* name) 
   return extensions ? part(*extensions, name) : std::nullopt;
 }
 
-float factor(const JsonObject& object, const char* key, double highest, double fallback) {
-  return static_cast<float>(object.number_or(key, 0, highest, fallback));
-}
-
-glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback) {
-  return glm::vec3(object.vec3_or(key, 0, highest, glm::dvec3(fallback)));
-}
-
 class MaterialReader {
  public:
-  explicit MaterialReader(std::size_t textures) : textures_(static_cast<std::int64_t>(textures)) {}
+  MaterialReader(std::size_t textures, std::vector<std::string>& warnings)
+      : textures_(static_cast<std::int64_t>(textures)), warnings_(warnings) {}
 
-  GltfMaterial read(const JsonObject& from) const {
+  GltfMaterial read(const JsonObject& from) {
     GltfMaterial to;
     to.name = from.text_or("name", "");
-    to.emission = colour(from, "emissiveFactor", 1, 0);
+    // Above 1 before there was KHR_materials_emissive_strength.
+    to.emission =
+        glm::vec3(rounded_.vec3_or(from, "emissiveFactor", 0, 1, glm::dvec3(0.0), AboveRange::clamped));
     to.emission_texture = texture(from, "emissiveTexture");
-    texture(from, "occlusionTexture");  // checked; our own ambient occlusion is traced
+    to.occlusion_texture = texture(from, "occlusionTexture");
+    if (to.occlusion_texture.texture >= 0)
+      to.occlusion_strength = factor(from.object("occlusionTexture"), "strength", 1, 1);
     to.normal_texture = texture(from, "normalTexture");
-    if (to.normal_texture.texture >= 0) {
-      to.normal_scale = static_cast<float>(
-          from.object("normalTexture").number_or("scale", -kLargestScale, kLargestScale, 1));
-    }
+    to.normal_scale = normal_scale(from, "normalTexture");
     to.double_sided = from.boolean_or("doubleSided", false);
     read_alpha(from, to);
     if (const auto pbr = part(from, "pbrMetallicRoughness")) read_metallic_roughness(*pbr, to);
-    read_extensions(from, to);
+    to.unlit = extension(from, "KHR_materials_unlit").has_value();
+    read_emission_and_passing(from, to);
+    read_specular(from, to);
+    read_further_lobes(from, to);
+    if (const auto old = extension(from, "KHR_materials_pbrSpecularGlossiness")) {
+      const bool stands_alone =
+          !from.has("pbrMetallicRoughness") || from.value("pbrMetallicRoughness").empty();
+      read_specular_glossiness(*old, stands_alone, to);
+    }
     return to;
   }
 
+  // Of all materials read.
+  void warn_of_rounding() const { rounded_.warn(warnings_); }
+
  private:
+  float factor(const JsonObject& object, const char* key, double highest, double fallback) {
+    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback));
+  }
+
+  glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback) {
+    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback)));
+  }
+
   GltfTextureUse texture(const JsonObject& parent, const char* key) const {
     if (!parent.has(key)) return {};
     const JsonObject use = parent.object(key);
     return {static_cast<int>(use.integer("index", 0, textures_ - 1)), read_uv_source(use)};
   }
 
-  static void read_alpha(const JsonObject& from, GltfMaterial& to) {
+  static float normal_scale(const JsonObject& parent, const char* key) {
+    if (!parent.has(key)) return 1.0f;
+    return static_cast<float>(parent.object(key).number_or("scale", -kLargestScale, kLargestScale, 1));
+  }
+
+  void read_alpha(const JsonObject& from, GltfMaterial& to) {
     const std::string mode = from.text_or("alphaMode", "OPAQUE");
     to.alpha_cutoff = factor(from, "alphaCutoff", kLargestCutoff, 0.5);
     if (mode == "MASK") {
@@ -74,26 +96,39 @@ class MaterialReader {
     }
   }
 
-  void read_metallic_roughness(const JsonObject& from, GltfMaterial& to) const {
-    if (from.has("baseColorFactor")) {
-      const std::vector<double> rgba = from.numbers("baseColorFactor", 4, 0, 1);
-      to.base_colour = glm::vec3(rgba[0], rgba[1], rgba[2]);
-      to.alpha = static_cast<float>(rgba[3]);
-    }
+  void read_base_colour(const JsonObject& from, const char* key, GltfMaterial& to) {
+    if (!from.has(key)) return;
+    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1);
+    to.base_colour = glm::vec3(rgba[0], rgba[1], rgba[2]);
+    to.alpha = static_cast<float>(rgba[3]);
+  }
+
+  void read_metallic_roughness(const JsonObject& from, GltfMaterial& to) {
+    read_base_colour(from, "baseColorFactor", to);
     to.metallic = factor(from, "metallicFactor", 1, 1);
     to.roughness = factor(from, "roughnessFactor", 1, 1);
     to.base_colour_texture = texture(from, "baseColorTexture");
     to.metallic_roughness_texture = texture(from, "metallicRoughnessTexture");
   }
 
-  void read_extensions(const JsonObject& from, GltfMaterial& to) const {
-    to.unlit = extension(from, "KHR_materials_unlit").has_value();
+  void read_emission_and_passing(const JsonObject& from, GltfMaterial& to) {
     if (const auto emissive = extension(from, "KHR_materials_emissive_strength")) {
       to.emission *= factor(*emissive, "emissiveStrength", kStrongestFactor, 1);
     }
     if (const auto transmission = extension(from, "KHR_materials_transmission")) {
       to.transmission = factor(*transmission, "transmissionFactor", 1, 0);
       to.transmission_texture = texture(*transmission, "transmissionTexture");
+    }
+    if (const auto volume = extension(from, "KHR_materials_volume")) {
+      texture(*volume, "thicknessTexture");  // checked; what light meets inside is traced
+      const float thickness = factor(*volume, "thicknessFactor", kLargestDistance, 0);
+      Attenuation inside;
+      inside.colour = colour(*volume, "attenuationColor", 1, 1);
+      if (volume->has("attenuationDistance")) {
+        inside.distance_m =
+            static_cast<float>(volume->number("attenuationDistance", kSmallestDistance, kLargestDistance));
+      }
+      if (thickness > 0) to.attenuation = inside;  // 0: a thin wall, with nothing inside
     }
     if (const auto index = extension(from, "KHR_materials_ior")) {
       to.refractive_index = factor(*index, "ior", kLargestIndex, 1.5);
@@ -102,6 +137,9 @@ class MaterialReader {
         index->fail("ior", "lies between 0 and 1", "write 0, or 1 and above");
       }
     }
+  }
+
+  void read_specular(const JsonObject& from, GltfMaterial& to) {
     if (const auto specular = extension(from, "KHR_materials_specular")) {
       to.specular = factor(*specular, "specularFactor", 1, 1);
       to.specular_colour = colour(*specular, "specularColorFactor", kStrongestFactor, 1);
@@ -110,7 +148,48 @@ class MaterialReader {
     }
   }
 
+  void read_further_lobes(const JsonObject& from, GltfMaterial& to) {
+    if (const auto coat = extension(from, "KHR_materials_clearcoat")) {
+      to.coat = factor(*coat, "clearcoatFactor", 1, 0);
+      to.coat_roughness = factor(*coat, "clearcoatRoughnessFactor", 1, 0);
+      to.coat_texture = texture(*coat, "clearcoatTexture");
+      to.coat_roughness_texture = texture(*coat, "clearcoatRoughnessTexture");
+      to.coat_normal_texture = texture(*coat, "clearcoatNormalTexture");
+      to.coat_normal_scale = normal_scale(*coat, "clearcoatNormalTexture");
+    }
+    if (const auto sheen = extension(from, "KHR_materials_sheen")) {
+      to.sheen_colour = colour(*sheen, "sheenColorFactor", 1, 0);
+      to.sheen_roughness = factor(*sheen, "sheenRoughnessFactor", 1, 0);
+      to.sheen_colour_texture = texture(*sheen, "sheenColorTexture");
+      to.sheen_roughness_texture = texture(*sheen, "sheenRoughnessTexture");
+    }
+    if (const auto stretched = extension(from, "KHR_materials_anisotropy")) {
+      to.anisotropy = factor(*stretched, "anisotropyStrength", 1, 0);
+      to.anisotropy_rotation_rad =
+          static_cast<float>(stretched->number_or("anisotropyRotation", -kLargestAngle, kLargestAngle, 0));
+      to.anisotropy_texture = texture(*stretched, "anisotropyTexture");
+    }
+  }
+
+  // Checked wherever it stands, used where nothing else says what the surface is made of.
+  void read_specular_glossiness(const JsonObject& from, bool stands_alone, GltfMaterial& to) {
+    GltfMaterial old = to;
+    read_base_colour(from, "diffuseFactor", old);
+    old.base_colour_texture = texture(from, "diffuseTexture");
+    old.metallic = 0.0f;
+    old.has_glossiness = true;
+    old.glossiness = factor(from, "glossinessFactor", 1, 1);
+    old.refractive_index = 0.0f;
+    old.specular = 1.0f;
+    old.specular_texture = {};
+    old.specular_colour = colour(from, "specularFactor", 1, 1);
+    old.specular_colour_texture = texture(from, "specularGlossinessTexture");
+    if (stands_alone) to = old;
+  }
+
   std::int64_t textures_;
+  std::vector<std::string>& warnings_;
+  RoundedNumbers rounded_;
 };
 
 }  // namespace
@@ -118,10 +197,11 @@ class MaterialReader {
 void read_gltf_materials(const nlohmann::json& document, const std::filesystem::path& file,
                          GltfModel& model) {
   const JsonObject root(document, file, "");
-  const MaterialReader reader(model.textures.size());
+  MaterialReader reader(model.textures.size(), model.warnings);
   for (const JsonObject& material : root.objects("materials")) {
     model.materials.push_back(reader.read(material));
   }
+  reader.warn_of_rounding();
 }
 
 }  // namespace herr

@@ -100,6 +100,21 @@ struct GltfMaterial {
   glm::vec3 specular_colour{1.0f};
   GltfTextureUse base_colour_texture, metallic_roughness_texture, emission_texture, specular_texture,
       specular_colour_texture, transmission_texture, normal_texture;
+  float occlusion_strength = 1.0f;
+  GltfTextureUse occlusion_texture;
+  float coat = 0.0f, coat_roughness = 0.0f, coat_normal_scale = 1.0f;
+  GltfTextureUse coat_texture, coat_roughness_texture, coat_normal_texture;
+  glm::vec3 sheen_colour{0.0f};
+  float sheen_roughness = 0.0f;
+  GltfTextureUse sheen_colour_texture, sheen_roughness_texture;
+  float anisotropy = 0.0f, anisotropy_rotation_rad = 0.0f;
+  GltfTextureUse anisotropy_texture;
+  Attenuation attenuation;  // of light inside; none where the file says that nothing is inside
+  // KHR_materials_pbrSpecularGlossiness: glossiness in the specular colour texture's alpha, times
+  // `glossiness`. Base colour is its diffuse colour, specular_colour all of F0 (refractive_index is 0),
+  // metallic is 0.
+  bool has_glossiness = false;
+  float glossiness = 1.0f;
 };
 
 struct GltfTexture {

@@ -1,6 +1,6 @@
 // Reads one .gltf or .glb into GltfModel. The only door to tinygltf, and it opens after the checks.
-// Before: load_gltf. Uses: sessions/files/contained_folder.h for every file that the glTF names, gltf_checks.
-// After: the builders.
+// Before: load_gltf. Uses: gltf_checks, gltf_bytes for buffers and pictures; tinygltf sees a document without
+// them, so that it opens no file. After: the builders.
 #pragma once
 
 #include <filesystem>

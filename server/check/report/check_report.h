@@ -37,6 +37,7 @@ struct CheckReport {
   std::optional<Noise> noise;
   int runs = 0, baseline_runs = 0;  // measured; for pairs both are the number of pairs
   std::int64_t frames = 0;          // measured in each run
+  double seconds = 0;               // that the whole check took: all runs of both programs
 };
 
 // 0 ok, 1 regression, 4 anything else.

@@ -108,9 +108,13 @@ std::string command(const std::string& text, bool property) {
   return escaped;
 }
 
-std::string junit_case(const CheckReport& report, const Finding& finding) {
+std::string junit_time(double seconds) {
+  return "\" time=\"" + fixed_text(seconds, 3) + "\"";
+}
+
+std::string junit_case(const CheckReport& report, const Finding& finding, double seconds) {
   std::string text = "    <testcase classname=\"herr.check." + xml(report.session) + "\" name=\"" +
-                     xml(finding.name) + "\">\n";
+                     xml(finding.name) + junit_time(seconds) + ">\n";
   const std::string message = "message=\"" + xml(finding.text) + "\"/>\n";
   if (!report.error.empty()) {
     text += "      <error " + message;
@@ -154,8 +158,8 @@ std::string check_junit(const CheckReport& report) {
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"herr check\" tests=\"" +
       total + "\" failures=\"" + std::to_string(broken ? 0 : failures) + "\" errors=\"" +
-      (broken ? total : "0") + "\" skipped=\"" + std::to_string(broken ? 0 : skipped) + "\">\n" +
-      "    <properties>\n";
+      (broken ? total : "0") + "\" skipped=\"" + std::to_string(broken ? 0 : skipped) +
+      junit_time(report.seconds) + ">\n" + "    <properties>\n";
   const auto property = [&](const std::string& name, const std::string& value) {
     text += "      <property name=\"" + name + "\" value=\"" + xml(value) + "\"/>\n";
   };
@@ -171,7 +175,8 @@ std::string check_junit(const CheckReport& report) {
                                               change_text(time.shift.upper) + ")");
   }
   text += "    </properties>\n";
-  for (const Finding& finding : findings) text += junit_case(report, finding);
+  const double share = report.seconds / static_cast<double>(findings.size());
+  for (const Finding& finding : findings) text += junit_case(report, finding, share);
   return text + "  </testsuite>\n</testsuites>\n";
 }
 

@@ -12,7 +12,9 @@ namespace herr {
 std::string check_markdown(const CheckReport& report);
 
 // One suite; one test case for each counter and each time that decides. A regression is a failure, what
-// cannot be told is skipped, a check that broke off is an error. Well-formed whatever the names hold.
+// cannot be told is skipped, a check that broke off is an error. `time` is in seconds: of the suite what the
+// whole check took; all cases come from the same runs, so each has an equal share. Well-formed whatever the
+// names hold.
 std::string check_junit(const CheckReport& report);
 
 // "::error title=...::..." for each regression, "::warning ..." for what cannot be told, ten at most: more

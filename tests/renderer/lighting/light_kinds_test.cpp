@@ -132,8 +132,12 @@ EnvironmentImage small_environment() {
 }
 
 // The same bilinear look-up in double: u = 1/2 at -Z, growing clockwise seen from above; v = 0 at the zenith.
-glm::dvec3 environment_at(const EnvironmentImage& image, const glm::dvec3& d) {
-  double u = std::atan2(d.x, -d.z) / glm::two_pi<double>() + 0.5 - image.turn_deg / 360.0;
+// A rotation about +Y is counter-clockwise as seen from above: the picture that was turned shows at d what it
+// showed unturned at d turned back.
+glm::dvec3 environment_at(const EnvironmentImage& image, const glm::dvec3& world_d) {
+  const glm::dquat turned_back = glm::angleAxis(glm::radians(-double{image.turn_deg}), glm::dvec3{0, 1, 0});
+  const glm::dvec3 d = turned_back * world_d;
+  double u = std::atan2(d.x, -d.z) / glm::two_pi<double>() + 0.5;
   u -= std::floor(u);
   const double v = std::acos(std::clamp(d.y, -1.0, 1.0)) / glm::pi<double>();
   const double x = u * image.width_px - 0.5,
@@ -177,6 +181,34 @@ TEST(EnvironmentTest, EveryDirectionShowsItsPixelAlsoAcrossTheSeamAndAtThePoles)
     expect_environment(scene, glm::angleAxis(2 * quarter, glm::dvec3{0, 1, 0}));  // backwards: the seam
     expect_environment(scene, glm::angleAxis(quarter, glm::dvec3{1, 0, 0}));      // zenith
     expect_environment(scene, glm::angleAxis(-quarter, glm::dvec3{1, 0, 0}));     // nadir
+  }
+}
+
+TEST(EnvironmentTest, TurnedByNinetyDegreesTheMiddleLiesTowardsMinusX) {
+  // Seen from above with +X to the right and -Z up the page, a quarter turn counter-clockwise takes the
+  // middle of the picture, unturned towards -Z, to -X; what lay towards +X comes to -Z. The look-up is not
+  // used here: of 16 x 8 pixels the eight middle columns are blue, and a narrow view along an axis sees one
+  // colour.
+  Scene scene;
+  scene.environment_map = {16, 8, 90, std::vector<float>(4 * 16 * 8)};
+  for (std::size_t i = 0; i < 16 * 8; ++i)
+    scene.environment_map.rgba[4 * i + (i % 16 / 4 == 1 || i % 16 / 4 == 2 ? 2 : 0)] = 1;
+  struct View {
+    double yaw_deg;  // counter-clockwise from -Z
+    bool blue;
+  };
+  // Columns 4 ... 11 of 16 are blue: a half turn of them, 90 degrees to both sides of the middle at -X. Not
+  // at their edges, which are -Z and +Z.
+  for (const View& view :
+       {View{90, true}, View{45, true}, View{135, true}, View{-90, false}, View{-45, false}}) {
+    const DisplayProfile profile = test::single_view(8, 8, 5, 5);
+    FrameSample sample = test::sample_from({0, 0, 0});
+    sample.head.world_from_head.orientation = glm::angleAxis(glm::radians(view.yaw_deg), glm::dvec3{0, 1, 0});
+    const RenderedFrame frame = test::render(scene, profile, test::planar_settings(), sample);
+    test::for_each_pixel(frame.viewports[0], [&](int, int, const test::Pixel& pixel) {
+      ASSERT_NEAR(pixel[2], view.blue ? 1 : 0, 1e-3) << view.yaw_deg;
+      ASSERT_NEAR(pixel[0], view.blue ? 0 : 1, 1e-3) << view.yaw_deg;
+    });
   }
 }
 

@@ -26,9 +26,13 @@ RenderSettings settings() {
   return s;
 }
 
-double schlick(double index, double cosine) {
-  const double root = (index - 1) / (index + 1), f0 = root * root;
-  return f0 + (1 - f0) * std::pow(1 - cosine, 5);
+// Fresnel's reflectance for unpolarised light that meets glass of `index` from air at an angle of `cosine`:
+// the mean of sin^2(a - b) / sin^2(a + b) and tan^2(a - b) / tan^2(a + b), head on ((n - 1) / (n + 1))^2.
+double fresnel(double index, double cosine) {
+  const double a = std::acos(cosine), b = std::asin(std::sin(a) / index);
+  if (a < 1e-6) return std::pow((index - 1) / (index + 1), 2);
+  const double s = std::sin(a - b) / std::sin(a + b), p = std::tan(a - b) / std::tan(a + b);
+  return 0.5 * (s * s + p * p);
 }
 
 // Where a ray from the origin along `d` meets the plane z = -5 behind a slab of thickness t that is turned
@@ -71,7 +75,7 @@ TEST(RefractionTest, ASlabShiftsWhatLiesBehindItAsSnellSays) {
     // Two interfaces, each passing 1 - F at 35 degrees less the pixel's angle: never below 0.9 here.
     const double cosine = -glm::dot(d, normal);
     const double inside = std::sqrt(1 - (1 - cosine * cosine) / (kIndex * kIndex));
-    const double passes = (1 - schlick(kIndex, cosine)) * (1 - schlick(kIndex, cosine));
+    const double passes = std::pow(1 - fresnel(kIndex, cosine), 2);
     ASSERT_GT(inside, 0.8);
     if (off_edge > 0) {
       ++bright;
@@ -126,14 +130,14 @@ double seen_through_prism(float index) {
 TEST(RefractionTest, LightIsReflectedTotallyAboveTheCriticalIndex) {
   // In head on, reflected totally, out head on: (1 - F0)^2 of the wall's 2.
   for (const float index : {1.42f, 1.5f, 2.4f}) {
-    const double passes = 1 - schlick(index, 1);
+    const double passes = 1 - fresnel(index, 1);
     EXPECT_NEAR(seen_through_prism(index), 2 * passes * passes, 2e-4 + test::half_rounding(2)) << index;
   }
   // Near the critical index Fresnel's curve is steep (d cos / d index = 9 at 1.41), so 1e-4 needs exact
-  // normals. Below: in head on, out at 45 degrees inside, sin b = n sin 45.
+  // normals. Below: in head on, out at 45 degrees inside, sin b = n sin 45; the way back reflects as much.
   for (const float index : {1.1f, 1.3f, 1.41f}) {
     const double outside = std::sqrt(1 - 0.5 * index * index);
-    const double passes = (1 - schlick(index, 1)) * (1 - schlick(index, outside));
+    const double passes = (1 - fresnel(index, 1)) * (1 - fresnel(index, outside));
     EXPECT_NEAR(seen_through_prism(index), 0.5 * passes, 1e-4 + test::half_rounding(0.5)) << index;
   }
 }
@@ -169,20 +173,24 @@ TEST(RefractionTest, ATintIsMultipliedAtEachInterface) {
   EXPECT_NEAR(pixel[2], 1.0, 1e-3);
 }
 
-TEST(RefractionTest, APathEndsAfterTheMostInterfacesAndStaysFinite) {
-  // Ten panes of 2 interfaces each: the ninth surface is shown as opaque and unlit,
-  // black, and no path is longer.
+TEST(RefractionTest, APathEndsAfterTheMostInterfacesAndBringsTheLightFromOutside) {
+  // Panes of 2 interfaces each, more than light is followed through: beyond the last ray the glass ahead is
+  // as if it were not there, so that each ray has lost 1 - F at all interfaces that it passed.
+  constexpr int kPanes = kMostInterfaces / 2 + 2;
   Scene scene;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < kPanes; ++i) {
     const float z = -2.0f - static_cast<float>(i);
     test::add(scene, test::box({-9, -9, z - 0.1f}, {9, 9, z}), glass(1.5f));
   }
   scene.environment = glm::vec3{1.0f};
   const RenderedFrame frame =
-      test::render(scene, test::single_view(8, 8, 20, 20), settings(), test::sample_from({0, 0, 0}));
+      test::render(scene, test::single_view(3, 3, 0.1, 0.1), settings(), test::sample_from({0, 0, 0}));
   test::expect_finite(frame);
-  EXPECT_EQ(frame.counters.rays[RayKind::refraction], kMostInterfaces * 64);
-  EXPECT_EQ(test::pixel_at(frame.viewports[0], 4, 4)[0], 0.0);
+  EXPECT_EQ(frame.counters.rays[RayKind::refraction], kMostInterfaces * 9);
+  EXPECT_EQ(frame.counters.cut_paths, 9);
+  // The last ray meets one interface more, passes it by its share, and brings 1.
+  const double expected = std::pow(1 - fresnel(1.5, 1), kMostInterfaces + 1);
+  EXPECT_NEAR(test::pixel_at(frame.viewports[0], 1, 1)[0], expected, 1e-4 + test::half_rounding(expected));
 }
 
 TEST(RefractionTest, SwitchedOffGlassIsDrawnOpaqueAndNoRayIsTraced) {
@@ -198,9 +206,8 @@ TEST(RefractionTest, SwitchedOffGlassIsDrawnOpaqueAndNoRayIsTraced) {
 }
 
 TEST(RefractionTest, AMirrorAndItsGlassShareTheLight) {
-  // A pane with reflection on, all of one environment: F + (1 - F) (what passes the second face). Light
-  // that the second face reflects is lost, so the sum is 1 - (1 - F) F (the second face's own
-  // reflection is not followed).
+  // A pane with reflection on, all of one environment: what one face reflects the other passes or reflects
+  // again, and all of it leaves at last.
   Scene scene;
   Material pane = glass(1.5f);
   pane.mirror = 1;
@@ -208,10 +215,33 @@ TEST(RefractionTest, AMirrorAndItsGlassShareTheLight) {
   scene.environment = glm::vec3{1.0f};
   RenderSettings both = settings();
   both.reflections = true;
+  for (const double half_deg : {0.1, 75.0}) {
+    const RenderedFrame frame =
+        test::render(scene, test::single_view(3, 3, half_deg, half_deg), both, test::sample_from({0, 0, 0}));
+    for (const int at : {0, 1}) {
+      EXPECT_NEAR(test::pixel_at(frame.viewports[0], at, at)[0], 1.0, 1e-3) << half_deg;
+    }
+  }
+}
+
+TEST(RefractionTest, AnIndexOfNothingReflectsAll) {
+  // KHR_materials_ior: index 0 stands for a reflectance of 1 at every angle. No light passes, and no number
+  // of the way through is needed.
+  Scene scene;
+  Material mirror = glass(0.0f);
+  mirror.mirror = 1;
+  test::add(scene, test::sphere({0, 0, -3}, 1), mirror);
+  scene.environment = glm::vec3{0.75f};
+  RenderSettings both = settings();
+  both.reflections = true;
   const RenderedFrame frame =
-      test::render(scene, test::single_view(3, 3, 0.1, 0.1), both, test::sample_from({0, 0, 0}));
-  const double f = schlick(1.5, 1);
-  EXPECT_NEAR(test::pixel_at(frame.viewports[0], 1, 1)[0], f + (1 - f) * (1 - f), 1e-3);
+      test::render(scene, test::single_view(32, 32, 20, 20), both, test::sample_from({0, 0, 0}));
+  test::expect_finite(frame);
+  EXPECT_EQ(frame.counters.rays[RayKind::refraction], 0);
+  EXPECT_EQ(frame.counters.invalid_rays, 0);
+  test::for_each_pixel(frame.viewports[0], [](int x, int y, const test::Pixel& pixel) {
+    ASSERT_NEAR(pixel[0], 0.75, test::half_rounding(0.75)) << x << ", " << y;
+  });
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ TEST(WorldTest, ImpossibleChangesSayWhyAndChangeNothing) {
   EXPECT_TRUE(contains(problem_of(world, R"({"t_ns": 1, "op": "remove", "name": "spare"})"), "not there"));
   EXPECT_TRUE(contains(problem_of(world, R"({"t_ns": 1, "op": "spawn", "of": "cup", "name": "cup"})"),
                        "there already"));
-  EXPECT_TRUE(contains(problem_of(world, R"({"t_ns": 1, "op": "move", "name": "cup", "scale": 1e-5})"),
+  EXPECT_TRUE(contains(problem_of(world, R"({"t_ns": 1, "op": "move", "name": "cup", "scale": 1e-13})"),
                        "a larger scale"));
   EXPECT_TRUE(
       contains(problem_of(world, R"({"t_ns": 1, "op": "set_light", "name": "lamp", "direction": [0, 1, 0]})"),

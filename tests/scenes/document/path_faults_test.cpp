@@ -23,14 +23,14 @@ TEST(PathFaultsTest, PathsThatCannotBeAreRefusedByTheNameOfTheirField) {
       {R"({"keys": [{"t_s": 0, "translation": [0, 0, 2e9]}]})", "path.keys[0].translation"},
       {R"({"keys": [{"t_s": 0, "rotation_xyzw": [0, 0, 0, 0.5]}]})", "is not of unit length"},
       {R"({"keys": [{"t_s": 0, "scale": 0}]})", "is 0: the object would have no extent"},
-      {R"({"keys": [{"t_s": 0, "scale": 1e7}]})", "path.keys[0].scale"},
+      {R"({"keys": [{"t_s": 0, "scale": 1e10}]})", "path.keys[0].scale"},
       {R"({"keys": [{"t_s": 1}, {"t_s": 1}]})", "path.keys[1].t_s is not after that of the key before"},
       {R"({"keys": [{"t_s": 2}, {"t_s": 1}]})", "path.keys[1].t_s is not after that of the key before"},
       {R"({"keys": [{"t_s": 0}, {"t_s": 1, "scale": [1, -1, 1]}]})",
        "path.keys[1].scale passes through 0 on the y axis"},
       {R"({"keys": [{"t_s": 0, "scale": -1}, {"t_s": 1}]})", "path.keys[1].scale passes through 0"},
-      {R"({"keys": [{"t_s": 0}, {"t_s": 1, "scale": 1e-9}]})", "path.keys[1] places the object so that it"},
-      {R"({"keys": [{"t_s": 0}, {"t_s": 1, "scale": [1e6, 1e-9, 1e-9]}]})", "flattens or shrinks"},
+      {R"({"keys": [{"t_s": 0}, {"t_s": 1, "scale": 1e-13}]})", "path.keys[1] places the object so that it"},
+      {R"({"keys": [{"t_s": 0}, {"t_s": 1, "scale": [1e6, 1e-22, 1e-22]}]})", "flattens or shrinks"},
   };
   for (const auto& [path, says] : cases) {
     const TemporaryFolder folder;
@@ -49,7 +49,7 @@ TEST(PathFaultsTest, EachKindOfEntryChecksItsOwnPath) {
     folder.write("one.vox", vox_bytes(vox_model(1, 1, 1, {{0, 0, 0, 1}})));
     return error_of(folder.write("s.scene.json", R"({"format_version": 1, "name": "s", )" + entries + "}"));
   };
-  const std::string small = R"("path": {"keys": [)" + good + R"(, {"t_s": 1, "scale": 2e-5}]})";
+  const std::string small = R"("path": {"keys": [)" + good + R"(, {"t_s": 1, "scale": 2e-13}]})";
   EXPECT_TRUE(
       contains(error_with(R"("gltf": [{"file": "model.gltf", )" + small + "}]"), "gltf[0].path.keys[1]"));
   EXPECT_TRUE(

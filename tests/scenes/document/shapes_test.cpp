@@ -57,7 +57,7 @@ TEST(Shapes, EveryFaultIsAnInputErrorThatNamesTheField) {
       {R"([{"sphere": {"centre": [0, 0, 0]}}])", "needs a radius"},
       {R"([{"sphere": {"centre": [0, 0, 0], "radius": 0}}])", "shapes[0].sphere.radius leaves no thickness"},
       {R"([{"sphere": {"centre": [0, 0, 0], "radius": -1}}])", "shapes[0].sphere.radius"},
-      {R"([{"sphere": {"centre": [0, 0, 0], "radius": 1e-6}}])", "flattens or shrinks"},
+      {R"([{"sphere": {"centre": [0, 0, 0], "radius": 1e-13}}])", "flattens or shrinks"},
       {R"([{"sphere": {"centre": [0, 1e300, 0], "radius": 1}}])", "shapes[0].sphere.centre"},
       {R"([{"sphere": {"centre": [0, 0, 0], "radii": [1, 1, 0]}}])",
        "shapes[0].sphere.radii leaves no thickness on the z axis"},

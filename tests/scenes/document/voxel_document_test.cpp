@@ -77,7 +77,7 @@ TEST(VoxelDocument, RefusesWhatItCannotMean) {
   EXPECT_TRUE(contains(error_in({{"file", "model.gltf"}}), "not a MagicaVoxel file"));
   EXPECT_TRUE(contains(error_in({{"mesh", {{"file", "model.gltf"}}}}), "resolution"));
   EXPECT_TRUE(contains(error_in({{"mesh", {{"file", "model.gltf"}, {"resolution", 513}}}}), "resolution"));
-  EXPECT_TRUE(contains(error_in({{"file", "one.vox"}, {"scale", 1e-5}}), "scale"));
+  EXPECT_TRUE(contains(error_in({{"file", "one.vox"}, {"scale", 1e-13}}), "scale"));
   EXPECT_TRUE(contains(error_in({{"file", "one.vox"}, {"material", {{"transmission", 1}}}}), "transmission"));
   EXPECT_TRUE(contains(error_in({{"file", "one.vox"}, {"size", 1}}), "size"));
 }

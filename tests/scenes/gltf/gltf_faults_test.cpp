@@ -128,17 +128,17 @@ const std::vector<Fault>& faults() {
          set(d, "/nodes/0/scale", {1e-25, 1e-25, 1e-25});
        },
        "scale of 0"},
-      // 9e-5 cubed is 7.3e-13, below 1e-12.
-      {"scale 9e-5",
+      // 9e-13 cubed is 7.3e-37, below 1e-36.
+      {"scale 9e-13",
        [](json& d) {
-         set(d, "/nodes/0/scale", {9e-5, 9e-5, 9e-5});
+         set(d, "/nodes/0/scale", {9e-13, 9e-13, 9e-13});
        },
        "determinant"},
       {"matrix that flattens",
        [](json& d) {
          set(d, "/nodes/0/matrix", {1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
        },
-       "determinant"},
+       "plane"},
       {"matrix that projects",
        [](json& d) {
          set(d, "/nodes/0/matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});

@@ -276,11 +276,11 @@ TEST(ObjectPathTest, AnotherMeshGoesOnAlongThePath) {
 
 TEST(ObjectPathTest, AMeshThatDoesNotFitThePathIsRefusedForAllItsKeys) {
   const TemporaryFolder folder;
-  // 1e-3 of a ball of radius 1 can be traced; of a ball of radius 1e-4 the determinant would be 1e-21.
+  // 1e-6 of a ball of radius 1 can be traced; of a ball of radius 1e-7 the determinant would be 1e-39.
   const auto file = folder.write("s.scene.json", R"({"format_version": 1, "name": "s", "shapes": [
     {"name": "ball", "sphere": {"centre": [0, 0, 0], "radius": 1},
-     "path": {"keys": [{"t_s": 0}, {"t_s": 9, "scale": 1e-3}]}},
-    {"name": "bead", "sphere": {"centre": [0, 0, 0], "radius": 1e-4}}]})");
+     "path": {"keys": [{"t_s": 0}, {"t_s": 9, "scale": 1e-6}]}},
+    {"name": "bead", "sphere": {"centre": [0, 0, 0], "radius": 1e-7}}]})");
   Scene scene = load_scene(file);
   World world(scene);
   EXPECT_TRUE(

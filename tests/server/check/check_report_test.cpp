@@ -93,6 +93,21 @@ TEST(JUnit, CountsRegressionsAsFailuresAndTheRestAsSkipped) {
   EXPECT_EQ(count_of(good, "<testcase "), 2u);
 }
 
+TEST(JUnit, SharesTheSecondsOfTheCheckAmongItsCases) {
+  // 45.5 s for two cases from the same runs: 22.75 s each, with a point in every locale.
+  CheckReport report = report_of(Verdict::ok, Verdict::regression);
+  report.seconds = 45.5;
+  const std::string text = check_junit(report);
+  EXPECT_EQ(count_of(text, "skipped=\"0\" time=\"45.500\">"), 1u) << text;
+  EXPECT_EQ(count_of(text, "<testcase "), 2u);
+  EXPECT_EQ(count_of(text, "name=\"frame time, median\" time=\"22.750\">"), 1u) << text;
+  EXPECT_EQ(count_of(text, "name=\"pixels\" time=\"22.750\">"), 1u) << text;
+  // Broken off: the findings so far and the error.
+  report.error = "the disk is full";
+  report.seconds = 3;
+  EXPECT_EQ(count_of(check_junit(report), " time=\"1.000\">"), 3u);
+}
+
 TEST(JUnit, HasAnErrorWhenTheCheckBrokeOff) {
   CheckReport report;
   report.session = "s";

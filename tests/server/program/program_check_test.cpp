@@ -82,6 +82,11 @@ TEST_F(ProgramCheck, FailsWhenItCountsMoreThanTheOtherBuild) {
       << run.out;
   EXPECT_NE(run.out.find("\n::error title="), std::string::npos) << run.out;
   EXPECT_NE(content_of(root() / "j.xml").find("<failure type=\"regression\""), std::string::npos);
+  // Two processes were started and rendered: no time of 0, as a check that forgot to measure would write.
+  const std::string junit = content_of(root() / "j.xml");
+  const std::size_t time = junit.find("<testsuite name=\"herr check\"");
+  ASSERT_NE(junit.find(" time=\"", time), std::string::npos) << junit;
+  EXPECT_GT(std::stod(junit.substr(junit.find(" time=\"", time) + 7)), 0.0) << junit;
   EXPECT_NE(content_of(root() / "m.md").find("| regression |"), std::string::npos);
   // A second report follows the first.
   check("--only counters --against other --markdown m.md");

@@ -79,7 +79,7 @@ TEST(SessionHeader, IsRefusedFieldByField) {
       {"/gaze_kind", "per_eye", "vergence_m is given for per_eye gaze"},
       {"/vergence_m", 0, "vergence_m is 0"},
       {"/eye_offsets/left", {0, 0}, "eye_offsets.left has 2 elements"},
-      {"/eye_offsets/left", {64, 0, 0}, "eye_offsets.left[0] is 64"},
+      {"/eye_offsets/left", {64e9, 0, 0}, "eye_offsets.left[0] is 64"},
       {"/rates_hz/pose", 1e6, "rates_hz.pose"},
       {"/start_ns", 1.5, "not a whole number"},
       {"/end_ns", 5, "end_ns lies before start_ns"},
@@ -160,6 +160,25 @@ TEST(SessionHeader, WarnsOfSwappedEyesAndOfEyesMetresApart) {
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_PRED2(test::holds, warnings[0].what(), "are the eyes swapped?");
   EXPECT_PRED2(test::holds, warnings[1].what(), "1000 mm apart");
+}
+
+// 39.9 mm are less than 40; told as 40 they would not be.
+TEST(SessionHeader, TellsAnEyeDistanceJustOutOfRangeWithAllItsDigits) {
+  nlohmann::json document = example();
+  document["eye_offsets"] = {{"left", {-0.0399, 0, 0}}, {"right", {0, 0, 0}}};
+  const std::vector<InputError> warnings = read(document).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_PRED2(test::holds, warnings[0].what(), "are 39.9 mm apart; eyes are 40 to 85 mm apart");
+}
+
+// Offsets in millimetres look like those of a session that was scaled with its scene.
+TEST(SessionHeader, WarnsOfOffsetsInMillimetres) {
+  nlohmann::json document = example();
+  document["eye_offsets"] = {{"left", {-32, 0, 0}}, {"right", {32, 0, 0}}};
+  const ParsedSessionHeader parsed = read(document);
+  EXPECT_EQ(parsed.header.head_from_eye[0].position.x, -32);
+  ASSERT_EQ(parsed.warnings.size(), 1u);
+  EXPECT_PRED2(test::holds, parsed.warnings[0].what(), "64000 mm apart");
 }
 
 }  // namespace
