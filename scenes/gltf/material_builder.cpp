@@ -275,14 +275,15 @@ int MaterialBuilder::texture(const GltfTexture& from, Values values, float facto
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
   to.nearest = from.nearest;
+  entry->second = static_cast<int>(scene_.textures.size());
   if (pixels_ == TexturePixels::decoded) {
-    // The first texture of an image keeps its pixels as they are, for further ones and for means to read.
-    const bool first = values != Values::rough_gloss &&
-                       holders_.try_emplace(from.image, scene_.textures.size()).second;
-    to.rgba = first ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
+    // The first texture that shows an image as it is keeps its pixels, for further ones and for means to
+    // read.
+    const bool keeps =
+        values != Values::rough_gloss && holders_.try_emplace(from.image, entry->second).second;
+    to.rgba = keeps ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
   }
   if (values == Values::rough_gloss) make_rough(factor, to.rgba);
-  entry->second = static_cast<int>(scene_.textures.size());
   scene_.textures.push_back(std::move(to));
   return entry->second;
 }
@@ -301,7 +302,8 @@ const DecodedImage& MaterialBuilder::decoded(int index) {
 
 const std::vector<std::uint8_t>& MaterialBuilder::pixels_of(int image) {
   const auto holder = holders_.find(image);
-  return holder != holders_.end() ? scene_.textures[holder->second].rgba : decoded(image).rgba;
+  return holder != holders_.end() ? scene_.textures[static_cast<std::size_t>(holder->second)].rgba
+                                  : decoded(image).rgba;
 }
 
 EncodedImage MaterialBuilder::encoded(int index) const {

@@ -72,7 +72,7 @@ class MaterialBuilder {
   std::map<Key, std::uint32_t> materials_;
   std::map<std::array<int, 6>, int> textures_;  // image, values, wrap u, wrap v, nearest, factor's bits
   std::map<int, DecodedImage> decoded_;         // without pixels where a texture holds them
-  std::map<int, std::size_t> holders_;          // by image: the texture of the scene that holds its pixels
+  std::map<int, int> holders_;                  // by image: the texture of the scene that holds its pixels
 };
 
 }  // namespace herr
