@@ -154,6 +154,9 @@ TEST(GltfMaterials, OcclusionHasATextureOfLinearValuesAndAStrength) {
   EXPECT_FALSE(scene.textures.at(0).srgb);
   EXPECT_TRUE(
       MaterialFile(json{{"occlusionTexture", {{"index", 0}, {"strength", 0}}}}).load().textures.empty());
+  const Scene strong = MaterialFile(json{{"occlusionTexture", {{"index", 0}, {"strength", 2}}}}).load();
+  EXPECT_EQ(strong.materials.at(0).occlusion_strength, 1.0f) << "it was passed over before";
+  EXPECT_TRUE(any_contains(strong.warnings, "strength"));
 }
 
 TEST(GltfMaterials, IndexZeroIsAMirrorThatNothingPasses) {
