@@ -149,8 +149,9 @@ TEST(Decoders, SayWhatIsWrongWithDamagedPicturesWithoutAWordOnStderr) {
     for (std::size_t length = 0; length + 20 < bytes.size(); length += 37) {
       const std::string cut = bytes.substr(0, length);
       PictureReader reader(format, cut);
-      const bool decoded = reader.problem().empty() && reader.read_rgba8(room.data());
-      EXPECT_FALSE(decoded) << format << " of " << length;
+      if (reader.problem().empty()) {
+        EXPECT_FALSE(reader.read_rgba8(room.data())) << format << " of " << length;
+      }
       EXPECT_NE(reader.problem(), "") << format << " of " << length;
     }
   }
