@@ -22,7 +22,7 @@ enum class RayKind : std::uint8_t {
   probe_shadow,       // from what probes see to lights
   catcher_probe,      // the same for the probes of catchers alone, past virtual objects
   catcher_probe_shadow,
-  behind,  // from the eye, on through surfaces that blend
+  behind,  // from the eye, on through surfaces that blend and past backs that it does not see
 };
 inline constexpr std::size_t kRayKinds = 14;
 // Without "rays": "primary", "catcher_shadow", ...

@@ -146,8 +146,8 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          "no surface blends", t.blended == 0 && settings.adaptive_min_samples == 0);
   if (plan.alpha_blend) need(plan.surface_details, "surface details", "alpha layers");
   decide(plan.back_face_culling, t.back_face_culling > 0, "back faces left out",
-         share(t.back_face_culling, t.instances, "are open and single-sided"),
-         "every surface is closed or double-sided", t.back_face_culling == 0);
+         share(t.back_face_culling, t.instances, "are single-sided"),
+         "every surface is double-sided or lets light pass", t.back_face_culling == 0);
   decide(plan.specular, t.specular > 0, "specular lobe",
          share(t.specular, t.instances, "have a specular lobe"), "catchers only: nothing has a highlight",
          t.specular == 0);

@@ -68,7 +68,7 @@ void EmbreeScene::build_meshes() {
   for (const Instance& instance : scene_.instances) {
     if (instance.kind != ShapeKind::mesh) continue;
     MeshFilter& filter = filters[instance.mesh];
-    if (has_holes(scene_, instance) || culls_back_faces(scene_, instance)) filter.instances = &table_;
+    if (has_holes(scene_, instance) || shows_backs(scene_, instance)) filter.instances = &table_;
     filter.blends |= blends(scene_, instance);
     // Its coarser forms stand in its place.
     for (const CoarserMesh& form : scene_.meshes[instance.mesh].coarser) {

@@ -88,8 +88,11 @@ void set_textures(const Material& material, const TextureUses& use, DetailRecord
 bool culls_back_faces(const Scene& scene, const Instance& instance) {
   const Material& material = scene.materials[instance.material];
   const TriangleMesh* mesh = mesh_of(scene, instance);
-  return mesh != nullptr && !material.double_sided && !mesh->closed && material.transmission == 0 &&
-         !instance.catcher;
+  return mesh != nullptr && !material.double_sided && material.transmission == 0 && !instance.catcher;
+}
+
+bool shows_backs(const Scene& scene, const Instance& instance) {
+  return culls_back_faces(scene, instance) && !scene.meshes[instance.mesh].closed;
 }
 
 bool has_textures(const Scene& scene, const Instance& instance) {

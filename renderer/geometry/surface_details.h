@@ -11,9 +11,12 @@
 
 namespace herr {
 
-// Eyes see the fronts of its triangles only: a single-sided material on an open mesh. Shadows, mirrors and
-// probes take both sides for solid, and so do eyes where light passes the surface or the mesh is closed.
+// Eyes see the fronts of its triangles only: a single-sided material. Shadows, mirrors and probes take both
+// sides for solid, and so do eyes where light passes the surface.
 bool culls_back_faces(const Scene& scene, const Instance& instance);
+// It does, and its backs may lie before everything else that eyes see: Embree asks for each hit. Elsewhere
+// back_faces-inl.h looks after the few that are met.
+bool shows_backs(const Scene& scene, const Instance& instance);
 // Any texture of its material is read.
 bool has_textures(const Scene& scene, const Instance& instance);
 // Part of its surface, or all of it, may be missing: alpha below the cutoff, or blended.

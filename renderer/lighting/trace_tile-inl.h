@@ -5,6 +5,7 @@
 
 #include "renderer/lighting/alpha_layers-inl.h"
 #include "renderer/lighting/ambient_occlusion-inl.h"
+#include "renderer/lighting/back_faces-inl.h"
 #include "renderer/tiles/ray_cones-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,10 +27,10 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
   for (int p = 0; p < packet_count; ++p) {
     if (sparse && hn::AllFalse(kF, traced_lanes(p))) continue;
     const int* valid = scratch.packet_valid[static_cast<std::size_t>(p)].data();
-    const bool filters = plan.back_face_culling || plan.alpha_mask || plan.alpha_blend;
-    if (filters) hn::Store(hn::Set(kU, kCullBackFaces), kU, packets[p].ray.flags);
+    const bool holes = plan.alpha_mask || plan.alpha_blend;
+    if (holes || plan.back_face_culling) hn::Store(hn::Set(kU, kCullBackFaces), kU, packets[p].ray.flags);
     if constexpr (kDetail != SurfaceDetail::plain) {
-      if (filters || plan.voxels) widen(packets[p].ray, scratch.first, p * kLanes);
+      if (holes || plan.voxels) widen(packets[p].ray, scratch.first, p * kLanes);
     }
     record(job, kind, packets[p].ray, valid, true);
     intersect_packet<kLanes>(valid, job.shading->scene, true, &packets[p]);
@@ -40,7 +41,7 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
     const MF traced = traced_lanes(p);
     if (sparse && hn::AllFalse(kF, traced)) continue;
     const VI wanted = hn::Load(kI, &scratch.first.kind[p * kLanes]);
-    surface_of_packet<kDetail>(packets[p], traced, *job.shading, false, scratch.first, p * kLanes);
+    surface_seen<kDetail>(job, p, traced);
     const VI kind_of_hit = hn::Load(kI, &scratch.first.kind[p * kLanes]);
     hn::Store(hn::IfThenElse(hn::RebindMask(kI, traced), kind_of_hit, wanted), kI,
               &scratch.first.kind[p * kLanes]);

@@ -14,6 +14,10 @@ namespace {
 constexpr double kFarthestMove = 0.45;  // of the spacing
 constexpr double kClearance = 0.1;      // of the smallest spacing: what a probe must have around it
 constexpr int kClearanceRays = 64;
+// A probe in a surface looks for its place from a little beside it: from within, rounding decides which side
+// it sees. Shares of the smallest spacing, none of which walls are likely to share.
+const glm::dvec3 kBeside{3.1e-3, 4.3e-3, 2.3e-3};
+constexpr double kInSurface = 7e-3;  // from beside; kBeside is 5.8e-3 long
 
 // Moves to try, of the spacing, the shortest first.
 std::vector<glm::dvec3> moves() {
@@ -48,10 +52,11 @@ class Surveyor {
     trace_distances(scene_, lower_ + place, mask, distance_directions(), fine_);
     return fine_;
   }
-  bool has_room(const glm::dvec3& place) {
+  double nearest(const glm::dvec3& place) {
     trace_distances(scene_, lower_ + place, kAllMask, kAround, few_);
-    return *std::min_element(few_.begin(), few_.end()) >= clearance_m_;
+    return double{*std::min_element(few_.begin(), few_.end())};
   }
+  bool has_room(const glm::dvec3& place) { return nearest(place) >= clearance_m_; }
   bool sees(const glm::dvec3& from, const glm::dvec3& to) {
     const glm::vec3 direction(glm::normalize(to - from));
     trace_distances(scene_, lower_ + from, kAllMask, std::span(&direction, 1), few_);
@@ -93,8 +98,11 @@ void ProbePlacement::settle(ProbeVolume& volume, const Scene& scene, const Embre
     if (!volume.near_[i]) return;
     Surveyor surveyor(geometry.top(), grid.lower - geometry.anchor(), kClearance * smallest);
     glm::dvec3 place = grid.position(grid.place(probe));
+    const glm::dvec3 beside = place + smallest * kBeside;
+    const bool in_surface = surveyor.nearest(beside) < kInSurface * smallest;
+    if (in_surface) place = beside;
     const std::vector<float>& around = surveyor.all_around(place, kAllMask);
-    if (*std::min_element(around.begin(), around.end()) < kClearance * smallest) {
+    if (in_surface || *std::min_element(around.begin(), around.end()) < kClearance * smallest) {
       if (const auto better = surveyor.better_place(place, grid.spacing)) {
         place = *better;
         moved[i] = 1;

@@ -47,9 +47,10 @@ HWY_INLINE void store_index_ratio(const InstanceRecord& instance, MF inside, MF 
   store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
 }
 
-// Normals of `lanes`, turned to the viewer's side.
-HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
-                              const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
+// Normals of `lanes`, turned to the viewer's side. Returns where the triangle's back is seen: some of
+// `lanes`.
+HWY_INLINE MF store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
+                            const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
   // Embree's normal has the triangle's area for its length: brought near 1 first, or a
   // sliver's would underflow.
   const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
@@ -73,6 +74,7 @@ HWY_INLINE void store_normals(const InstanceRecord& instance, VI record, const B
   store_lanes(n, lanes, out.normal, slot);
   const VF curvature = hn::GatherIndex(kF, reinterpret_cast<const float*>(instance.triangles) + 7, record);
   store_curvature(instance, curvature, lanes, out, slot);
+  return hn::And(g_behind, lanes);
 }
 
 // The normal of an analytic shape and of voxels is the one that the hit brings, curved or flat:

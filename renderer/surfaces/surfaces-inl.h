@@ -26,15 +26,15 @@ enum class SurfaceUse : std::uint8_t { colours, matte };
 constexpr float kUsualF0 = 0.04f, kStrongF0 = 0.08f;
 
 // What a surface scatters evenly: `diffuse`, a metal its colour, and a dielectric whose highlights are strong
-// theirs, for which its diffuse layer gets less.
-HWY_INLINE V3 matte_albedo(const MaterialAt& m, const V3& base, const V3& diffuse) {
+// theirs, of which its diffuse layer misses what is `held_back`.
+HWY_INLINE V3 matte_albedo(const MaterialAt& m, const V3& base, const V3& diffuse, VF held_back) {
   const VF f0 = hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z));
   const VF strong =
       hn::Min(hn::Max(hn::Mul(hn::Sub(f0, set(kUsualF0)), set(1.0f / (kStrongF0 - kUsualF0))), hn::Zero(kF)),
               set(1.0f));
   const VF dielectric = hn::Mul(strong, hn::Sub(set(1.0f), m.metallic));
   const auto channel = [&](VF metal, VF layer, VF highlight) HWY_ATTR {
-    const VF under = hn::NegMulAdd(hn::Mul(strong, f0), layer, layer);
+    const VF under = hn::NegMulAdd(hn::Mul(strong, held_back), layer, layer);
     return hn::Min(hn::MulAdd(m.metallic, metal, hn::MulAdd(dielectric, highlight, under)), set(1.0f));
   };
   return {channel(base.x, diffuse.x, m.f0.x), channel(base.y, diffuse.y, m.f0.y),
@@ -65,9 +65,11 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   }
   const V3 base{m.base.r, m.base.g, m.base.b};
   VF dielectric = hn::Sub(set(1.0f), m.metallic);
+  VF held_back = hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z));
   if (instance.dielectric_f0 >= 1.0f) {
     // Index 0: light that is not reflected goes on, as KHR_materials_ior and _specular mix it.
-    dielectric = hn::Mul(dielectric, hn::Sub(set(1.0f), hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z))));
+    dielectric = hn::Mul(dielectric, hn::Sub(set(1.0f), held_back));
+    held_back = hn::Zero(kF);
   }
   if (shading.plan->refraction) {
     // What passes the surface is not scattered by it.
@@ -79,8 +81,9 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     store_lanes(set3(instance.absorption), lanes, out.absorption, slot);
   }
   const V3 diffuse = scale(base, dielectric);
-  store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse) : diffuse, lanes, out.diffuse, slot);
-  if (shading.probes != nullptr) put(hn::Max(m.f0.x, hn::Max(m.f0.y, m.f0.z)), out.held_back);
+  store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse, held_back) : diffuse, lanes,
+              out.diffuse, slot);
+  if (shading.probes != nullptr) put(held_back, out.held_back);
   store_lanes(mul_add(m.metallic, sub(base, m.f0), m.f0), lanes, out.f0, slot);
   const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
   put(hn::Mul(alpha, alpha), out.alpha2);
@@ -92,11 +95,11 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
 // One traced packet -> lanes [slot, slot + kLanes) of `out`. Lanes of `rays` that hit nothing become `miss`;
 // a catcher counts as an object where `see_catchers` (a mirror shows the real room by its stated colour).
 // HitBatch::cone_width and cone_spread are the rays' at the origin before, and the width is the hit's
-// afterwards.
+// afterwards. Returns where the back of a surface is seen that shows eyes its front only.
 template <SurfaceDetail kDetail>
-HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
-                                    bool see_catchers, HitBatch& out, int slot,
-                                    SurfaceUse use = SurfaceUse::colours) {
+HWY_NOINLINE MF surface_of_packet(const RayHit& packet, MF rays, const ShadingInputs& shading,
+                                  bool see_catchers, HitBatch& out, int slot,
+                                  SurfaceUse use = SurfaceUse::colours) {
   const VU geometry = hn::Load(kU, packet.hit.geomID);
   const VU instance_ids = hn::Load(kU, packet.hit.instID[0]);
   const MF hit = hn::And(rays, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
@@ -106,7 +109,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   store3(viewer, out.viewer, slot);
   if (hn::AllFalse(kF, hit)) {
     hn::Store(kind, kI, out.kind.data() + slot);
-    return;
+    return hit;
   }
   const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
   const VF t = hn::IfThenElseZero(hit, load(packet.ray.tfar));
@@ -122,7 +125,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
   const VF width = hn::MulAdd(load(&out.cone_spread[slot]), t, load(&out.cone_width[slot]));
   store_lanes(width, hit, &out.cone_width[slot]);
   const VF area = hn::Mul(width, width);  // of the ray's cross section on the surface, but for its slope
-  MF left = hit;
+  MF left = hit, backs = first_lanes(0);
   while (!hn::AllFalse(kF, left)) {
     const auto first = static_cast<std::size_t>(hn::FindFirstTrue(kF, left));
     const std::uint32_t id = packet.hit.instID[0][first];
@@ -132,7 +135,8 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
     store_lanes(hn::Max(rounding, set(instance.least_offset_m)), lanes, out.offset.data() + slot);
     if (instance.kind == ShapeKind::mesh) {
-      store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      const MF behind = store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      if (instance.back_face_culling) backs = hn::Or(backs, behind);
     } else {
       store_shape(instance, packet, viewer, lanes, out, slot);
     }
@@ -155,6 +159,7 @@ HWY_NOINLINE void surface_of_packet(const RayHit& packet, MF rays, const Shading
     kind = hn::IfThenElse(hn::RebindMask(kI, lanes), hn::Set(kI, static_cast<int>(of_instance)), kind);
   }
   hn::Store(kind, kI, out.kind.data() + slot);
+  return backs;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,5 @@
-// Is a mesh a closed surface? Then its back faces can only be seen from within, and a renderer need not ask
-// of each hit which side it is on. Before: mesh_builder. After: TriangleMesh::closed.
+// Is a mesh a closed surface that faces outwards? Then its back faces can only be seen from within, and a
+// renderer need not ask of each hit which side it is on. Before: mesh_builder. After: TriangleMesh::closed.
 #pragma once
 
 #include "scenes/model/scene.h"
@@ -9,5 +9,9 @@ namespace herr {
 // Every edge is passed as often in one direction as in the other, by triangles that have an area. Vertices at
 // the same place count as one. A surface whose edges do not meet end to end counts as open. O(n log n).
 bool is_closed(const TriangleMesh& mesh);
+
+// is_closed, and each of its parts encloses a volume with its fronts outside. A part is what hangs together
+// by edges of two triangles. Inward shells, cavities and sheets without thickness: false.
+bool is_closed_outwards(const TriangleMesh& mesh);
 
 }  // namespace herr

@@ -71,7 +71,7 @@ class PrimitiveCache {
       built.mesh.uvs.clear();
       built.mesh.more_uvs.clear();
     }
-    if (!made.double_sided) built.mesh.closed = is_closed(built.mesh);
+    if (!made.double_sided) built.mesh.closed = is_closed_outwards(built.mesh);
     const bool bends = primitive.joints[0] >= 0 || !primitive.targets.empty();
     const double unit = bends ? 1 : take_unit(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));

@@ -85,7 +85,7 @@ struct Material {
   float alpha = 1.0f;  // [0, 1], times the base colour texture's and the vertices'; unused where opaque
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;            // of mask
-  bool double_sided = true;             // false: seen from its front only, if its mesh is not closed
+  bool double_sided = true;             // false: eyes see its front only
   bool unlit = false;                   // shows its base colour whatever the light
   float specular = 1.0f;                // [0, 1] strength of a dielectric's highlights
   glm::vec3 specular_colour{1.0f};      // >= 0, tints them

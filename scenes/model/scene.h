@@ -41,7 +41,7 @@ struct TriangleMesh {
   // xyz unit, w = 1 or -1: the bitangent is w cross(normal, xyz). Empty unless a normal texture reads them.
   std::vector<glm::vec4> tangents;
   std::vector<glm::vec4> colours;  // of vertices, linear RGBA in [0, 1]; empty = white
-  bool closed = false;             // known to be a closed surface: from within, its inside is seen
+  bool closed = false;             // known to be closed with its fronts outside: its backs show from within
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices < positions.size()
   std::vector<CoarserMesh> coarser;  // by ascending error; empty unless a document asks for detail levels
 };

@@ -35,6 +35,14 @@ Material shiny(float base, float f0) {
   return material;
 }
 
+// As specular-glossiness says it: index 0 and the specular colour; the layer below gets what is left.
+Material by_gloss(float base, float f0) {
+  Material material = test::matte(glm::vec3{base});
+  material.refractive_index = 0;
+  material.specular_colour = glm::vec3{f0};
+  return material;
+}
+
 // What probes add to the green of a view, mean over the pixels.
 double indirect_green(const Scene& scene, double gained_per_bounce) {
   const FrameSample sample = test::sample_from({0, 0, 0});
@@ -62,6 +70,7 @@ TEST(ProbeMetalTest, AClosedSphereGathersTheBouncesOfMetal) {
     const double expected = rho * rho / (1 - rho) / glm::pi<double>();
     EXPECT_NEAR(indirect_green(closed_sphere(metal(glm::vec3{rho})), rho), expected, 0.02 * expected);
     EXPECT_NEAR(indirect_green(closed_sphere(shiny(0, rho)), rho), expected, 0.02 * expected);
+    EXPECT_NEAR(indirect_green(closed_sphere(by_gloss(0, rho)), rho), expected, 0.02 * expected);
     // Half of the mixture is a dielectric, whose highlights add 0.04 (1 - rho) to what is seen of it.
     const double seen = rho + 0.5 * 0.04 * (1 - rho);
     const double mixed = expected * seen / rho;
@@ -69,6 +78,7 @@ TEST(ProbeMetalTest, AClosedSphereGathersTheBouncesOfMetal) {
   }
   const double rho = 0.2 + 0.8 * 0.3, expected = rho * rho / (1 - rho) / glm::pi<double>();
   EXPECT_NEAR(indirect_green(closed_sphere(shiny(0.3f, 0.2f)), rho), expected, 0.02 * expected);
+  EXPECT_NEAR(indirect_green(closed_sphere(by_gloss(0.3f, 0.2f)), rho), expected, 0.02 * expected);
 }
 
 // A room of six sides, its wall at -x of another colour; a lamp hangs in it.

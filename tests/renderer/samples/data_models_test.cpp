@@ -293,13 +293,10 @@ TEST(DataModels, EveryPositiveModelOfTheAssetGeneratorLooksLikeItsReference) {
         const Likeness like = likeness(picture, *theirs, *background);
         // Pixels on outlines differ: of thin letters before holes an eighth of what is seen at 96 pixels.
         EXPECT_GE(like.outline, 0.85) << name;
-        // Their room's light against our white: 0.053 at most. An old extension that nothing requires is
-        // passed over, and so are its colours.
-        const bool older =
-            std::any_of(scene.warnings.begin(), scene.warnings.end(), [](const std::string& warning) {
-              return warning.find("KHR_materials_pbrSpecularGlossiness") != std::string::npos;
-            });
-        if (!older) {
+        // Their room's light against our white: 0.053 at most. Where a material has an older model beside
+        // metallic-roughness, theirs shows the older one.
+        const bool shows_older = name.find("Material_Mixed") != std::string::npos;
+        if (!shows_older) {
           EXPECT_LE(like.hue, 0.08) << name;
         }
         ++compared;
