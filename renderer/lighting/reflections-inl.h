@@ -37,7 +37,8 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
     }
     if (plan.refraction) {
       const VF one = set(1.0f);
-      const Onward onward = onward_from(plan, hits, slot, {one, one, one}, first_lanes(0), kNegligibleWeight);
+      const Onward onward =
+          onward_from(plan, hits, slot, {one, one, one}, first_lanes(0), kNegligibleWeight, false);
       weight = select(onward.clear, onward.back, weight);
     }
     const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
