@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace herr {
 namespace {
@@ -70,6 +71,19 @@ struct Hit {
   float width2;
 };
 
+// Area in object space of a square metre of the face that is hit, as surfaces/normals has it.
+float face_per_world2(const InstanceRecord& instance, const RTCFilterFunctionNArguments& args, unsigned i) {
+  if (instance.face_per_world2 == 0) return instance.object_per_world2;
+  const glm::vec3 n =
+      glm::normalize(glm::vec3(RTCHitN_Ng_x(args.hit, args.N, i), RTCHitN_Ng_y(args.hit, args.N, i),
+                               RTCHitN_Ng_z(args.hit, args.N, i)));
+  const float* m = instance.normal_from_object;
+  const glm::vec3 turned{m[0] * n.x + m[1] * n.y + m[2] * n.z, m[3] * n.x + m[4] * n.y + m[5] * n.z,
+                         m[6] * n.x + m[7] * n.y + m[8] * n.z};
+  const float length = glm::length(turned);
+  return length > 0 ? instance.face_per_world2 / length : instance.object_per_world2;
+}
+
 Hit hit_of(const RTCFilterFunctionNArguments& args, unsigned i) {
   const auto& table = *static_cast<const InstanceTable*>(args.geometryUserPtr);
   const unsigned n = args.N;
@@ -84,7 +98,7 @@ Hit hit_of(const RTCFilterFunctionNArguments& args, unsigned i) {
   hit.flags = RTCRayN_flags(args.ray, n, i);
   const std::uint32_t code = RTCRayN_id(args.ray, n, i);
   const float width = half_code(code & 0xffffu) + half_code(code >> 16) * RTCRayN_tfar(args.ray, n, i);
-  hit.width2 = code != 0 ? width * width * hit.instance->object_per_world2 : 0.0f;
+  hit.width2 = code != 0 ? width * width * face_per_world2(*hit.instance, args, i) : 0.0f;
   return hit;
 }
 

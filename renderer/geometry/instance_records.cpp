@@ -10,6 +10,21 @@
 
 namespace herr {
 
+namespace {
+
+constexpr double kEven = 1e-3;  // of a scale: what exporters round
+
+bool stretches(const glm::dmat4x3& m) {
+  const double longest2 = std::max({glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2])});
+  for (int axis = 0; axis < 3; ++axis) {
+    if (glm::dot(m[axis], m[axis]) < (1 - kEven) * longest2) return true;
+    if (std::abs(glm::dot(m[axis], m[(axis + 1) % 3])) > kEven * longest2) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 void set_matrix(const Instance& instance, InstanceRecord& record) {
   const glm::dmat4x3& m = instance.world_from_object;
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m[0], m[1], m[2])));
@@ -28,6 +43,7 @@ void set_matrix(const Instance& instance, InstanceRecord& record) {
   const double volume = std::abs(glm::determinant(glm::dmat3(m[0], m[1], m[2])));
   record.object_per_world2 = static_cast<float>(std::pow(volume, -2.0 / 3.0));
   const double stretch = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  record.face_per_world2 = stretches(m) ? static_cast<float>(std::ldexp(1.0 / volume, -exponent)) : 0.0f;
   record.least_offset_m = static_cast<float>(stretch * double{record.object_rounding});
 }
 

@@ -97,7 +97,10 @@ struct InstanceRecord {
   float object_rounding = 0;             // the same in object space
   const DetailRecord* detail = nullptr;  // null: nothing more
   float object_per_world2 = 1;           // squared length in object space of a metre (mean over directions)
-  bool back_face_culling = false;        // eyes do not see its back faces
+  // Of a matrix that stretches: over the length of normal_from_object * n, the area in object space of a
+  // square metre of a face with the unit normal n there. 0: object_per_world2 holds for all faces.
+  float face_per_world2 = 0;
+  bool back_face_culling = false;  // eyes do not see its back faces
   bool catcher = false;
   ShapeKind kind = ShapeKind::mesh;
 };

@@ -25,6 +25,26 @@ HWY_INLINE V3 normal_to_world(const InstanceRecord& instance, const V3& n) {
   return normalise(V3{dot(set3(m), n), dot(set3(m + 3), n), dot(set3(m + 6), n)});
 }
 
+// Embree's normal has the triangle's area for its length: brought near 1, or a sliver's would underflow.
+HWY_INLINE V3 object_normal(const RayHit& packet) {
+  const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
+  const VF largest =
+      hn::Max(hn::Max(hn::Abs(area.x), hn::Abs(area.y)), hn::Max(hn::Abs(area.z), set(1e-37f)));
+  return scale(area, hn::Div(set(1.0f), largest));
+}
+
+// Area in object space of a square metre of the face that is hit. A matrix turns areas by its inverse
+// transpose times its volume.
+HWY_INLINE VF face_per_world2(const InstanceRecord& instance, const RayHit& packet) {
+  if (instance.face_per_world2 == 0 || instance.kind != ShapeKind::mesh)
+    return set(instance.object_per_world2);
+  const V3 n = object_normal(packet);
+  const float* m = instance.normal_from_object;
+  const V3 turned{dot(set3(m), n), dot(set3(m + 3), n), dot(set3(m + 6), n)};
+  const VF shorter2 = hn::Div(dot(n, n), hn::Max(dot(turned, turned), set(1e-37f)));
+  return hn::Mul(set(instance.face_per_world2), hn::Sqrt(shorter2));
+}
+
 // Three octahedral codes of each triangle, one for each corner, interpolated: of no special length.
 HWY_INLINE V3 interpolate_directions(const std::uint32_t* words, VI record, const Barycentric& at) {
   const V3 a = decode_normal(hn::GatherIndex(kU, words, record)),
@@ -51,12 +71,7 @@ HWY_INLINE void store_index_ratio(const InstanceRecord& instance, MF inside, MF 
 // `lanes`.
 HWY_INLINE MF store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
                             const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
-  // Embree's normal has the triangle's area for its length: brought near 1 first, or a
-  // sliver's would underflow.
-  const V3 area{load(packet.hit.Ng_x), load(packet.hit.Ng_y), load(packet.hit.Ng_z)};
-  const VF largest =
-      hn::Max(hn::Max(hn::Abs(area.x), hn::Abs(area.y)), hn::Max(hn::Abs(area.z), set(1e-37f)));
-  V3 g = normal_to_world(instance, scale(area, hn::Div(set(1.0f), largest)));
+  V3 g = normal_to_world(instance, object_normal(packet));
   V3 n = normal_to_world(
       instance,
       interpolate_directions(reinterpret_cast<const std::uint32_t*>(instance.triangles), record, at));

@@ -143,7 +143,7 @@ HWY_NOINLINE MF surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
     VF object_width2 = area;
     if constexpr (kDetail != SurfaceDetail::plain) {
       const VF slope = hn::Abs(dot(load3(out.geometric_normal, slot), viewer));
-      object_width2 = hn::Div(hn::Mul(area, set(instance.object_per_world2)), hn::Max(slope, set(1e-3f)));
+      object_width2 = hn::Div(hn::Mul(area, face_per_world2(instance, packet)), hn::Max(slope, set(1e-3f)));
     }
     if constexpr (kDetail == SurfaceDetail::all) {
       if (out.lobes) store_coat_normal(instance, record, at, object_width2, lanes, out, slot);
