@@ -46,7 +46,10 @@ HWY_INLINE V3 shining_from(const LightRecord& light, int s, const HitBatch& hits
                            const V3& direction, VF sample_turn2) {
   if (kLobe == Lobe::none || light.samples == 1 || !light.stratified) return direction;
   VF alpha2 = load(&hits.alpha2[slot]);
-  if constexpr (kLobe == Lobe::layered) alpha2 = hn::Min(alpha2, load(&hits.lobes->coat_alpha2[slot]));
+  if constexpr (kLobe == Lobe::layered) {
+    const MF coated = hn::Gt(load(&hits.lobes->coat[slot]), hn::Zero(kF));
+    alpha2 = hn::IfThenElse(coated, hn::Min(alpha2, load(&hits.lobes->coat_alpha2[slot])), alpha2);
+  }
   const MF narrow = hn::Lt(alpha2, hn::Add(sample_turn2, sample_turn2));
   if (hn::AllFalse(kF, narrow)) return direction;
   return select(narrow, towards_stratum(light, s, hits, slot), direction);

@@ -85,6 +85,11 @@ TEST(FramePlanTest, CodeForSurfaceDetailsDoesNotChangeASceneWithoutThem) {
   expect_same_picture(textured, {"surface details"}, {&FramePlan::surface_details});
 }
 
+TEST(FramePlanTest, CodeForFurtherLobesDoesNotChangeASceneWithoutThem) {
+  expect_same_picture(plain_scene(), {"further lobes"}, {&FramePlan::further_lobes});
+  expect_same_picture(catcher_scene(), {"further lobes"}, {&FramePlan::further_lobes});
+}
+
 TEST(FramePlanTest, CodeForHolesAndSidesDoesNotChangeASceneWithoutThem) {
   expect_same_picture(plain_scene(), {"alpha masks"}, {&FramePlan::alpha_mask});
   expect_same_picture(plain_scene(), {"back faces left out"}, {&FramePlan::back_face_culling});
