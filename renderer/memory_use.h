@@ -20,8 +20,8 @@ inline std::int64_t total_bytes(const MemoryUse& use) {
   return sum;
 }
 
-template <typename T>
-std::int64_t bytes_of(const std::vector<T>& items) {
+template <typename T, typename Allocator>
+std::int64_t bytes_of(const std::vector<T, Allocator>& items) {
   return static_cast<std::int64_t>(items.capacity() * sizeof(T));
 }
 

@@ -87,6 +87,16 @@ NumberSetting feed_distance(std::optional<double>& distance_m) {
   return setting;
 }
 
+// None reads as 0, which holds unless the scene names another.
+NumberSetting exposure(std::optional<double>& ev) {
+  NumberSetting setting;
+  setting.get = [&ev]() -> std::optional<double> { return ev.value_or(0); };
+  setting.set = [&ev](std::optional<double> number) { ev = number; };
+  setting.lowest = -kMostExposure_ev;
+  setting.highest = kMostExposure_ev;
+  return setting;
+}
+
 std::vector<Setting> of_pictures(RenderSettings& s) {
   return {
       {"camera", "--no-camera", "", Group::rays, Effect::pictures, "leave the camera feed out",
@@ -99,11 +109,11 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
        "the camera feed is shown as if it lay on a sphere of this radius about the displayed eye; where the "
        "session names a distance, that one is the default",
        feed_distance(s.feed_distance_m)},
-      {"exposure_ev", "--exposure", "", Group::look, Effect::pictures,
+      {"exposure_ev", "--exposure", "ev", Group::look, Effect::pictures,
        "stops (EV) by which PNG pictures are brighter than scene values: each 1 doubles them; EXR pictures "
        "keep "
        "scene values and name it",
-       real(s.exposure_ev, -kMostExposure_ev, kMostExposure_ev), "the scene's, else 0"},
+       exposure(s.exposure_ev)},
       {"auto_exposure", "--auto-exposure", "", Group::look, Effect::pictures,
        "choose the exposure by the first frame of the session, whichever frames are drawn",
        on_off(s.auto_exposure)},

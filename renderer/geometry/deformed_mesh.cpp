@@ -67,6 +67,7 @@ DeformedMesh::DeformedMesh(const TriangleMesh& mesh, const MeshDeformation& defo
       built_(built),
       normals_(mesh.positions.size()),
       tangents_(deformation.rest_tangents.size()),
+      directions_(deformation.flat_normals ? 0 : mesh.positions.size()),
       handedness_(deformation.rest_tangents.size()) {
   rtcSetSceneFlags(built.scene.get(), RTC_SCENE_FLAG_DYNAMIC);
   rtcSetSceneBuildQuality(built.scene.get(), RTC_BUILD_QUALITY_LOW);
@@ -166,8 +167,9 @@ void DeformedMesh::bend_vertices(const DeformationPose& pose, std::size_t first,
       handedness_[i] = flat ? rest.w : side * rest.w;
     }
     if (deformation_.flat_normals) continue;
-    const bool vanished = !(glm::dot(normal, normal) > 0);
-    normals_[i] = encode_octahedral(vanished ? deformation_.rest_normals[i] : normal);
+    const float length2 = glm::dot(normal, normal);
+    directions_[i] = length2 > 0 ? normal / std::sqrt(length2) : deformation_.rest_normals[i];
+    normals_[i] = encode_octahedral(length2 > 0 ? normal : directions_[i]);
   }
 }
 
@@ -186,16 +188,16 @@ void DeformedMesh::flatten_normals(std::size_t first, std::size_t last) {
 
 void DeformedMesh::bake(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    std::array<std::uint32_t, 3> codes;
-    std::array<glm::vec3, 3> places;
+    std::array<glm::vec3, 3> places, directions;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t vertex = mesh_.triangles[t][corner];
+      built_.baked.records[t].normal[corner] = normals_[vertex];
+      if (directions_.empty()) continue;
       const float* v = vertices_ + 3 * std::size_t{vertex};
-      codes[corner] = normals_[vertex];
       places[corner] = {v[0], v[1], v[2]};
+      directions[corner] = directions_[vertex];
     }
-    std::copy(codes.begin(), codes.end(), built_.baked.records[t].normal);
-    built_.baked.records[t].curvature = shading_curvature(places, codes);
+    if (!directions_.empty()) built_.baked.records[t].curvature = shading_curvature(places, directions);
     if (tangents_.empty()) continue;
     TangentRecord& record = built_.baked.tangents[t];
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -268,8 +270,8 @@ double DeformedMesh::spread() const {
 }
 
 std::int64_t DeformedMesh::bytes() const {
-  return bytes_of(joints_) + bytes_of(normals_) + bytes_of(tangents_) + bytes_of(handedness_) +
-         bytes_of(sampled_) + bytes_of(order_);
+  return bytes_of(joints_) + bytes_of(normals_) + bytes_of(directions_) + bytes_of(tangents_) +
+         bytes_of(handedness_) + bytes_of(sampled_) + bytes_of(order_);
 }
 
 }  // namespace herr

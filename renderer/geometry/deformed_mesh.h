@@ -47,6 +47,7 @@ class DeformedMesh {
   float* vertices_ = nullptr;                      // Embree's own, three a vertex
   std::vector<Joint> joints_;                      // of this pose
   std::vector<std::uint32_t> normals_, tangents_;  // encoded; tangents where the mesh has them
+  std::vector<glm::vec3> directions_;              // normals as numbers, unit; none where they are flat
   std::vector<float> handedness_;                  // of tangents
   std::vector<std::uint32_t> sampled_;             // triangles, kGroup neighbours in a row
   std::vector<std::uint64_t> order_;               // scratch of choose_groups

@@ -110,7 +110,7 @@ struct LightRecord {
   float lower[3] = {}, size[3] = {};      // the box, for stratified samples
   float intensity[3] = {};                // W/sr; of a sun W/m^2
   float min_distance2 = 0;                // (half the longest edge)^2: the falloff's floor
-  float half_turn_m = 0;                  // over the distance: half the angle of a stratum's radius
+  float half_turn_m = 0;                  // over the distance: what half vectors turn by across a stratum
   float inverse_range2 = 0;               // 1 / (distance where the light ends)^2; 0: it never ends
   float direction[3] = {};                // in which a spot or sun shines, unit
   float cone_scale = 0, cone_offset = 1;  // of a spot: brightness clamp(scale cos + offset)^2

@@ -2,16 +2,14 @@
 // Before: Scene::textures. After: shading and alpha tests fetch from them. A third more memory than level 0.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "renderer/geometry/shading_scene.h"
+#include "renderer/geometry/texel_memory.h"
 #include "scenes/model/scene.h"
 
 namespace herr {
 
 struct TextureLevels {
-  std::vector<std::uint32_t> texels;
+  TexelVector texels;
   TextureRecord record;  // points into texels
 };
 

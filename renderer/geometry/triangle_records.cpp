@@ -20,6 +20,12 @@ float unsnorm16(std::uint32_t bits) {
   return static_cast<float>(static_cast<std::int16_t>(bits & 0xffffu)) / 32767.0f;
 }
 
+// As encode_octahedral takes it.
+glm::vec3 unit_normal(const glm::vec3& n) {
+  const float length2 = glm::dot(n, n);
+  return length2 > 0 ? n / std::sqrt(length2) : glm::vec3(0, 1, 0);
+}
+
 float sign_not_zero(float x) {
   return x >= 0 ? 1.0f : -1.0f;
 }
@@ -95,28 +101,30 @@ float common_handedness(float a, float b, float c) {
   return a + b + c < 0 ? -1.0f : 1.0f;
 }
 
-float shading_curvature(const std::array<glm::vec3, 3>& corners,
-                        const std::array<std::uint32_t, 3>& normals) {
-  if (normals[0] == normals[1] && normals[0] == normals[2]) return 0.0f;
-  std::array<glm::dvec3, 3> n, edge, turn;
-  for (std::size_t i = 0; i < 3; ++i) n[i] = glm::dvec3(decode_octahedral(normals[i]));
-  double fastest2 = 0;
+float shading_curvature(const std::array<glm::vec3, 3>& corners, const std::array<glm::vec3, 3>& normals) {
+  float longest2 = 0, fastest2 = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    edge[i] = glm::dvec3(corners[next]) - glm::dvec3(corners[i]);
-    turn[i] = n[next] - n[i];
-    const double length2 = glm::dot(edge[i], edge[i]);
-    if (length2 > 0) fastest2 = std::max(fastest2, glm::dot(turn[i], turn[i]) / length2);
+    const glm::vec3 edge = corners[next] - corners[i], turn = normals[next] - normals[i];
+    const float length2 = glm::dot(edge, edge);
+    longest2 = std::max(longest2, length2);
+    if (length2 > 0) fastest2 = std::max(fastest2, glm::dot(turn, turn) / length2);
   }
-  // The normal is linear over the triangle: normal = D E^-1 place, with edges E and turns D as columns. Half
-  // the squared Frobenius norm of D E^-1 is the mean over directions.
-  const double ee = glm::dot(edge[0], edge[0]), ef = glm::dot(edge[0], edge[1]),
-               ff = glm::dot(edge[1], edge[1]);
-  const double sum =
-      glm::dot(turn[0], turn[0]) * ff - 2 * glm::dot(turn[0], turn[1]) * ef + glm::dot(turn[1], turn[1]) * ee;
-  const double area2 = ee * ff - ef * ef;
-  const double mean2 = area2 > 0 ? std::min(0.5 * std::max(sum, 0.0) / area2, fastest2) : fastest2;
-  return static_cast<float>(std::min(std::sqrt(mean2), 1e30));
+  if (!(fastest2 > 0)) return 0.0f;
+  // The normal is linear over the triangle, with the gradient (t0 f - t1 e) / |e x f| across its plane, from
+  // edges e and f and turns t0 and t1 along them. Half its squared Frobenius norm is the mean over
+  // directions.
+  const float scale = 1.0f / std::sqrt(longest2);
+  const glm::vec3 e = scale * (corners[1] - corners[0]), f = scale * (corners[2] - corners[0]);
+  const glm::vec3 t0 = normals[1] - normals[0], t1 = normals[2] - normals[0];
+  const glm::vec3 area = glm::cross(e, f);
+  float sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::vec3 across = t0[axis] * f - t1[axis] * e;
+    sum += glm::dot(across, across);
+  }
+  const float mean2 = 0.5f * sum / glm::dot(area, area) * scale * scale;
+  return std::min(std::sqrt(mean2 < fastest2 ? mean2 : fastest2), 1e30f);  // NaN: no area
 }
 
 std::uint32_t encode_octahedral(const glm::vec3& n) {
@@ -138,13 +146,14 @@ BakedMesh bake_triangles(const TriangleMesh& mesh) {
   BakedMesh baked;
   baked.records.resize(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    const std::array<std::uint32_t, 3> codes{encode_octahedral(mesh.normals[a]),
-                                             encode_octahedral(mesh.normals[b]),
-                                             encode_octahedral(mesh.normals[c])};
-    std::copy(codes.begin(), codes.end(), baked.records[i].normal);
-    baked.records[i].curvature =
-        shading_curvature({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, codes);
+    std::array<glm::vec3, 3> places, directions;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t vertex = mesh.triangles[i][corner];
+      baked.records[i].normal[corner] = encode_octahedral(mesh.normals[vertex]);
+      places[corner] = mesh.positions[vertex];
+      directions[corner] = unit_normal(mesh.normals[vertex]);
+    }
+    baked.records[i].curvature = shading_curvature(places, directions);
   }
   baked.longest_edge = longest_edge(mesh);
   bake_coordinates(mesh, mesh.uvs, baked);

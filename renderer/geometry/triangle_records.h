@@ -32,9 +32,9 @@ BakedMesh bake_triangles(const TriangleMesh& mesh);
 float common_handedness(float a, float b, float c);
 
 // How fast the interpolated normal turns along a triangle: the root of the mean square over directions,
-// radians per unit of length; 1 / r on a sphere, 0 where the corners' normals (as baked) agree. At most what
-// it turns by along the edge where it turns fastest: across a sliver the rest would be rounding.
-float shading_curvature(const std::array<glm::vec3, 3>& corners, const std::array<std::uint32_t, 3>& normals);
+// radians per unit of length; 1 / r on a sphere, 0 where the corners' normals, unit, agree. At most what it
+// turns by along the edge where it turns fastest: across a sliver the rest would be rounding.
+float shading_curvature(const std::array<glm::vec3, 3>& corners, const std::array<glm::vec3, 3>& normals);
 
 // Unit normal <-> two 16-bit snorms. Worst angle between a normal and its round trip: 0.0038 degrees, at the
 // centre of a face of the octahedron.

@@ -1,4 +1,4 @@
-// Takes rays off the stack of those that follow light through glass, a batch at a time, until none is left:
+// Takes rays from the queue of those that follow light through glass, a batch at a time, until none is left:
 // traces them, sends their light onward, and adds what the others bring. Before: onward_rays. After:
 // reflections, refractions.
 #pragma once
@@ -24,19 +24,19 @@ HWY_NOINLINE inline void remember_mirror_paths(TileScratch& scratch, int rays) {
   }
 }
 
-// Copies the topmost `rays` of the stack into the queue, and takes them off.
+// Copies the first `rays` that wait into the queue of those in work.
 HWY_NOINLINE inline void take_pending(TileScratch& scratch, int rays) {
   SecondRays& second = *scratch.second;
   PendingRays& pending = *second.pending;
-  pending.count -= rays;
+  const auto from = static_cast<std::size_t>(pending.begin);
+  pending.begin += rays;
   pending.budget -= rays;
   scratch.queue.count = rays;
-  const auto from = static_cast<std::size_t>(pending.count);
-  const auto take = [&](const PendingRays::Stack3& stack, Lane3& to) {
+  const auto take = [&](const PendingRays::Queue3& part, Lane3& to) {
     const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(rays);
-    std::memcpy(to.x.data(), stack.x.data() + from, bytes);
-    std::memcpy(to.y.data(), stack.y.data() + from, bytes);
-    std::memcpy(to.z.data(), stack.z.data() + from, bytes);
+    std::memcpy(to.x.data(), part.x.data() + from, bytes);
+    std::memcpy(to.y.data(), part.y.data() + from, bytes);
+    std::memcpy(to.z.data(), part.z.data() + from, bytes);
   };
   take(pending.origin, scratch.queue.origin);
   take(pending.direction, scratch.queue.direction);
@@ -51,26 +51,26 @@ HWY_NOINLINE inline void take_pending(TileScratch& scratch, int rays) {
 // Ends all paths that wait: the frame has no time for more of them.
 HWY_NOINLINE inline void end_pending(const TileJob& job) {
   PendingRays& pending = *job.scratch->second->pending;
-  for (int start = 0; start < pending.count; start += kLanes) {
-    const auto load_unaligned = [&](const PendingRays::Stack3& from) HWY_ATTR -> V3 {
+  for (int start = pending.begin; start < pending.end; start += kLanes) {
+    const auto load_unaligned = [&](const PendingRays::Queue3& from) HWY_ATTR -> V3 {
       return {loadu(from.x.data() + start), loadu(from.y.data() + start), loadu(from.z.data() + start)};
     };
-    const MF lanes = first_lanes(pending.count - start);
+    const MF lanes = first_lanes(pending.end - start);
     const V3 ahead{set(0.0f), set(0.0f), set(-1.0f)};
     const V3 direction = select(lanes, load_unaligned(pending.direction), ahead);
     end_paths(job, hn::LoadU(kI, pending.path.data() + start), lanes, load_unaligned(pending.weight),
               environment_radiance(*job.shading, direction));
   }
-  pending.count = 0;
+  pending.begin = pending.end = 0;
 }
 
 template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_NOINLINE void follow_rays(const TileJob& job) {
   TileScratch& scratch = *job.scratch;
   PendingRays& pending = *scratch.second->pending;
-  while (pending.count > 0) {
-    const int waiting = pending.count < kTileRays ? pending.count : kTileRays;
-    const int rays = waiting < pending.budget ? waiting : pending.budget;
+  while (pending.begin < pending.end) {
+    const int waiting = pending.end - pending.begin, fit = waiting < kTileRays ? waiting : kTileRays;
+    const int rays = fit < pending.budget ? fit : pending.budget;
     if (rays <= 0) {
       end_pending(job);
       break;
@@ -84,6 +84,7 @@ HWY_NOINLINE void follow_rays(const TileJob& job) {
     gather_second_light(job, rays, true);
     job.cycles->lap(Stage::second_light);
   }
+  pending.begin = pending.end = 0;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -11,10 +11,13 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Summed over rays between which the half vector turns by s, GGX of width alpha ripples by 2 x K1(x) along
-// each axis at most, x = 2 pi alpha / s (its Fourier transform at the nearest periods). This is (alpha / s)^2
-// for 0.2 %, or 2 % along the longer side of the polar buffer's cells, 1.25 times as long as a square's.
-constexpr float kLeastAlpha2OfStep2 = 1.7f;
+// (alpha / s)^2 that a highlight has at least where the half vector turns by s from one ray to the next.
+// Summed over rays, GGX ripples along each axis by 2 x K1(x) at most, x = 2 pi alpha / s (its Fourier
+// transform at the lattice's period): not at all here. Pixels between polar samples see the beats of both
+// lattices: the nearer their spacing, the longer these are and the less of them interpolation leaves. The
+// worst are five pixels long, where samples lie 5 / 6 pixel apart and 2 sinc^2(5 / 6) = 0.08 is left: times
+// x K1(x), x = 2 pi alpha / 5 s, 1.1 %.
+constexpr float kLeastAlpha2OfStep2 = 5.0f;
 
 // Square of what the half vector turns, against the normal, from one ray to the next. Over a ray's width w on
 // a surface of curvature k the normal turns by w k, the direction to the viewer by the ray's spread and the
@@ -30,7 +33,7 @@ HWY_INLINE VF turn2_between_rays(const HitBatch& hits, int slot, VF l_h) {
 
 // alpha^2 where widths (squared) must not be missed: alpha^2 / 2 + width^2, from the width itself at alpha =
 // 0 on; lobes wider than sqrt(2) of it stay as they are. `sample_turn2`: square of what the half vector turns
-// by half across what one sample of the light stands for.
+// by across the part of the light that one sample stands for.
 HWY_INLINE VF widened(const HitBatch& hits, int slot, VF alpha2, VF l_h, VF sample_turn2) {
   const VF width2 = hn::MulAdd(set(kLeastAlpha2OfStep2), turn2_between_rays(hits, slot, l_h), sample_turn2);
   return hn::Min(hn::Max(alpha2, hn::MulAdd(set(0.5f), alpha2, width2)), set(1.0f));

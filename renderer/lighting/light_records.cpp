@@ -102,9 +102,12 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     record.stratified = sampling.stratified;
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
+    // The half vector turns by half of what the light's direction does. One sample lies in the middle, half
+    // the light away from its ends; others lie anywhere in their strata.
+    const float across = record.samples == 1 ? 0.25f : 0.5f;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float stratum = record.size[axis] / static_cast<float>(strata[axis]);
-      record.half_turn_m = std::max(record.half_turn_m, 0.25f * stratum);
+      record.half_turn_m = std::max(record.half_turn_m, across * stratum);
     }
     if (record.samples <= kMostOrderedSamples) order_strata(record);
     record.key = static_cast<std::uint32_t>(&light - lights.data())

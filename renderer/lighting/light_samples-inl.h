@@ -27,6 +27,31 @@ HWY_INLINE VF falloff(const LightRecord& light, VF distance2, const V3& directio
   return value;
 }
 
+// The way from hits to the middle of the stratum that light sample `s` lies in, unit.
+HWY_INLINE V3 towards_stratum(const LightRecord& light, int s, const HitBatch& hits, int slot) {
+  const int nx = light.strata[0], ny = light.strata[1], stratum = stratum_of(light, s);
+  const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
+  float middle[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const float width = light.size[axis] / static_cast<float>(light.strata[axis]);
+    middle[axis] = light.lower[axis] + width * (static_cast<float>(cell[axis]) + 0.5f);
+  }
+  return normalise(sub(set3(middle), load3(hits.position, slot)));
+}
+
+// Where highlights that are narrower than a stratum see sample `s`: in its middle, with the width of it all
+// (highlight_width). Elsewhere in the stratum they would be hit or missed.
+template <Lobe kLobe>
+HWY_INLINE V3 shining_from(const LightRecord& light, int s, const HitBatch& hits, int slot,
+                           const V3& direction, VF sample_turn2) {
+  if (kLobe == Lobe::none || light.samples == 1 || !light.stratified) return direction;
+  VF alpha2 = load(&hits.alpha2[slot]);
+  if constexpr (kLobe == Lobe::layered) alpha2 = hn::Min(alpha2, load(&hits.lobes->coat_alpha2[slot]));
+  const MF narrow = hn::Lt(alpha2, hn::Add(sample_turn2, sample_turn2));
+  if (hn::AllFalse(kF, narrow)) return direction;
+  return select(narrow, towards_stratum(light, s, hits, slot), direction);
+}
+
 // Adds one light sample, with the visibility found by tracing.
 template <Lobe kLobe>
 HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, HitBatch& hits, int slot) {
@@ -46,8 +71,9 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
       hn::Mul(set(1.0f / static_cast<float>(light.samples)), falloff(light, distance2, direction));
   const VF geometry = hn::IfThenElseZero(lit, hn::Mul(n_l, share));
   const VF seen = hn::Mul(geometry, visible);
-  const VF turn = hn::Mul(per_distance, set(light.half_turn_m));
-  V3 f = reflectance<kLobe>(hits, slot, n, direction, n_l, hn::Mul(turn, turn));
+  const VF turn = hn::Mul(per_distance, set(light.half_turn_m)), turn2 = hn::Mul(turn, turn);
+  V3 f = reflectance<kLobe>(hits, slot, n, shining_from<kLobe>(light, s, hits, slot, direction, turn2), n_l,
+                            turn2);
   if (job.shading->plan->catchers) {
     // On a catcher the sum is irradiance itself, twice: with the virtual objects and without.
     const MF catcher = of_kind(hits, slot, HitKind::catcher);

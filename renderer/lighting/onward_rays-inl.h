@@ -1,13 +1,14 @@
 // Where light that second rays follow goes on: at glass it parts into a refracted and a mirrored ray, each
-// with its weight; off the first opaque mirror on its way it is mirrored. Rays wait on a stack (PendingRays).
+// with its weight; off the first opaque mirror on its way it is mirrored. Rays wait in a queue (PendingRays).
 // No energy is dropped at glass: a share too small to be seen goes along with the other, both go one way
-// where the stack has no room for two, and what is not followed any more brings the light from outside along
-// its direction. Before: second_rays traced a batch. After: refractions takes rays off the stack.
+// where the queue has no room for two, and what is not followed any more brings the light from outside along
+// its direction. Before: second_rays traced a batch. After: follow_rays takes rays from the queue.
 #pragma once
 
 #include <cmath>
 #include <cstring>
 
+#include "renderer/lighting/glints-inl.h"
 #include "renderer/lighting/second_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,20 +24,24 @@ constexpr float kNeverParts = 1e30f;
 struct Onward {
   Interface at;
   V3 through, back;
+  VF mirror;  // share of the mirrored light that is followed, before Fresnel's
   MF clear, sends_through, sends_back;
 };
 
 // `arrives`: weight of the light at the hits. `mirrors`: opaque hits that may send a mirrored ray. Where
-// the smaller share at glass is below `parting`, light goes the way that most of it takes.
+// the smaller share at glass is below `parting`, light goes the way that most of it takes. `sharp`: glass
+// that mirrors at all does so as a whole, however rough it is.
 HWY_INLINE Onward onward_from(const FramePlan& plan, const HitBatch& hits, int slot, const V3& arrives,
-                              MF mirrors, float parting) {
+                              MF mirrors, float parting, bool sharp) {
   const VF zero = hn::Zero(kF), transmission = load(&hits.transmission[slot]);
   const VF mirror = plan.mirror_rays ? load(&hits.mirror[slot]) : zero;
   const MF object = of_kind(hits, slot, HitKind::object), passes = hn::Gt(transmission, zero);
   Onward out;
   out.clear = hn::And(object, passes);
   out.at = interface_at(hits, slot, plan.surface_details);
-  const VF mirror_share = hn::IfThenElse(out.at.total, hn::Max(mirror, transmission), mirror);
+  const MF whole = sharp ? hn::Or(out.at.total, hn::Gt(mirror, zero)) : out.at.total;
+  const VF mirror_share = hn::IfThenElse(whole, hn::Max(mirror, transmission), mirror);
+  out.mirror = hn::IfThenElse(out.clear, mirror_share, mirror);
   V3 back = scale(out.at.reflects, mirror_share);
   const V3 opaque = mirror_weight(hits, slot, dot(load3(hits.normal, slot), load3(hits.viewer, slot)),
                                   plan.surface_details);
@@ -56,11 +61,11 @@ HWY_INLINE Onward onward_from(const FramePlan& plan, const HitBatch& hits, int s
   return out;
 }
 
-// Appends rays of `lanes` to the stack.
+// Appends rays of `lanes` to the queue.
 HWY_INLINE void push_pending(PendingRays& pending, const V3& origin, const V3& direction, const V3& weight,
                              const V3& medium, VI path, MF lanes) {
-  const int at = pending.count;
-  const auto put = [&](const V3& value, PendingRays::Stack3& to) HWY_ATTR {
+  const int at = pending.end;
+  const auto put = [&](const V3& value, PendingRays::Queue3& to) HWY_ATTR {
     hn::StoreU(hn::Compress(value.x, lanes), kF, to.x.data() + at);
     hn::StoreU(hn::Compress(value.y, lanes), kF, to.y.data() + at);
     hn::StoreU(hn::Compress(value.z, lanes), kF, to.z.data() + at);
@@ -70,7 +75,22 @@ HWY_INLINE void push_pending(PendingRays& pending, const V3& origin, const V3& d
   put(weight, pending.weight);
   put(medium, pending.medium);
   hn::StoreU(hn::Compress(path, hn::RebindMask(kI, lanes)), kI, pending.path.data() + at);
-  pending.count += static_cast<int>(hn::CountTrue(kF, lanes));
+  pending.end += static_cast<int>(hn::CountTrue(kF, lanes));
+}
+
+// Moves what waits to the front of the queue, if otherwise `rays` more would not fit behind it.
+HWY_INLINE void make_room(PendingRays& pending, int rays) {
+  if (pending.begin == 0 || pending.end + rays <= kMostPending) return;
+  const auto count = static_cast<std::size_t>(pending.end - pending.begin);
+  const auto from = static_cast<std::size_t>(pending.begin);
+  for (PendingRays::Queue3* part : {&pending.origin, &pending.direction, &pending.weight, &pending.medium}) {
+    for (auto* lane : {&part->x, &part->y, &part->z}) {
+      std::memmove(lane->data(), lane->data() + from, count * sizeof(float));
+    }
+  }
+  std::memmove(pending.path.data(), pending.path.data() + from, count * sizeof(std::int32_t));
+  pending.begin = 0;
+  pending.end = static_cast<int>(count);
 }
 
 // The refracted rays of `lanes`; `path` is that of the rays that met the surface.
@@ -151,23 +171,28 @@ HWY_NOINLINE inline void weaken_on_the_way(TileScratch& scratch, int count) {
   }
 }
 
-// What a hit shows of its own after its light went on: nothing where it is clear glass from within; the share
-// of mirrored light that was followed is not also taken from all sides.
-HWY_INLINE void keep_own_light(const FramePlan& plan, HitBatch& hits, int slot, const Onward& onward,
-                               MF mirrors) {
-  const VF zero = hn::Zero(kF), one = set(1.0f), mirror = load(&hits.mirror[slot]);
-  const VF followed = hn::IfThenElse(onward.at.total, one, plan.mirror_rays ? mirror : zero);
-  const VF shown = hn::IfThenElse(onward.clear, followed, hn::IfThenElseZero(mirrors, mirror));
-  hn::Store(shown, kF, &hits.mirror[slot]);
+// What a hit shows of its own after its light went on: clear glass has nothing but lamps in it, and those
+// only from without (a body shadows its own inside); the share of mirrored light that was followed is not
+// also taken from all sides.
+HWY_INLINE void keep_own_light(const ShadingInputs& shading, HitBatch& hits, int slot, const Onward& onward,
+                               const V3& arrives, MF mirrors) {
+  const VF zero = hn::Zero(kF), transmission = load(&hits.transmission[slot]);
+  hn::Store(hn::IfThenElseZero(hn::Or(onward.clear, mirrors), onward.mirror), kF, &hits.mirror[slot]);
   const VF scatters = hn::Add(largest(load3(hits.diffuse, slot)), largest(load3(hits.emission, slot)));
-  const MF silent =
-      hn::And(hn::And(onward.clear, onward.at.inside), hn::And(hn::Le(scatters, zero), hn::Ge(shown, one)));
+  MF plain = hn::And(hn::And(onward.clear, hn::Le(scatters, zero)), hn::Ge(onward.mirror, transmission));
+  if (shading.plan->further_lobes) {
+    const VF layers = hn::Add(load(&hits.lobes->coat[slot]), largest(load3(hits.lobes->sheen, slot)));
+    plain = hn::And(plain, hn::Le(layers, zero));
+  }
+  if (hn::AllFalse(kF, plain)) return;
+  const MF glints = hn::AndNot(onward.at.inside, may_glint(shading, hits, slot, largest(arrives)));
+  const MF silent = hn::AndNot(glints, plain);
   const VI kind = hn::Load(kI, &hits.kind[slot]);
   hn::Store(hn::IfThenZeroElse(hn::RebindMask(kI, silent), kind), kI, &hits.kind[slot]);
 }
 
 // Sends the light of rays [0, count), just traced, onward from what they met. The refracted rays of all go
-// onto the stack before the mirrored ones, so that their order does not depend on the width of vectors.
+// into the queue before the mirrored ones, so that their order does not depend on the width of vectors.
 HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
   SecondRays& second = *scratch.second;
@@ -175,7 +200,8 @@ HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
   HitBatch& hits = second.hits;
   const FramePlan& plan = *job.shading->plan;
   weaken_on_the_way(scratch, count);
-  const float parting = pending.count + 2 * count <= kMostPending ? kPartingLimit : kNeverParts;
+  make_room(pending, 2 * count);
+  const float parting = pending.end + 2 * count <= kMostPending ? kPartingLimit : kNeverParts;
   for (const bool mirrored_rays : {false, true}) {
     for (int slot = 0; slot < count; slot += kLanes) {
       const MF used = first_lanes(count - slot);
@@ -193,7 +219,8 @@ HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
         if (mirrored_rays) store_lanes(hn::Zero(kF), object, &hits.mirror[slot]);
         continue;
       }
-      const Onward onward = onward_from(plan, hits, slot, load3(second.weight, slot), may_mirror, parting);
+      const Onward onward =
+          onward_from(plan, hits, slot, load3(second.weight, slot), may_mirror, parting, true);
       const MF through = hn::And(used, onward.sends_through), back = hn::And(used, onward.sends_back);
       if (!mirrored_rays) {
         push_through(pending, hits, slot, onward, path, hn::AndNot(last, through));
@@ -207,7 +234,7 @@ HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
         continue;
       }
       push_back(pending, hits, slot, onward, load3(second.medium, slot), path, hn::AndNot(last, back));
-      keep_own_light(plan, hits, slot, onward, may_mirror);
+      keep_own_light(*job.shading, hits, slot, onward, load3(second.weight, slot), may_mirror);
     }
   }
 }

@@ -21,6 +21,8 @@ constexpr float kLeastSight = 1e-7f;
 constexpr float kSmallestKnowledge = 1e-10f;
 // A probe counts in full from 1/8 = 7 degrees above the surface's plane, and not at all from behind it.
 constexpr float kSideSlope = 8.0f;
+// Of a probe's tolerance: a thousandth of the smallest spacing.
+constexpr float kBeforeSurface = 0.1f;
 // Sight below this falls off as its cube: walls must hold better than Chebyshev's bound.
 constexpr float kPoorSight = 0.2f;
 
@@ -219,7 +221,9 @@ HWY_INLINE LookupPoint lookup_point(const ProbeView& view, const HitBatch& hits,
   out.side_normal = at(hits.geometric_normal);
   out.seen_point = mul_add(set(view.normal_bias_m), out.side_normal,
                            mul_add(set(view.view_bias_m), at(hits.viewer), out.point));
-  out.cell = probe_cell(view, out.point, out.side_normal);
+  // On a surface between two cells, the one before it: rounding must not choose.
+  out.cell = probe_cell(view, mul_add(set(kBeforeSurface * view.tolerance_m), out.side_normal, out.point),
+                        out.side_normal);
   const VI first = first_of(out.cell.first, surface);
   out.one_cell = all_same(out.cell.first, first, surface);
   const V3& n = out.normal;

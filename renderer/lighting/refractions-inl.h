@@ -21,7 +21,7 @@ HWY_NOINLINE inline void set_ray_budget(const TileJob& job, int count) {
   job.scratch->second->pending->budget = kMostGlassRays * surfaces;
 }
 
-// Puts the refracted rays of first hits [0, count) onto the stack, and those reflected totally, where no
+// Puts the refracted rays of first hits [0, count) into the queue, and those reflected totally, where no
 // mirror rays are traced.
 HWY_NOINLINE inline void queue_refractions(const TileJob& job, int count) {
   const FramePlan& plan = *job.shading->plan;
@@ -34,7 +34,8 @@ HWY_NOINLINE inline void queue_refractions(const TileJob& job, int count) {
       const MF clear_hits =
           hn::And(of_kind(hits, slot, HitKind::object), hn::Gt(load(&hits.transmission[slot]), hn::Zero(kF)));
       if (hn::AllFalse(kF, clear_hits)) continue;
-      const Onward onward = onward_from(plan, hits, slot, {one, one, one}, first_lanes(0), kNegligibleWeight);
+      const Onward onward =
+          onward_from(plan, hits, slot, {one, one, one}, first_lanes(0), kNegligibleWeight, false);
       const VI path = hn::Add(hn::Iota(kI, 0), hn::Set(kI, slot + kFirstCode));
       if (mirrored_rays) {
         const V3 medium = only(onward.at.inside, load3(hits.absorption, slot));

@@ -80,7 +80,7 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
     set_valid(valid, lanes);
     record(job, kind, packet.ray, valid, false);
-    intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
+    intersect_packet<kLanes>(valid, job.shading->scene, !glass, &packet);
     surface_of_packet<kDetail>(packet, lanes, *job.shading, true, second.hits, start);
     VU key = hn::BitCast(
         kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), sender));

@@ -13,6 +13,10 @@ namespace {
 constexpr double kFarthestMove = 0.45;  // of the spacing
 constexpr double kClearance = 0.1;      // of the smallest spacing: what a probe must have around it
 constexpr int kClearanceRays = 64;
+// A probe in a surface looks for its place from a little beside it: from within, rounding decides which side
+// it sees. Shares of the smallest spacing, none of which walls are likely to share.
+const glm::dvec3 kBeside{3.1e-3, 4.3e-3, 2.3e-3};
+constexpr double kInSurface = 7e-3;  // from beside; kBeside is 5.8e-3 long
 
 // Moves to try, of the spacing, the shortest first.
 std::vector<glm::dvec3> moves() {
@@ -52,9 +56,13 @@ const std::vector<float>& ProbeSurveyor::all_around(const glm::dvec3& place, uns
   return fine_;
 }
 
-bool ProbeSurveyor::has_room(const glm::dvec3& place) {
+double ProbeSurveyor::nearest(const glm::dvec3& place) {
   trace_distances(scene_, lower_ + place, kAllMask, clearance_rays(), few_);
-  return *std::min_element(few_.begin(), few_.end()) >= clearance_m_;
+  return double{*std::min_element(few_.begin(), few_.end())};
+}
+
+bool ProbeSurveyor::has_room(const glm::dvec3& place) {
+  return nearest(place) >= clearance_m_;
 }
 
 bool ProbeSurveyor::sees(const glm::dvec3& from, const glm::dvec3& to) {
@@ -85,9 +93,14 @@ void ProbeSurveyor::face(const EmbreeScene& geometry, const ProbeGrid& grid) {
 }
 
 ProbeStanding ProbeSurveyor::standing(const ProbeGrid& grid, int probe) {
-  const glm::dvec3 place = grid.position(grid.place(probe));
+  const double smallest = grid.smallest_spacing();
+  glm::dvec3 place = grid.position(grid.place(probe));
+  const glm::dvec3 beside = place + smallest * kBeside;
+  const bool in_surface = nearest(beside) < kInSurface * smallest;
+  if (in_surface) place = beside;
   const std::vector<float>& around = all_around(place, kAllMask);
-  if (*std::min_element(around.begin(), around.end()) >= clearance_m_) return {place, false};
+  const bool has_room_here = *std::min_element(around.begin(), around.end()) >= clearance_m_;
+  if (!in_surface && has_room_here) return {place, false};
   const auto better = better_place(place, grid.spacing);
   return better ? ProbeStanding{*better, true} : ProbeStanding{place, false};
 }

@@ -32,6 +32,7 @@ class ProbeSurveyor {
 
  private:
   const std::vector<float>& all_around(const glm::dvec3& place, unsigned mask);
+  double nearest(const glm::dvec3& place);
   bool has_room(const glm::dvec3& place);
   bool sees(const glm::dvec3& from, const glm::dvec3& to);
   std::optional<glm::dvec3> better_place(const glm::dvec3& place, const glm::dvec3& spacing);

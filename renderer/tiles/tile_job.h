@@ -124,19 +124,21 @@ struct alignas(64) AlphaLayers {
   Lane<std::int32_t> kind;  // HitKind of the first layer
 };
 
-// Rays through glass and off it that wait to be traced: a stack.
-inline constexpr int kMostPending = 4 * kTileRays;
+// Rays through glass and off it that wait to be traced, first come, first served: those that took the same
+// way from neighbouring samples stay together.
+inline constexpr int kMostPending = 6 * kTileRays;
 struct alignas(64) PendingRays {
   template <typename T>
-  using Stack = std::array<T, kMostPending + kMaxLanes>;
-  struct Stack3 {
-    Stack<float> x, y, z;
+  using Queue = std::array<T, kMostPending + kMaxLanes>;
+  struct Queue3 {
+    Queue<float> x, y, z;
   };
-  Stack3 origin, direction;
-  Stack3 weight;              // share of what they bring that is seen
-  Stack3 medium;              // what light loses per metre on their way
-  Stack<std::int32_t> path;   // as SecondRays::path
-  int count = 0, budget = 0;  // budget: how many more of them may be traced
+  Queue3 origin, direction;
+  Queue3 weight;             // share of what they bring that is seen
+  Queue3 medium;             // what light loses per metre on their way
+  Queue<std::int32_t> path;  // as SecondRays::path
+  int begin = 0, end = 0;    // those that wait
+  int budget = 0;            // how many more of them may be traced
 };
 
 // Rays that first hits send on, and what those meet. All but `hits` per ray in work.

@@ -1,11 +1,10 @@
 #include "scenes/environment/exr_scanlines.h"
 
-#include <zlib.h>
+#include <OpenEXR/openexr.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -16,148 +15,164 @@ namespace {
 
 constexpr std::int64_t kMostUnpacked = std::int64_t{4} << 30;  // 8192 x 4096 pixels of 32 float channels
 constexpr std::int64_t kLongestChunk = std::int64_t{1} << 28;
+constexpr std::int64_t kTexelBytes = 3 * sizeof(float);
 
-std::int64_t sample_bytes(const ExrChannel& channel) {
-  return channel.stored == SampleType::half ? 2 : 4;
+std::int64_t read_from_memory(exr_const_context_t, void* user, void* to, std::uint64_t count,
+                              std::uint64_t offset, exr_stream_error_func_ptr_t) {
+  const auto& bytes = *static_cast<const std::string_view*>(user);
+  if (offset >= bytes.size()) return 0;
+  const std::size_t read = std::min(static_cast<std::size_t>(count), bytes.size() - offset);
+  std::memcpy(to, bytes.data() + offset, read);
+  return static_cast<std::int64_t>(read);
 }
 
-std::int64_t lines_of_chunk(ExrCompression compression) {
-  return compression == ExrCompression::zip ? 16 : 1;
+std::int64_t bytes_in_memory(exr_const_context_t, void* user) {
+  return static_cast<std::int64_t>(static_cast<const std::string_view*>(user)->size());
 }
+
+void print_nothing(exr_const_context_t, exr_result_t, const char*) {}
+
+// What the library holds.
+struct ExrReading {
+  exr_context_t context = nullptr;
+  exr_decode_pipeline_t pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
+  bool started = false;  // of the pipeline
+  ExrReading() = default;
+  ExrReading(const ExrReading&) = delete;
+  ExrReading& operator=(const ExrReading&) = delete;
+  ~ExrReading() {
+    if (started) exr_decoding_destroy(context, &pipeline);
+    if (context != nullptr) exr_finish(&context);
+  }
+};
 
 class ExrChunks {
  public:
-  ExrChunks(std::string_view bytes, const ExrLayout& layout, const std::filesystem::path& file)
-      : bytes_(bytes), layout_(layout), file_(file), lines_(lines_of_chunk(layout.compression)) {
-    std::int64_t pixel_bytes = 0;
-    for (const ExrChannel& channel : layout.channels) {
-      channel_offset_.push_back(layout.data.width() * pixel_bytes);
-      pixel_bytes += sample_bytes(channel);
-    }
-    const std::int64_t shown = std::min(layout.data.height(), layout.display.height() + 2 * lines_);
-    const std::int64_t width = layout.data.width();
-    if (width > kLongestChunk / pixel_bytes / lines_ || width * pixel_bytes > kMostUnpacked / shown) {
-      throw InputError(file, 0,
-                       "is an EXR of " + std::to_string(layout.channels.size()) +
-                           " channels and a data window " + std::to_string(width) +
-                           " pixels wide: too large to unpack",
-                       "keep the colours alone: oiiotool IN.exr --ch R,G,B -o OUT.exr");
-    }
-    line_bytes_ = width * pixel_bytes;
+  ExrChunks(std::string_view bytes, const ExrLayout& layout, const std::array<std::size_t, 3>& channels,
+            const std::filesystem::path& file)
+      : bytes_(bytes), layout_(layout), channels_(channels), file_(file) {
+    lines_ = layout.compression == ExrCompression::zip ? 16 : 1;
+    line_bytes_ = checked_line_bytes();
+    const std::int64_t chunks = (layout.data.height() + lines_ - 1) / lines_;
+    if (layout.header_bytes > bytes.size() ||
+        chunks > static_cast<std::int64_t>((bytes.size() - layout.header_bytes) / sizeof(std::uint64_t)))
+      damaged("its table of blocks lies behind the end");
+    start();
+    rgb_.resize(static_cast<std::size_t>(3 * layout.data.width() * lines_));
   }
 
-  void each_line(const std::array<std::size_t, 3>& channels, const ExrScanline& take) {
+  void each_line(const ExrScanline& take) {
     const std::int64_t first = std::max(layout_.data.top, layout_.display.top),
                        last = std::min(layout_.data.bottom, layout_.display.bottom);
-    std::vector<float> rgb(3 * static_cast<std::size_t>(layout_.data.width()));
     for (std::int64_t y = first; y <= last; ++y) {
       const std::int64_t row = y - layout_.data.top;
       if (y == first || row % lines_ == 0) unpack(row / lines_);
-      const std::size_t line = static_cast<std::size_t>(row % lines_ * line_bytes_);
-      for (std::size_t c = 0; c < 3; ++c) values(line, channels[c], &rgb[c]);
-      take(static_cast<std::int32_t>(y), rgb.data());
+      take(static_cast<std::int32_t>(y),
+           &rgb_[static_cast<std::size_t>(row % lines_ * 3 * layout_.data.width())]);
     }
   }
 
  private:
+  [[noreturn]] void damaged(const std::string& problem) const {
+    throw InputError(file_, 0, "does not decode as EXR (" + problem + "): damaged or cut off",
+                     "copy or export the picture again");
+  }
   [[noreturn]] void damaged(std::int64_t chunk, const std::string& problem) const {
-    throw InputError(
-        file_, 0,
-        "does not decode as EXR (block " + std::to_string(chunk) + " " + problem + "): damaged or cut off",
-        "copy or export the picture again");
+    damaged("block " + std::to_string(chunk) + " " + problem);
+  }
+  void check(std::int64_t chunk, exr_result_t result) const {
+    if (result == EXR_ERR_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (result != EXR_ERR_SUCCESS)
+      damaged(chunk, std::string("is refused: ") + exr_get_default_error_message(result));
   }
 
-  template <typename Integer>
-  Integer integer_at(std::int64_t chunk, std::uint64_t at) const {
-    if (at > bytes_.size() || bytes_.size() - at < sizeof(Integer)) damaged(chunk, "lies behind the end");
-    Integer value{};
-    std::memcpy(&value, bytes_.data() + at, sizeof value);
-    return value;
+  std::int64_t checked_line_bytes() const {
+    std::int64_t pixel_bytes = 0;
+    for (const ExrChannel& channel : layout_.channels)
+      pixel_bytes += channel.stored == SampleType::half ? 2 : 4;
+    const std::int64_t shown = std::min(layout_.data.height(), layout_.display.height() + 2 * lines_);
+    const std::int64_t width = layout_.data.width();
+    if (width > kLongestChunk / std::max(pixel_bytes, kTexelBytes) / lines_ ||
+        width * pixel_bytes > kMostUnpacked / shown) {
+      throw InputError(file_, 0,
+                       "is an EXR of " + std::to_string(layout_.channels.size()) +
+                           " channels and a data window " + std::to_string(width) +
+                           " pixels wide: too large to unpack",
+                       "keep the colours alone: oiiotool IN.exr --ch R,G,B -o OUT.exr");
+    }
+    return width * pixel_bytes;
   }
 
-  // Chunk `index` from the top into lines_of_chunk_.
+  void start() {
+    exr_context_initializer_t wishes = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    wishes.error_handler_fn = print_nothing;
+    wishes.user_data = &bytes_;
+    wishes.read_fn = read_from_memory;
+    wishes.size_fn = bytes_in_memory;
+    wishes.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;  // a table that is wrong is an error
+    check(0, exr_start_read(&reading_.context, file_.c_str(), &wishes));
+    int parts = 0;
+    exr_storage_t storage = EXR_STORAGE_LAST_TYPE;
+    std::int32_t lines = 0;
+    check(0, exr_get_count(reading_.context, &parts));
+    check(0, exr_get_storage(reading_.context, 0, &storage));
+    check(0, exr_get_scanlines_per_chunk(reading_.context, 0, &lines));
+    if (parts != 1 || storage != EXR_STORAGE_SCANLINE || lines != lines_)
+      damaged("its attributes contradict each other");
+  }
+
+  // Chunk `index` from the top into rgb_.
   void unpack(std::int64_t index) {
-    const auto at =
-        integer_at<std::uint64_t>(index, layout_.header_bytes + 8 * static_cast<std::uint64_t>(index));
+    exr_chunk_info_t chunk = checked_chunk(index);
+    exr_decode_pipeline_t& pipeline = reading_.pipeline;
+    const bool first = !reading_.started;
+    reading_.started = true;
+    check(index, first ? exr_decoding_initialize(reading_.context, 0, &chunk, &pipeline)
+                       : exr_decoding_update(reading_.context, 0, &chunk, &pipeline));
+    if (pipeline.channel_count != static_cast<std::int64_t>(layout_.channels.size()))
+      damaged(index, "has other channels");
+    for (std::size_t c = 3; c-- > 0;) {
+      exr_coding_channel_info_t& channel = pipeline.channels[channels_[c]];
+      channel.user_bytes_per_element = sizeof(float);
+      channel.user_data_type = EXR_PIXEL_FLOAT;
+      channel.user_pixel_stride = kTexelBytes;
+      channel.user_line_stride = static_cast<std::int32_t>(kTexelBytes * layout_.data.width());
+      channel.decode_to_ptr = reinterpret_cast<std::uint8_t*>(&rgb_[c]);
+    }
+    if (first) check(index, exr_decoding_choose_default_routines(reading_.context, 0, &pipeline));
+    check(index, exr_decoding_run(reading_.context, 0, &pipeline));
+    // A channel is unpacked once, into the first colour that it is.
+    for (std::size_t c = 1; c < 3; ++c) {
+      if (channels_[c] != channels_[0]) continue;
+      for (std::size_t i = 0; i < rgb_.size(); i += 3) rgb_[i + c] = rgb_[i];
+    }
+  }
+
+  exr_chunk_info_t checked_chunk(std::int64_t index) const {
     const std::int64_t top = layout_.data.top + index * lines_;
-    if (at < layout_.header_bytes || integer_at<std::int32_t>(index, at) != top)
-      damaged(index, "is not where it should be");
-    const auto packed_bytes = integer_at<std::uint32_t>(index, at + 4);
-    if (packed_bytes > bytes_.size() - (at + 8)) damaged(index, "ends behind the file");
-    const std::string_view packed = bytes_.substr(at + 8, packed_bytes);
     const std::int64_t lines = std::min<std::int64_t>(lines_, layout_.data.bottom - top + 1);
-    unpacked_.resize(static_cast<std::size_t>(lines * line_bytes_));
+    exr_chunk_info_t chunk{};
+    check(index, exr_read_scanline_chunk_info(reading_.context, 0, static_cast<int>(top), &chunk));
+    if (chunk.data_offset < layout_.header_bytes || chunk.data_offset > bytes_.size() ||
+        chunk.packed_size > bytes_.size() - chunk.data_offset)
+      damaged(index, "ends behind the file");
+    if (chunk.start_y != top || chunk.height != lines || chunk.width != layout_.data.width())
+      damaged(index, "is not where it should be");
     // What would not become smaller is stored as it is.
-    if (packed.size() == unpacked_.size()) {
-      std::memcpy(unpacked_.data(), packed.data(), packed.size());
-      return;
-    }
-    const bool whole =
-        layout_.compression != ExrCompression::none &&
-        (layout_.compression == ExrCompression::rle ? undo_runs(packed) : undo_deflate(packed));
-    if (!whole) damaged(index, "is not of its length");
-    restore_order();
-  }
-
-  bool undo_deflate(std::string_view packed) {
-    coded_.resize(unpacked_.size());
-    uLongf length = coded_.size();
-    const int result =
-        uncompress(coded_.data(), &length, reinterpret_cast<const Bytef*>(packed.data()), packed.size());
-    return result == Z_OK && length == coded_.size();
-  }
-
-  // A count of n >= 0 repeats the next byte n + 1 times; n < 0 copies -n bytes.
-  bool undo_runs(std::string_view packed) {
-    coded_.clear();
-    for (std::size_t i = 0; i < packed.size();) {
-      const int count = static_cast<signed char>(packed[i++]);
-      const std::size_t bytes = static_cast<std::size_t>(count < 0 ? -count : count + 1);
-      const std::size_t needed = count < 0 ? bytes : 1;
-      if (needed > packed.size() - i || bytes > unpacked_.size() - coded_.size()) return false;
-      if (count < 0) {
-        coded_.insert(coded_.end(), packed.begin() + static_cast<std::ptrdiff_t>(i),
-                      packed.begin() + static_cast<std::ptrdiff_t>(i + bytes));
-      } else {
-        coded_.insert(coded_.end(), bytes, static_cast<std::uint8_t>(packed[i]));
-      }
-      i += needed;
-    }
-    return coded_.size() == unpacked_.size();
-  }
-
-  // Bytes are differences + 128, the even ones before the odd ones.
-  void restore_order() {
-    for (std::size_t i = 1; i < coded_.size(); ++i) {
-      coded_[i] = static_cast<std::uint8_t>(coded_[i - 1] + coded_[i] - 128);
-    }
-    const std::size_t half = (coded_.size() + 1) / 2;
-    for (std::size_t i = 0; i < coded_.size(); ++i)
-      unpacked_[i] = coded_[(i & 1) == 0 ? i / 2 : half + i / 2];
-  }
-
-  // Writes the channel's values to every third float.
-  void values(std::size_t line, std::size_t channel, float* to) const {
-    const std::uint8_t* from = unpacked_.data() + line + channel_offset_[channel];
-    const auto width = static_cast<std::size_t>(layout_.data.width());
-    const bool half = layout_.channels[channel].stored == SampleType::half;
-    for (std::size_t x = 0; x < width; ++x) {
-      if (half) {
-        std::uint16_t bits = 0;
-        std::memcpy(&bits, from + 2 * x, sizeof bits);
-        to[3 * x] = glm::unpackHalf1x16(bits);
-      } else {
-        std::memcpy(&to[3 * x], from + 4 * x, sizeof(float));
-      }
-    }
+    const auto unpacked = static_cast<std::uint64_t>(lines * line_bytes_);
+    if (chunk.unpacked_size != unpacked || chunk.packed_size > unpacked ||
+        (layout_.compression == ExrCompression::none && chunk.packed_size != unpacked))
+      damaged(index, "is not of its length");
+    return chunk;
   }
 
   std::string_view bytes_;
   const ExrLayout& layout_;
+  const std::array<std::size_t, 3>& channels_;
   const std::filesystem::path& file_;
-  std::int64_t lines_, line_bytes_ = 0;
-  std::vector<std::int64_t> channel_offset_;  // within a scanline
-  std::vector<std::uint8_t> unpacked_, coded_;
+  std::int64_t lines_ = 1, line_bytes_ = 0;
+  ExrReading reading_;
+  std::vector<float> rgb_;  // of one chunk
 };
 
 }  // namespace
@@ -165,7 +180,7 @@ class ExrChunks {
 void read_exr_scanlines(std::string_view bytes, const ExrLayout& layout,
                         const std::array<std::size_t, 3>& channels, const std::filesystem::path& file,
                         const ExrScanline& take) {
-  ExrChunks(bytes, layout, file).each_line(channels, take);
+  ExrChunks(bytes, layout, channels, file).each_line(take);
 }
 
 }  // namespace herr

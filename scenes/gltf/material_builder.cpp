@@ -228,16 +228,17 @@ float MaterialBuilder::mirror_with_textures(const GltfMaterial& from, const Mate
 
 // Mean of one channel of a texture, 0 ... 1; `decode`: from IEC 61966-2-1 to linear light.
 float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode) {
-  const DecodedImage& image = decoded(model_.textures[static_cast<std::size_t>(use.texture)].image);
+  const std::vector<std::uint8_t>& rgba =
+      pixels_of(model_.textures[static_cast<std::size_t>(use.texture)].image);
   std::array<std::uint64_t, 256> counts{};
-  for (std::size_t i = channel; i < image.rgba.size(); i += 4) ++counts[image.rgba[i]];
+  for (std::size_t i = channel; i < rgba.size(); i += 4) ++counts[rgba[i]];
   double sum = 0;
   for (std::size_t value = 0; value < counts.size(); ++value) {
     const double share = static_cast<double>(value) / 255.0;
     const double linear = share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
     sum += static_cast<double>(counts[value]) * (decode ? linear : share);
   }
-  return static_cast<float>(sum / (0.25 * static_cast<double>(image.rgba.size())));
+  return static_cast<float>(sum / (0.25 * static_cast<double>(rgba.size())));
 }
 
 TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values, float factor,
@@ -274,9 +275,15 @@ int MaterialBuilder::texture(const GltfTexture& from, Values values, float facto
   to.wrap_u = from.wrap_u;
   to.wrap_v = from.wrap_v;
   to.nearest = from.nearest;
-  if (pixels_ == TexturePixels::decoded) to.rgba = decoded(from.image).rgba;
-  if (values == Values::rough_gloss) make_rough(factor, to.rgba);
   entry->second = static_cast<int>(scene_.textures.size());
+  if (pixels_ == TexturePixels::decoded) {
+    // The first texture that shows an image as it is keeps its pixels, for further ones and for means to
+    // read.
+    const bool keeps =
+        values != Values::rough_gloss && holders_.try_emplace(from.image, entry->second).second;
+    to.rgba = keeps ? std::move(decoded_.at(from.image).rgba) : pixels_of(from.image);
+  }
+  if (values == Values::rough_gloss) make_rough(factor, to.rgba);
   scene_.textures.push_back(std::move(to));
   return entry->second;
 }
@@ -291,6 +298,12 @@ const DecodedImage& MaterialBuilder::decoded(int index) {
   const auto [entry, added] = decoded_.try_emplace(index);
   if (added) entry->second = decode_image(encoded(index), texture_bytes_left());
   return entry->second;
+}
+
+const std::vector<std::uint8_t>& MaterialBuilder::pixels_of(int image) {
+  const auto holder = holders_.find(image);
+  return holder != holders_.end() ? scene_.textures[static_cast<std::size_t>(holder->second)].rgba
+                                  : decoded(image).rgba;
 }
 
 EncodedImage MaterialBuilder::encoded(int index) const {

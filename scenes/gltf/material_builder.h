@@ -60,6 +60,7 @@ class MaterialBuilder {
   int texture(const GltfTexture& from, Values values, float factor);
   ImageSize size_of(int image);
   const DecodedImage& decoded(int image);
+  const std::vector<std::uint8_t>& pixels_of(int image);
   float channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode = false);
   EncodedImage encoded(int image) const;
   std::int64_t texture_bytes_left() const;
@@ -70,7 +71,8 @@ class MaterialBuilder {
   TexturePixels pixels_;
   std::map<Key, std::uint32_t> materials_;
   std::map<std::array<int, 6>, int> textures_;  // image, values, wrap u, wrap v, nearest, factor's bits
-  std::map<int, DecodedImage> decoded_;
+  std::map<int, DecodedImage> decoded_;         // without pixels where a texture holds them
+  std::map<int, int> holders_;                  // by image: the texture of the scene that holds its pixels
 };
 
 }  // namespace herr

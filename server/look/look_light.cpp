@@ -91,20 +91,19 @@ void light_studio(double azimuth_deg, Scene& scene) {
 }
 
 void add_environment(const LookOptions& options, Scene& scene) {
-  std::vector<std::string> remarks;
   const bool studio = needs_studio(scene);
   if (studio) light_studio(options.from.azimuth_deg, scene);
+  std::vector<std::string> remarks;
   scene.environment_map = read_environment_image(options.environment, remarks);
+  for (const std::string& remark : remarks)
+    scene.warnings.push_back(printable(options.environment) + ": " + remark);
+  scene.files.emplace_back(options.environment);
   const glm::dvec3 mean = mean_radiance(scene.environment_map);
   if (studio) {
     const double brightness = (mean.x + mean.y + mean.z) / 3;
     scene.lights.front().intensity_w_sr *= static_cast<float>(brightness / kStudioAmbient);
   }
   scene.ambient = glm::vec3(mean);
-  scene.files.emplace_back(options.environment);
-  for (const std::string& remark : remarks) {
-    scene.warnings.push_back(printable(options.environment) + ": " + remark);
-  }
 }
 
 }  // namespace herr

@@ -49,7 +49,9 @@ double real_number_from(const std::string& text, double lowest, double highest) 
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole_text = error == std::errc() && end == text.data() + text.size();
-  if (!is_plain_real(text) || !whole_text || !std::isfinite(value) || value < lowest || value > highest) {
+  const std::size_t sign = lowest < 0 && text.starts_with('-') ? 1 : 0;
+  if (!is_plain_real(text.substr(sign)) || !whole_text || !std::isfinite(value) || value < lowest ||
+      value > highest) {
     refuse(text, "a number from " + plain_number_text(lowest) + " to " + plain_number_text(highest) +
                      "; write it as 12 or 1.5");
   }

@@ -36,6 +36,7 @@ FILE_CALLS = re.compile(
 DESCRIPTOR_CALLS = re.compile(r"(?<![\w>])::(?:close|read|readv|write|writev)\s*\(")
 FILE_ROOMS = ("sessions/files/", "scenes/samples/")  # the latter: a program of its own that makes the samples
 SOCKETS_AND_PIPES = ("server/http/", "server/check/measure/child_process.cpp")
+MEMORY = ("renderer/geometry/texel_memory.h",)  # that asks for huge pages, of no file
 
 # -ffast-math assumes away the NaNs that the stages count; -march=native makes a build that fits one machine; flags for
 # newer processors would let inline functions of one file leak to older ones (check_symbols.py).
@@ -64,7 +65,7 @@ def file_work_findings(file, text):
     if file.parts[0] not in LAYERS or path.startswith(FILE_ROOMS):
         return
     patterns = [FILE_CALLS]
-    if not path.startswith(SOCKETS_AND_PIPES):
+    if not path.startswith(SOCKETS_AND_PIPES + MEMORY):
         patterns += [FILE_HEADERS, DESCRIPTOR_CALLS]
     code = code_only(text)
     for pattern in patterns:

@@ -88,7 +88,7 @@ TEST(SettingsList, EachNumberIsRefusedBeyondItsRangeAndStaysWhatItWas) {
     const std::string above = std::to_string(static_cast<std::int64_t>(number->highest) + 1);
     EXPECT_NE(complaint([&] { set_text(setting, above); }).find("'" + above + "' is not a "),
               std::string::npos);
-    for (const char* wrong : {"", "-1", "nan", "010", "1e3", "x"}) {
+    for (const char* wrong : {"", "-", "--1", "-1000000001", "nan", "010", "1e3", "x"}) {
       EXPECT_NE(complaint([&] { set_text(setting, wrong); }), "") << wrong;
     }
     EXPECT_NE(complaint([&] { set_value(setting, std::string("1")); }), "") << "a text is no number";
@@ -99,8 +99,8 @@ TEST(SettingsList, EachNumberIsRefusedBeyondItsRangeAndStaysWhatItWas) {
 TEST(SettingsList, ARangeThatAProgramLeavesIsNamed) {
   EXPECT_EQ(complaint([](RenderSettings& s) { s.light_samples = 0; }),
             "light samples must lie in [1, 4096], not 0");
-  EXPECT_EQ(complaint([](RenderSettings& s) { s.occlusion_radius_m = 2000; }),
-            "occlusion radius must lie in [0.001, 1000] m, not 2000");
+  EXPECT_EQ(complaint([](RenderSettings& s) { s.occlusion_radius_m = 2e9; }),
+            "occlusion radius must lie in [0.000000001, 1000000000] m, not 2000000000");
   EXPECT_EQ(complaint([](RenderSettings& s) { s.polar_width = 0; }),
             "polar width must lie in [1, 8192], not 0");
   EXPECT_EQ(complaint([](RenderSettings& s) { s.polar_height = 49; }), "polar height must be even");

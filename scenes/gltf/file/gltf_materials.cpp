@@ -39,11 +39,11 @@ class MaterialReader {
     to.name = from.text_or("name", "");
     // Above 1 before there was KHR_materials_emissive_strength.
     to.emission =
-        glm::vec3(rounded_.vec3_or(from, "emissiveFactor", 0, 1, glm::dvec3(0.0), AboveRange::clamped));
+        glm::vec3(rounded_.vec3_or(from, "emissiveFactor", 0, 1, glm::dvec3(0.0), OutOfRange::clamped_above));
     to.emission_texture = texture(from, "emissiveTexture");
     to.occlusion_texture = texture(from, "occlusionTexture");
     if (to.occlusion_texture.texture >= 0)
-      to.occlusion_strength = factor(from.object("occlusionTexture"), "strength", 1, 1);
+      to.occlusion_strength = factor(from.object("occlusionTexture"), "strength", 1, 1, OutOfRange::clamped);
     to.normal_texture = texture(from, "normalTexture");
     to.normal_scale = normal_scale(from, "normalTexture");
     to.double_sided = from.boolean_or("doubleSided", false);
@@ -65,12 +65,14 @@ class MaterialReader {
   void warn_of_rounding() const { rounded_.warn(warnings_); }
 
  private:
-  float factor(const JsonObject& object, const char* key, double highest, double fallback) {
-    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback));
+  float factor(const JsonObject& object, const char* key, double highest, double fallback,
+               OutOfRange beyond = OutOfRange::refused) {
+    return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback, beyond));
   }
 
-  glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback) {
-    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback)));
+  glm::vec3 colour(const JsonObject& object, const char* key, double highest, double fallback,
+                   OutOfRange beyond = OutOfRange::refused) {
+    return glm::vec3(rounded_.vec3_or(object, key, 0, highest, glm::dvec3(fallback), beyond));
   }
 
   GltfTextureUse texture(const JsonObject& parent, const char* key) const {
@@ -96,15 +98,15 @@ class MaterialReader {
     }
   }
 
-  void read_base_colour(const JsonObject& from, const char* key, GltfMaterial& to) {
+  void read_base_colour(const JsonObject& from, const char* key, OutOfRange beyond, GltfMaterial& to) {
     if (!from.has(key)) return;
-    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1);
+    const std::vector<double> rgba = rounded_.numbers(from, key, 4, 0, 1, beyond);
     to.base_colour = glm::vec3(rgba[0], rgba[1], rgba[2]);
     to.alpha = static_cast<float>(rgba[3]);
   }
 
   void read_metallic_roughness(const JsonObject& from, GltfMaterial& to) {
-    read_base_colour(from, "baseColorFactor", to);
+    read_base_colour(from, "baseColorFactor", OutOfRange::refused, to);
     to.metallic = factor(from, "metallicFactor", 1, 1);
     to.roughness = factor(from, "roughnessFactor", 1, 1);
     to.base_colour_texture = texture(from, "baseColorTexture");
@@ -121,13 +123,10 @@ class MaterialReader {
     }
     if (const auto volume = extension(from, "KHR_materials_volume")) {
       texture(*volume, "thicknessTexture");  // checked; what light meets inside is traced
-      const float thickness = factor(*volume, "thicknessFactor", kLargestDistance, 0);
+      const float thickness = factor(*volume, "thicknessFactor", kLargestDistance, 0, OutOfRange::clamped);
       Attenuation inside;
-      inside.colour = colour(*volume, "attenuationColor", 1, 1);
-      if (volume->has("attenuationDistance")) {
-        inside.distance_m =
-            static_cast<float>(volume->number("attenuationDistance", kSmallestDistance, kLargestDistance));
-      }
+      inside.colour = colour(*volume, "attenuationColor", 1, 1, OutOfRange::clamped);
+      read_distance(*volume, inside);
       if (thickness > 0) to.attenuation = inside;  // 0: a thin wall, with nothing inside
     }
     if (const auto index = extension(from, "KHR_materials_ior")) {
@@ -136,6 +135,18 @@ class MaterialReader {
       if (to.refractive_index > 0 && to.refractive_index < 1) {
         index->fail("ior", "lies between 0 and 1", "write 0, or 1 and above");
       }
+    }
+  }
+
+  // Writers that know no infinity write 0.
+  void read_distance(const JsonObject& volume, Attenuation& inside) {
+    if (!volume.has("attenuationDistance")) return;
+    const double distance_m = volume.number("attenuationDistance", -kLargestDistance, kLargestDistance);
+    if (distance_m >= kSmallestDistance) {
+      inside.distance_m = static_cast<float>(distance_m);
+    } else {
+      warnings_.push_back("field " + printable(volume.where()) + ".attenuationDistance is " +
+                          shown_number(distance_m) + "; nothing is taken from light inside");
     }
   }
 
@@ -150,23 +161,23 @@ class MaterialReader {
 
   void read_further_lobes(const JsonObject& from, GltfMaterial& to) {
     if (const auto coat = extension(from, "KHR_materials_clearcoat")) {
-      to.coat = factor(*coat, "clearcoatFactor", 1, 0);
-      to.coat_roughness = factor(*coat, "clearcoatRoughnessFactor", 1, 0);
+      to.coat = factor(*coat, "clearcoatFactor", 1, 0, OutOfRange::clamped);
+      to.coat_roughness = factor(*coat, "clearcoatRoughnessFactor", 1, 0, OutOfRange::clamped);
       to.coat_texture = texture(*coat, "clearcoatTexture");
       to.coat_roughness_texture = texture(*coat, "clearcoatRoughnessTexture");
       to.coat_normal_texture = texture(*coat, "clearcoatNormalTexture");
       to.coat_normal_scale = normal_scale(*coat, "clearcoatNormalTexture");
     }
     if (const auto sheen = extension(from, "KHR_materials_sheen")) {
-      to.sheen_colour = colour(*sheen, "sheenColorFactor", 1, 0);
-      to.sheen_roughness = factor(*sheen, "sheenRoughnessFactor", 1, 0);
+      to.sheen_colour = colour(*sheen, "sheenColorFactor", 1, 0, OutOfRange::clamped);
+      to.sheen_roughness = factor(*sheen, "sheenRoughnessFactor", 1, 0, OutOfRange::clamped);
       to.sheen_colour_texture = texture(*sheen, "sheenColorTexture");
       to.sheen_roughness_texture = texture(*sheen, "sheenRoughnessTexture");
     }
     if (const auto stretched = extension(from, "KHR_materials_anisotropy")) {
-      to.anisotropy = factor(*stretched, "anisotropyStrength", 1, 0);
-      to.anisotropy_rotation_rad =
-          static_cast<float>(stretched->number_or("anisotropyRotation", -kLargestAngle, kLargestAngle, 0));
+      to.anisotropy = factor(*stretched, "anisotropyStrength", 1, 0, OutOfRange::clamped);
+      to.anisotropy_rotation_rad = static_cast<float>(rounded_.number_or(
+          *stretched, "anisotropyRotation", -kLargestAngle, kLargestAngle, 0, OutOfRange::clamped));
       to.anisotropy_texture = texture(*stretched, "anisotropyTexture");
     }
   }
@@ -174,15 +185,15 @@ class MaterialReader {
   // Checked wherever it stands, used where nothing else says what the surface is made of.
   void read_specular_glossiness(const JsonObject& from, bool stands_alone, GltfMaterial& to) {
     GltfMaterial old = to;
-    read_base_colour(from, "diffuseFactor", old);
+    read_base_colour(from, "diffuseFactor", OutOfRange::clamped, old);
     old.base_colour_texture = texture(from, "diffuseTexture");
     old.metallic = 0.0f;
     old.has_glossiness = true;
-    old.glossiness = factor(from, "glossinessFactor", 1, 1);
+    old.glossiness = factor(from, "glossinessFactor", 1, 1, OutOfRange::clamped);
     old.refractive_index = 0.0f;
     old.specular = 1.0f;
     old.specular_texture = {};
-    old.specular_colour = colour(from, "specularFactor", 1, 1);
+    old.specular_colour = colour(from, "specularFactor", 1, 1, OutOfRange::clamped);
     old.specular_colour_texture = texture(from, "specularGlossinessTexture");
     if (stands_alone) to = old;
   }

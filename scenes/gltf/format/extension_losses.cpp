@@ -114,7 +114,8 @@ std::vector<std::string> extension_losses(const json& document, const std::vecto
   std::vector<std::string> lines = uses.lines();
   for (const std::string& name : std::set<std::string>(used.begin(), used.end())) {
     if (is_read_extension(name) || uses.name(name)) continue;
-    lines.push_back("extension " + printable(name) + " is not read: " + extension_loss(name, false));
+    lines.push_back("extension " + printable(name) + " is not read: " +
+                    (is_known_extension(name) ? "nothing in the file uses it" : extension_loss(name, false)));
   }
   add_variants(document, lines);
   return lines;

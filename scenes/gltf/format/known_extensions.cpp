@@ -120,6 +120,12 @@ bool is_read_extension(std::string_view name) {
   return holds(kReadExtensions, name);
 }
 
+bool is_known_extension(std::string_view name) {
+  const auto has_name = [&](const Loss& loss) { return loss.name == name; };
+  return is_read_extension(name) || holds(kPictures, name) ||
+         std::any_of(std::begin(kLosses), std::end(kLosses), has_name);
+}
+
 std::string extension_loss(std::string_view name, bool has_picture) {
   if (holds(kPictures, name)) return has_picture ? "the PNG or JPEG beside its picture is shown" : kNoPicture;
   for (const Loss& loss : kLosses) {

@@ -10,6 +10,9 @@ namespace herr {
 // Whether a file that requires the extension is shown as it asks.
 bool is_read_extension(std::string_view name);
 
+// Whether its loss is known.
+bool is_known_extension(std::string_view name);
+
 // What a picture lacks where an extension is not read: "shown without ...". `has_picture`: a texture names a
 // picture of glTF's own beside the one of the extension.
 std::string extension_loss(std::string_view name, bool has_picture);

@@ -17,10 +17,12 @@ double rounding_at(double end, double width) {
 
 }  // namespace
 
-bool RoundedNumbers::bring_into(double lowest, double highest, AboveRange above, double& value) const {
+bool RoundedNumbers::bring_into(double lowest, double highest, OutOfRange beyond, double& value) const {
   const double found = value, width = highest - lowest;
   value = std::clamp(value, lowest, highest);
-  if (found > highest) return above == AboveRange::clamped || found - highest <= rounding_at(highest, width);
+  if (found == value || beyond == OutOfRange::clamped) return true;
+  if (found > highest)
+    return beyond == OutOfRange::clamped_above || found - highest <= rounding_at(highest, width);
   return lowest - found <= rounding_at(lowest, width);
 }
 
@@ -32,21 +34,21 @@ void RoundedNumbers::remember(const JsonObject& object, const std::string& key, 
 }
 
 double RoundedNumbers::number_or(const JsonObject& object, const char* key, double lowest, double highest,
-                                 double fallback, AboveRange above) {
+                                 double fallback, OutOfRange beyond) {
   if (!object.has(key)) return fallback;
   const double found = object.number(key, -kAnything, kAnything);
   double value = found;
-  if (!bring_into(lowest, highest, above, value)) return object.number(key, lowest, highest);  // throws
+  if (!bring_into(lowest, highest, beyond, value)) return object.number(key, lowest, highest);  // throws
   remember(object, key, found, value);
   return value;
 }
 
 std::vector<double> RoundedNumbers::numbers(const JsonObject& object, const char* key, std::size_t count,
-                                            double lowest, double highest, AboveRange above) {
+                                            double lowest, double highest, OutOfRange beyond) {
   std::vector<double> values = object.numbers(key, count, -kAnything, kAnything);
   for (std::size_t i = 0; i < count; ++i) {
     const double found = values[i];
-    if (!bring_into(lowest, highest, above, values[i]))
+    if (!bring_into(lowest, highest, beyond, values[i]))
       return object.numbers(key, count, lowest, highest);  // throws
     remember(object, std::string(key) + "[" + std::to_string(i) + "]", found, values[i]);
   }
@@ -54,9 +56,9 @@ std::vector<double> RoundedNumbers::numbers(const JsonObject& object, const char
 }
 
 glm::dvec3 RoundedNumbers::vec3_or(const JsonObject& object, const char* key, double lowest, double highest,
-                                   const glm::dvec3& fallback, AboveRange above) {
+                                   const glm::dvec3& fallback, OutOfRange beyond) {
   if (!object.has(key)) return fallback;
-  const std::vector<double> values = numbers(object, key, 3, lowest, highest, above);
+  const std::vector<double> values = numbers(object, key, 3, lowest, highest, beyond);
   return {values[0], values[1], values[2]};
 }
 

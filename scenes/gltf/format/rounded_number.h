@@ -12,10 +12,11 @@
 
 namespace herr {
 
-// What becomes of a number above its range.
-enum class AboveRange {
-  rounding,  // an error, unless it lies within kRounding of the end
-  clamped    // the end of the range, however far out it lies: for what older files were allowed to write
+// What becomes of a number that lies further out than rounding explains.
+enum class OutOfRange {
+  refused,
+  clamped_above,  // the end of the range where it is above: for what older files were allowed to write
+  clamped         // the end of the range: for what other readers do not read at all
 };
 
 // 1e-4 of the end of a range; at an end of 0, of the range's width (of 1 where that is less).
@@ -26,18 +27,18 @@ inline constexpr double kRounding = 1e-4;
 class RoundedNumbers {
  public:
   double number_or(const JsonObject& object, const char* key, double lowest, double highest, double fallback,
-                   AboveRange above = AboveRange::rounding);
+                   OutOfRange beyond = OutOfRange::refused);
   std::vector<double> numbers(const JsonObject& object, const char* key, std::size_t count, double lowest,
-                              double highest, AboveRange above = AboveRange::rounding);
+                              double highest, OutOfRange beyond = OutOfRange::refused);
   glm::dvec3 vec3_or(const JsonObject& object, const char* key, double lowest, double highest,
-                     const glm::dvec3& fallback, AboveRange above = AboveRange::rounding);
+                     const glm::dvec3& fallback, OutOfRange beyond = OutOfRange::refused);
 
   // One line for the first field and the number of others, none where every number was in its range.
   void warn(std::vector<std::string>& warnings) const;
 
  private:
   // False where the number is too far out.
-  bool bring_into(double lowest, double highest, AboveRange above, double& value) const;
+  bool bring_into(double lowest, double highest, OutOfRange beyond, double& value) const;
   void remember(const JsonObject& object, const std::string& key, double found, double taken);
 
   std::string first_;

@@ -170,7 +170,7 @@ TEST(ExtremeCasesTest, HugeScenesLookLikeSmallOnes) {
 }
 
 TEST(ExtremeCasesTest, TinyScenesAreSound) {
-  // 1e-4: a sphere of a tenth of a millimetre, nearer than the offset of secondary rays is meant for.
+  // 1e-4: a sphere of a tenth of a millimetre.
   const RenderedFrame frame = render_small(scaled(1e-4f));
   expect_sound(frame);
   // The sphere still hides the background.

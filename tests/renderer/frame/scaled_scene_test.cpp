@@ -2,6 +2,8 @@
 // renderer is absolute. Factors are no powers of two, so that every number rounds otherwise.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "tests/renderer/half_pixels.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/scaled_scene.h"
@@ -82,7 +84,7 @@ Scene furnished() {
   return scene;
 }
 
-// A closed room with one door of light, for probes: what is seen is mostly bounced.
+// A closed room, for probes: what is seen is mostly bounced. The box's left face lies in a plane of probes.
 Scene closed_room() {
   Scene scene;
   TriangleMesh room = test::box({-2, -1, -4}, {2, 2, 1});
@@ -91,7 +93,7 @@ Scene closed_room() {
   test::add(scene, room, test::matte({0.7f, 0.6f, 0.5f}));
   test::add(scene, test::box({-1, -1, -3}, {0, 0.5f, -2}), test::matte({0.8f, 0.2f, 0.2f}));
   scene.lights = {test::light_at({1, 1.5, -1}, glm::vec3{4.0f}, {0.3f, 0.1f, 0.3f})};
-  scene.probes.counts = {6, 5, 7};
+  scene.probes.counts = {6, 4, 5};
   return scene;
 }
 
@@ -116,14 +118,14 @@ FrameSample two_eyes() {
 RenderSettings everything(Foveation foveation) {
   RenderSettings settings = test::small_settings();
   settings.foveation = foveation;
-  settings.polar_width = 160, settings.polar_height = 160;
+  settings.polar_width = 96, settings.polar_height = 96;
   settings.light_samples = 4;
   settings.occlusion_rays = 4;
   return settings;
 }
 
 RenderedFrame frame_of(const Scene& scene, const RenderSettings& settings, FrameSample sample, int frames) {
-  Renderer renderer(scene, test::small_profile(96, 96, 64), settings, false);
+  Renderer renderer(scene, test::small_profile(64, 80, 48), settings, false);
   RenderedFrame out;
   for (int frame = 0; frame < frames; ++frame) {
     sample.t_ns += 16'666'667;
@@ -132,12 +134,13 @@ RenderedFrame frame_of(const Scene& scene, const RenderSettings& settings, Frame
   return out;
 }
 
-void expect_the_same_at_every_size(const Scene& scene, const RenderSettings& settings, int frames = 1) {
+void expect_the_same_at_every_size(const Scene& scene, const RenderSettings& settings, int frames = 1,
+                                   const std::vector<double>& factors = {1e-8, 1e-4, 0.03, 1e5}) {
   for (const Foveation foveation : {Foveation::log_polar, Foveation::off}) {
     RenderSettings own = settings;
     own.foveation = foveation;
     const RenderedFrame as_it_is = frame_of(scene, own, two_eyes(), frames);
-    for (const double factor : {1e-8, 1e-4, 0.03, 1e5}) {
+    for (const double factor : factors) {
       for (const test::Growth growth : {test::Growth::by_nodes, test::Growth::by_vertices}) {
         const RenderedFrame other =
             frame_of(test::scaled_scene(scene, factor, growth), test::scaled_settings(own, factor),
@@ -148,6 +151,24 @@ void expect_the_same_at_every_size(const Scene& scene, const RenderSettings& set
             << "factor " << factor << ", foveation " << static_cast<int>(foveation) << ", growth "
             << static_cast<int>(growth);
       }
+    }
+  }
+}
+
+// Twice as large is twice every number, exactly: what is not, is an absolute length.
+TEST(ScaledSceneTest, PowersOfTwoChangeNoBit) {
+  for (Scene scene : {furnished(), closed_room(), with_catchers()}) {
+    scene.probes.counts = {4, 3, 5};
+    RenderSettings settings = everything(Foveation::log_polar);
+    settings.probes.on = true;
+    settings.probes.rays = 32;
+    const RenderedFrame as_it_is = frame_of(scene, settings, two_eyes(), 2);
+    // Larger ones would move the anchor.
+    for (const double factor : {0x1p-20, 0x1p-13, 2.0}) {
+      const RenderedFrame other =
+          frame_of(test::scaled_scene(scene, factor, test::Growth::by_nodes),
+                   test::scaled_settings(settings, factor), test::scaled_sample(two_eyes(), factor), 2);
+      test::expect_same_bits(as_it_is, other);
     }
   }
 }
@@ -166,8 +187,8 @@ TEST(ScaledSceneTest, AdaptiveLightSamplesTakeTheSameDecisionsAtEverySize) {
 TEST(ScaledSceneTest, LightInProbesIsTheSameAtEverySize) {
   RenderSettings settings = everything(Foveation::off);
   settings.probes.on = true;
-  settings.probes.rays = 32;
-  expect_the_same_at_every_size(closed_room(), settings, 4);
+  settings.probes.rays = 16;
+  expect_the_same_at_every_size(closed_room(), settings, 3, {1e-4, 1e5});
 }
 
 TEST(ScaledSceneTest, CatchersReceiveTheSameAtEverySize) {

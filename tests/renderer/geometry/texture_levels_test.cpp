@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
@@ -61,6 +63,68 @@ TEST(TextureLevelsTest, WhereAlphaIsCoverageColoursAreWeightedByIt) {
   leaf.covers = true;
   EXPECT_EQ(texel(build_levels(leaf), 1, 0) & 0xffu, 200u);
   EXPECT_NEAR(texel(build_levels(leaf), 1, 0) >> 24, 127.5, 0.5);
+}
+
+// The definition, level by level, in plain doubles: each texel is the mean of the light of what it covers.
+std::vector<double> slow_half(const std::vector<double>& from, int width, int height, int& w, int& h) {
+  w = std::max(1, width / 2), h = std::max(1, height / 2);
+  std::vector<double> to(static_cast<std::size_t>(4 * w * h));
+  const auto share = [](int i, int many, int of, int x) {  // of texel x in the stretch of texel i of `of`
+    const double lower = double(i) * many / of, upper = double(i + 1) * many / of;
+    return std::max(0.0, std::min(upper, x + 1.0) - std::max(lower, double(x))) / (upper - lower);
+  };
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < w; ++x) {
+      for (int j = 0; j < height; ++j) {
+        for (int i = 0; i < width; ++i) {
+          const double weight = share(y, height, h, j) * share(x, width, w, i);
+          for (int c = 0; c < 4; ++c)
+            to[static_cast<std::size_t>(4 * (y * w + x) + c)] +=
+                weight * from[static_cast<std::size_t>(4 * (j * width + i) + c)];
+        }
+      }
+    }
+  }
+  return to;
+}
+
+// Sides that are even for some levels, then odd: the pass over rows hands over to whole levels at each of
+// them.
+TEST(TextureLevelsTest, EveryLevelIsTheMeanOfTheOneAboveForSidesThatTurnOdd) {
+  const auto light_of = [](int byte, bool srgb) {
+    const double c = byte / 255.0;
+    return !srgb ? c : c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  for (const auto& [width, height] :
+       {std::pair{16, 16}, {24, 8}, {20, 12}, {7, 4}, {64, 2}, {2, 32}, {6, 6}}) {
+    for (const bool srgb : {true, false}) {
+      TextureImage image;
+      image.width_px = width, image.height_px = height, image.srgb = srgb;
+      std::uint32_t state = 7;
+      for (int i = 0; i < 4 * width * height; ++i)
+        image.rgba.push_back(static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24));
+      const TextureLevels built = build_levels(image);
+      std::vector<double> light;
+      for (std::size_t i = 0; i < image.rgba.size(); ++i)
+        light.push_back(light_of(image.rgba[i], srgb && i % 4 != 3));
+      int w = width, h = height;
+      for (int level = 1; level < built.record.levels; ++level) {
+        light = slow_half(light, w, h, w, h);
+        for (int i = 0; i < 4 * w * h; ++i) {
+          const auto byte = static_cast<int>(texel(built, level, i / 4) >> (8 * (i % 4)) & 0xffu);
+          const bool curved = srgb && i % 4 != 3;
+          // The nearest byte: its light lies within half the way to its neighbours. Floats: 1e-5.
+          const double below = 0.5 * (light_of(std::max(byte - 1, 0), curved) + light_of(byte, curved)),
+                       above = 0.5 * (light_of(std::min(byte + 1, 255), curved) + light_of(byte, curved));
+          const double wanted = light[static_cast<std::size_t>(i)];
+          ASSERT_TRUE((wanted >= below - 1e-5 || byte == 0) && (wanted <= above + 1e-5 || byte == 255))
+              << width << "x" << height << " level " << level << " value " << i << ": " << byte << " for "
+              << wanted;
+        }
+      }
+      EXPECT_EQ(w * h, 1);
+    }
+  }
 }
 
 // A metal wall that fills +-45 degrees, its texture's coordinates over [0, 1]:

@@ -84,43 +84,38 @@ TEST(TriangleRecordsTest, CoordinatesThatAreAllTheSameSurvive) {
   EXPECT_EQ(baked.uv_scale, glm::vec2(0.0f));
 }
 
-std::array<std::uint32_t, 3> codes_of(const std::array<glm::vec3, 3>& normals) {
-  return {encode_octahedral(normals[0]), encode_octahedral(normals[1]), encode_octahedral(normals[2])};
-}
-
 TEST(TriangleRecordsTest, TheCurvatureOfATriangleOnASphereIsOneOverItsRadius) {
-  // n = p / r: all differences of normals are those of places over r. The codes are off by 6.5e-5 rad at
-  // most, two of them along edges of about 0.1 r.
+  // n = p / r: all differences of normals are those of places over r. Floats of about 1 are off by 6e-8, over
+  // edges of about 0.1 r.
   for (const float radius : {1e-4f, 0.5f, 1e5f}) {
     const std::array<glm::vec3, 3> n{glm::normalize(glm::vec3{0.2f, 0.9f, 0.1f}),
                                      glm::normalize(glm::vec3{0.3f, 0.9f, 0.1f}),
                                      glm::normalize(glm::vec3{0.25f, 0.9f, 0.2f})};
-    const float curvature = shading_curvature({n[0] * radius, n[1] * radius, n[2] * radius}, codes_of(n));
-    EXPECT_NEAR(curvature * radius, 1.0, 2 * 6.5e-5 / 0.1);
+    const float curvature = shading_curvature({n[0] * radius, n[1] * radius, n[2] * radius}, n);
+    EXPECT_NEAR(curvature * radius, 1.0, 4 * 6e-8 / 0.1);
   }
 }
 
 TEST(TriangleRecordsTest, TheCurvatureOfACylinderIsTheRootOfTheMeanSquareOverDirections) {
-  // Turns 1/r around the axis and 0 along it: sqrt((1/r^2 + 0) / 2), however long the triangle is. The chord
-  // of 0.1 rad stands for its arc (1e-4 of it less on both).
+  // Turns 1/r around the axis and 0 along it: sqrt((1/r^2 + 0) / 2), however long the triangle is. Chords
+  // stand for arcs on both.
   for (const float length : {0.01f, 1.0f, 100.0f}) {
     const glm::vec3 a{1, 0, 0}, b{std::cos(0.1f), 0, std::sin(0.1f)}, along{0, length, 0};
-    const float curvature = shading_curvature({2.0f * a, 2.0f * b, 2.0f * b + along}, codes_of({a, b, b}));
-    EXPECT_NEAR(curvature, 0.5 / std::sqrt(2.0), 0.5 * (2 * 6.5e-5 / 0.1)) << length;
+    const float curvature = shading_curvature({2.0f * a, 2.0f * b, 2.0f * b + along}, {a, b, b});
+    EXPECT_NEAR(curvature, 0.5 / std::sqrt(2.0), 4 * 6e-8 / 0.1) << length;
   }
 }
 
 TEST(TriangleRecordsTest, FlatTrianglesAndSliversDoNotSeemCurved) {
-  const glm::vec3 up{0.1f, 0.9f, 0.3f};
-  EXPECT_EQ(shading_curvature({glm::vec3{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, codes_of({up, up, up})), 0.0f);
+  const glm::vec3 up = glm::normalize(glm::vec3{0.1f, 0.9f, 0.3f});
+  EXPECT_EQ(shading_curvature({glm::vec3{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {up, up, up}), 0.0f);
   // A sliver 1 long and 1e-6 wide whose normals are off by 1e-3: along its edges they turn by 1e-3 per 0.5,
   // across it by 1e-3 per 1e-6.
   const glm::vec3 noisy = glm::normalize(up + glm::vec3{1e-3f, 0, 0});
-  const float sliver =
-      shading_curvature({glm::vec3{0, 0, 0}, {1, 0, 0}, {0.5f, 0, 1e-6f}}, codes_of({up, up, noisy}));
-  EXPECT_LT(sliver, 1.5 * (1e-3 + 2 * 6.5e-5) / 0.5);
+  const float sliver = shading_curvature({glm::vec3{0, 0, 0}, {1, 0, 0}, {0.5f, 0, 1e-6f}}, {up, up, noisy});
+  EXPECT_LT(sliver, 1.01 * 1e-3 / 0.5);
   // No extent at all.
-  EXPECT_EQ(shading_curvature({up, up, up}, codes_of({up, noisy, noisy})), 0.0f);
+  EXPECT_EQ(shading_curvature({up, up, up}, {up, noisy, noisy}), 0.0f);
 }
 
 }  // namespace

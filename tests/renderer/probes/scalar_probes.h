@@ -78,8 +78,10 @@ inline glm::dvec3 scalar_lookup(const ProbeView& view, const glm::dvec3& environ
   glm::dvec3 place{0.0};
   bool faces_out = false;
   for (int axis = 0; axis < 3; ++axis) {
-    const double g = at.position[axis] * double{view.inverse_spacing[axis]} - 0.5,
-                 last = view.counts[axis] - 1;
+    // A thousandth of the smallest spacing, a tenth of the tolerance, before the surface: where it lies in a
+    // plane of probes, rounding must not choose the cell.
+    const double x = at.position[axis] + 0.1 * double{view.tolerance_m} * at.geometric_normal[axis];
+    const double g = x * double{view.inverse_spacing[axis]} - 0.5, last = view.counts[axis] - 1;
     faces_out =
         faces_out || (g < 0 && at.geometric_normal[axis] < 0) || (g > last && at.geometric_normal[axis] > 0);
     const double inside = std::clamp(g, 0.0, last);

@@ -293,13 +293,10 @@ TEST(DataModels, EveryPositiveModelOfTheAssetGeneratorLooksLikeItsReference) {
         const Likeness like = likeness(picture, *theirs, *background);
         // Pixels on outlines differ: of thin letters before holes an eighth of what is seen at 96 pixels.
         EXPECT_GE(like.outline, 0.85) << name;
-        // Their room's light against our white: 0.053 at most. An old extension that nothing requires is
-        // passed over, and so are its colours.
-        const bool older =
-            std::any_of(scene.warnings.begin(), scene.warnings.end(), [](const std::string& warning) {
-              return warning.find("KHR_materials_pbrSpecularGlossiness") != std::string::npos;
-            });
-        if (!older) {
+        // Their room's light against our white: 0.053 at most. Where a material has an older model beside
+        // metallic-roughness, theirs shows the older one.
+        const bool shows_older = name.find("Material_Mixed") != std::string::npos;
+        if (!shows_older) {
           EXPECT_LE(like.hue, 0.08) << name;
         }
         ++compared;
@@ -338,6 +335,12 @@ TEST(DataModels, NormalTexturesLookLikeTheShapesThatTheyStandFor) {
   for (const Tiles& tiles : kinds) {
     const std::string name = tiles.model;
     Scene scene = load_scene(models_folder("khronos_sample_assets") / name / "glTF-Binary" / (name + ".glb"));
+    // Highlights wider than a pixel: narrower ones are widened by the curvature of the shape, which a texture on
+    // a flat tile does not tell.
+    for (Material& material : scene.materials) {
+      material.metallic_roughness_texture = -1;
+      material.roughness = 0.5f;
+    }
     // The tile that is least like its shape, lit from the left and from above so that
     // no ball shadows its tile.
     const auto least_likeness = [&] {

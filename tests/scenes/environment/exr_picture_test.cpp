@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -251,6 +252,36 @@ TEST(ExrPicture, CutOffOrDamagedItIsReadOrRefused) {
     }
     EXPECT_GT(refused, 20) << compression;
   }
+}
+
+TEST(ExrPicture, ABlockThatUnpacksToAnotherLengthIsRefused) {
+  // 8 x 1 pixels of three halves: one block of 48 bytes, the last of the file, behind its line and its
+  // length.
+  const auto with_block = [](const char* compression, const std::string& packed) {
+    const TemporaryFolder folder;
+    const OIIO::ImageSpec spec = spec_of(8, 1, {"R", "G", "B"}, compression);
+    write_exr(folder.path() / "whole.exr", spec, std::vector<float>(24));
+    std::ifstream stream(folder.path() / "whole.exr", std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    const std::size_t table = bytes.rfind(std::string("screenWindowWidth\0float\0\4\0\0\0", 28)) + 28 + 5;
+    std::uint64_t block = 0;
+    std::memcpy(&block, &bytes[table], sizeof block);
+    return read_exr_bytes(bytes.substr(0, block) +
+                          bytes_of<std::int32_t>({0, static_cast<std::int32_t>(packed.size())}) + packed)
+        .error;
+  };
+  // RLE: a count n and a byte that comes n + 1 times.
+  EXPECT_EQ(with_block("rle", std::string("\x2f\0", 2)), "");
+  EXPECT_TRUE(contains(with_block("rle", std::string("\x2e\0", 2)), "block 0"));
+  EXPECT_TRUE(contains(with_block("rle", std::string("\x30\0", 2)), "block 0"));
+  // zlib: two bytes of header; a last block, stored, of 20 zeros: 1, length, its complement; Adler-32 of
+  // 20 zeros: 20 * 65536 + 1.
+  const std::string short_stream =
+      std::string("\x78\x01\x01\x14\0\xeb\xff", 7) + std::string(20, '\0') + std::string("\0\x14\0\x01", 4);
+  EXPECT_TRUE(contains(with_block("zips", short_stream), "block 0"));
+  EXPECT_TRUE(contains(with_block("zip", short_stream), "block 0"));
+  EXPECT_TRUE(contains(with_block("none", std::string(47, '\0')), "block 0"));
+  EXPECT_EQ(with_block("none", std::string(48, '\0')), "");
 }
 
 TEST(ExrPicture, AWindowOfBillionsOfPixelsIsRefusedBeforeMemoryIsTaken) {

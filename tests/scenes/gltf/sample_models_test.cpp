@@ -8,6 +8,7 @@
 #include <set>
 
 #include "scenes/load_scene.h"
+#include "scenes/model/material_textures.h"
 #include "tests/paths.h"
 #include "tests/scenes/scene_files.h"
 
@@ -44,7 +45,7 @@ void expect_sound(const Material& material, const TriangleMesh& mesh, std::size_
     ASSERT_FALSE(mesh.uvs.empty()) << name;
     ASSERT_LE(static_cast<std::size_t>(slot.uv_set), mesh.more_uvs.size()) << name;
   }
-  ASSERT_EQ(mesh.tangents.size(), material.normal_texture.texture < 0 ? 0 : mesh.positions.size()) << name;
+  ASSERT_EQ(mesh.tangents.size(), follows_tangents(material) ? mesh.positions.size() : 0) << name;
 }
 
 // What scene.h promises about every scene that load_scene returns.

@@ -72,7 +72,7 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
     const bool count = name == "frame" || name == "missed" || name == "stutter" || name == "commits" ||
                        name.ends_with("_rays") || name.ends_with("_samples") || name.ends_with("_pixels") ||
                        name.ends_with("_values") || name.ends_with("_frames") || name.ends_with("_ticks") ||
-                       name.ends_with("_probes") || name.ends_with("_share") ||
+                       name.ends_with("_probes") || name.ends_with("_paths") || name.ends_with("_share") ||
                        name.starts_with("instances_") || name.starts_with("meshes_") ||
                        name == "plan_changes" || name == "polar_width";
     const bool word = name.find("_source") != std::string::npos || name == "quality_reason";

@@ -89,6 +89,23 @@ TEST(Extensions, PartsOfPrimitivesThatNoPictureShowsAreNamed) {
         << name;
 }
 
+// Files that other readers show without these extensions, whatever stands in them, are shown here too.
+TEST(Extensions, OfFurtherLobesAndVolumesTakeNumbersFarOutOfRangeAsTheEnd) {
+  const TemporaryFolder folder;
+  json document = triangle_document();
+  document["meshes"][0]["primitives"][0]["material"] = 0;
+  document["materials"] = {
+      {{"extensions",
+        {{"KHR_materials_clearcoat", {{"clearcoatFactor", 3}}},
+         {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+         {"KHR_materials_volume",
+          {{"thicknessFactor", 1}, {"attenuationColor", {-1, 0.5, 2}}, {"attenuationDistance", 0}}}}}}};
+  const Scene scene = load_scene(write_model(folder, document));
+  EXPECT_EQ(scene.materials.at(scene.instances.at(0).material).clearcoat.strength, 1.0f);
+  EXPECT_TRUE(any_contains(scene.warnings, "and 2 numbers more"));
+  EXPECT_TRUE(any_contains(scene.warnings, "attenuationDistance is 0; nothing is taken from light inside"));
+}
+
 json spot_document(double inner, double outer) {
   json document = triangle_document();
   document["extensions"]["KHR_lights_punctual"]["lights"] = {

@@ -40,7 +40,7 @@ TEST(RoundedNumber, FurtherOutIsRefused) {
   EXPECT_THROW(rounded.number_or(object, "one", 0, 1, 0.5), InputError);
   EXPECT_THROW(rounded.number_or(object, "zero", 0, 1, 0.5), InputError);
   EXPECT_THROW(rounded.number_or(object, "light", 0, 1e9, 0.5), InputError);
-  EXPECT_THROW(rounded.number_or(object, "light", 0, 1, 0.5, AboveRange::clamped), InputError);
+  EXPECT_THROW(rounded.number_or(object, "light", 0, 1, 0.5, OutOfRange::clamped_above), InputError);
 }
 
 TEST(RoundedNumber, IsItsOwnEndWhereOlderFilesMayBeFarAbove) {
@@ -48,13 +48,25 @@ TEST(RoundedNumber, IsItsOwnEndWhereOlderFilesMayBeFarAbove) {
   const JsonObject object = object_of(document);
   RoundedNumbers rounded;
   EXPECT_THROW(rounded.vec3_or(object, "emissiveFactor", 0, 1, glm::dvec3(0)), InputError);
-  EXPECT_EQ(rounded.vec3_or(object, "emissiveFactor", 0, 1, glm::dvec3(0), AboveRange::clamped),
+  EXPECT_EQ(rounded.vec3_or(object, "emissiveFactor", 0, 1, glm::dvec3(0), OutOfRange::clamped_above),
             glm::dvec3(1, 0.5, 0));
   std::vector<std::string> warnings;
   rounded.warn(warnings);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
             "field materials[0].emissiveFactor[0] is 2.5, out of range; taken as 1, and 1 number more");
+}
+
+TEST(RoundedNumber, IsItsEndOnEitherSideWhereOtherReadersReadNothing) {
+  const json document{{"low", -0.5}, {"high", 7}};
+  const JsonObject object = object_of(document);
+  RoundedNumbers rounded;
+  EXPECT_EQ(rounded.number_or(object, "low", 0, 1, 0.5, OutOfRange::clamped), 0.0);
+  EXPECT_EQ(rounded.number_or(object, "high", 0, 1, 0.5, OutOfRange::clamped), 1.0);
+  std::vector<std::string> warnings;
+  rounded.warn(warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0], "field materials[0].low is -0.5, out of range; taken as 0, and 1 number more");
 }
 
 TEST(RoundedNumber, InItsRangeIsNotSpokenOf) {
