@@ -43,8 +43,9 @@ bool Renderer::Impl::replan() {
 }
 
 // True if the plan is another one.
-bool Renderer::Impl::follow(const SceneUpdate& update) {
+bool Renderer::Impl::follow(const SceneUpdate& update, const SceneState& state) {
   boxes.update(update.slots);
+  if (probe_motion) probe_motion->note(update.slots, state, *geometry, boxes);
   measure_reach();
   return (update.other_traits() || update.relit) && replan();
 }
@@ -64,6 +65,9 @@ void Renderer::Impl::restart(const SceneState& state) {
   plan_probes();
   probes->start_anew();
   place_for_probes();
+  if (!probe_motion) return;
+  ProbePlacement::settle(*probes, scene, *geometry, threads);
+  probe_motion->start_anew(*geometry, boxes);
 }
 
 }  // namespace herr

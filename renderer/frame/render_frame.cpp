@@ -111,7 +111,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
       timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
   out.times.commit_ms = update.commit_ms;
-  if (update.anything() && timed(out.times, Stage::scene_update, [&] { return impl.follow(update); })) {
+  if (update.anything() && timed(out.times, Stage::scene_update, [&] { return impl.follow(update, state); })) {
     out.counters.plan_changes = 1;
   }
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
@@ -135,7 +135,7 @@ void Renderer::skip_frame(const FrameSample& sample, const SceneState& state) {
   require_usable(sample.head.world_from_head);
   impl_->follow_gaze(sample);
   const SceneUpdate update = impl_->update_acceleration(sample, state);
-  if (update.anything()) impl_->follow(update);
+  if (update.anything()) impl_->follow(update, state);
   if (!impl_->plan.probes) return;
   RenderedFrame nobodys;
   nobodys.quality = full_quality();

@@ -95,7 +95,7 @@ FrameQuality Renderer::full_quality() const {
 }
 RendererState Renderer::state(bool with_probes) const {
   RendererState state;
-  if (with_probes && impl_->probes) state.probes = impl_->probes->save();
+  if (with_probes && impl_->probes) state.probes = impl_->save_probes();
   state.details = impl_->details.save();
   if (impl_->geometry->placed()) state.anchor = impl_->geometry->anchor();
   return state;

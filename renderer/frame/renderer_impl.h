@@ -10,6 +10,7 @@
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/geometry/instance_boxes.h"
 #include "renderer/probe_updates/probe_job.h"
+#include "renderer/probes/probe_motion.h"
 #include "renderer/renderer.h"
 #include "renderer/threads/render_threads.h"
 #include "renderer/tiles/tile_job.h"
@@ -57,6 +58,7 @@ struct Renderer::Impl {
 
   // With probes only.
   std::unique_ptr<ProbeVolume> probes;
+  std::unique_ptr<ProbeMotion> probe_motion;  // where the scene changes
   ProbeKernels probe_kernels{};
   FramePlan probe_plan;                        // of what probe rays hit: one light sample, nothing invisible
   std::array<ProbeView, 2> probe_views;        // all geometry; catchers alone
@@ -90,7 +92,7 @@ struct Renderer::Impl {
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();
   bool replan();
-  bool follow(const SceneUpdate& update);
+  bool follow(const SceneUpdate& update, const SceneState& state);
   void restart(const SceneState& state);
   void allocate_buffers();  // frame_memory.cpp
   void allocate_scratch();
@@ -101,6 +103,7 @@ struct Renderer::Impl {
   void place_for_probes();
   void plan_probes();
   void publish_probes();
+  std::vector<std::byte> save_probes() const;
   void restore_probes(std::span<const std::byte> bytes);
   void aim_probes(const FrameSample& sample, const SceneState& state, int most);
   void view_probes();

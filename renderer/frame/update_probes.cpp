@@ -6,6 +6,7 @@
 #include "renderer/lighting/light_records.h"
 #include "renderer/memory_use.h"
 #include "renderer/probes/probe_placement.h"
+#include "renderer/timing.h"
 
 namespace herr {
 namespace {
@@ -33,6 +34,9 @@ void Renderer::Impl::build_probes() {
   for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
   place_for_probes();
   ProbePlacement::settle(*probes, scene, *geometry, threads);
+  if (scene.changes) {
+    probe_motion = std::make_unique<ProbeMotion>(scene, *geometry, boxes, probes->grid, threads.count());
+  }
 }
 
 // Around the middle of their grid, where they look around before there is a head.
@@ -98,12 +102,23 @@ void Renderer::Impl::publish_probes() {
   });
 }
 
+std::vector<std::byte> Renderer::Impl::save_probes() const {
+  std::vector<std::byte> bytes = probes->save();
+  if (probe_motion) probe_motion->save(*probes, bytes);
+  return bytes;
+}
+
 void Renderer::Impl::restore_probes(std::span<const std::byte> bytes) {
+  if (probe_motion) probe_motion->restore(*probes, bytes);
   probes->restore(bytes);
   publish_probes();
 }
 
 void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out) {
+  if (probe_motion) {
+    out.times[Stage::probe_rays] +=
+        wall_ms([&] { probe_motion->follow(*probes, *geometry, threads, sample.t_ns, out.quality.probes); });
+  }
   const PhaseClock serial(cycles);
   cycles[0].start();
   aim_probes(sample, state, out.quality.probes);
@@ -131,6 +146,7 @@ void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& 
 std::int64_t Renderer::Impl::probe_bytes() const {
   if (!probes) return 0;
   std::int64_t sum = probes->bytes() + bytes_of(probe_lights);
+  if (probe_motion) sum += probe_motion->bytes();
   for (const auto& radiance : probe_radiance) sum += bytes_of(radiance);
   return sum;
 }

@@ -92,6 +92,9 @@ class EmbreeScene {
 
   RTCScene top() const { return top_.get(); }
   const std::vector<InstanceRecord>& instances() const { return instances_; }
+  // Around a mesh that bends, as it was committed last, in object space. `deformation`: of
+  // Scene::deformations.
+  Bounds shape(std::size_t deformation) const;
   GeometryMemory memory() const;
 
  private:

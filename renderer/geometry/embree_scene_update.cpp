@@ -79,6 +79,12 @@ void EmbreeScene::commit_bent(SceneUpdate& done) {
   changed_ = changed_ || any;
 }
 
+Bounds EmbreeScene::shape(std::size_t deformation) const {
+  RTCBounds b;
+  rtcGetSceneBounds(meshes_[scene_.deformations[deformation].mesh].scene.get(), &b);
+  return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+}
+
 void EmbreeScene::apply(const SceneState& state, SceneUpdate& done) {
   state.changes.since(seen_, changes_);
   done.relit = state.changes.relit_since(seen_);

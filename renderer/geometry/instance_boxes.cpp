@@ -14,6 +14,18 @@ void include(Bounds& bounds, const glm::dvec3& point) {
 
 }  // namespace
 
+Bounds box_around(const Bounds& box, const glm::dmat4x3& place) {
+  Bounds around{glm::dvec3{kFar}, glm::dvec3{-kFar}};
+  if (box.lower.x > box.upper.x) return around;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 at((corner & 1) != 0 ? box.upper.x : box.lower.x,
+                        (corner & 2) != 0 ? box.upper.y : box.lower.y,
+                        (corner & 4) != 0 ? box.upper.z : box.lower.z, 1.0);
+    include(around, place * at);
+  }
+  return around;
+}
+
 InstanceBoxes::InstanceBoxes(const Scene& scene) : scene_(scene) {
   for (const TriangleMesh& mesh : scene.meshes) {
     Bounds box{glm::dvec3{kFar}, glm::dvec3{-kFar}};
@@ -31,15 +43,7 @@ void InstanceBoxes::measure(std::size_t slot) {
     boxes_[slot] = instance_bounds(scene_, instance);
     return;
   }
-  const Bounds& mesh = mesh_boxes_[instance.mesh];
-  boxes_[slot] = {glm::dvec3{kFar}, glm::dvec3{-kFar}};
-  if (mesh.lower.x > mesh.upper.x) return;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 at((corner & 1) != 0 ? mesh.upper.x : mesh.lower.x,
-                        (corner & 2) != 0 ? mesh.upper.y : mesh.lower.y,
-                        (corner & 4) != 0 ? mesh.upper.z : mesh.lower.z, 1.0);
-    include(boxes_[slot], instance.world_from_object * at);
-  }
+  boxes_[slot] = box_around(mesh_boxes_[instance.mesh], instance.world_from_object);
 }
 
 void InstanceBoxes::sum_up() {

@@ -9,6 +9,9 @@
 
 namespace herr {
 
+// Around a box that a matrix places; inverted where it is.
+Bounds box_around(const Bounds& box, const glm::dmat4x3& place);
+
 // A moved instance costs the eight corners of its mesh's box, however many vertices that has.
 class InstanceBoxes {
  public:
@@ -19,6 +22,7 @@ class InstanceBoxes {
   // Of instances that are there; inverted (lower > upper) where none is.
   const Bounds& all() const { return all_; }
   const std::vector<Bounds>& catchers() const { return catchers_; }
+  const Bounds& of(std::size_t slot) const { return boxes_[slot]; }
 
  private:
   void measure(std::size_t slot);

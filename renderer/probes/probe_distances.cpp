@@ -35,16 +35,14 @@ double coarsely(const std::vector<double>& inverse, int x, int y) {
 }
 
 // Root mean square of what the coarser map misses around a node, halved: at an edge between planes the error
-// of linear interpolation goes with the distance of nodes.
-double deviation(const std::vector<double>& inverse, int column, int row) {
+// of linear interpolation goes with the distance of nodes. `misses`: squared, of each node.
+double deviation(const std::vector<double>& misses, int column, int row) {
   double sum = 0;
   int count = 0;
   for (int y = std::max(row - 1, 0); y <= std::min(row + 1, kSide - 1); ++y) {
     for (int x = std::max(column - 1, 0); x <= std::min(column + 1, kSide - 1); ++x) {
       if (x % 2 == 0 && y % 2 == 0) continue;
-      const double miss =
-          inverse[static_cast<std::size_t>(DistanceNodes::at(x, y))] - coarsely(inverse, x, y);
-      sum += miss * miss;
+      sum += misses[static_cast<std::size_t>(DistanceNodes::at(x, y))];
       ++count;
     }
   }
@@ -94,22 +92,44 @@ void trace_distances(RTCScene scene, const glm::dvec3& origin, unsigned mask,
   }
 }
 
-void pack_distances(std::span<const float> distances, double nearest_m, std::uint32_t* words) {
+void pack_distances(std::span<const float> distances, double nearest_m, DistanceScratch& scratch,
+                    std::uint32_t* words) {
   const std::vector<glm::vec3>& directions = distance_directions();
-  std::vector<double> inverse(directions.size());
+  auto& [inverse, misses, deviations] = scratch;
+  inverse.resize(directions.size()), misses.resize(directions.size()), deviations.resize(directions.size());
   for (std::size_t i = 0; i < inverse.size(); ++i) {
     inverse[i] = std::min(
         1.0, nearest_m / (std::max(double{distances[i]}, 1e-9 * nearest_m) * norm_of(directions[i])));
   }
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
-      const int node = DistanceNodes::at(column, row);
-      const int first = DistanceNodes::first_of(node);
-      // Both places of a border direction see half of what surrounds it.
-      const double spread =
-          std::max(deviation(inverse, column, row), deviation(inverse, first % kSide, first / kSide));
-      words[node] = steps(inverse[static_cast<std::size_t>(node)]) | steps(spread) << 16;
+  const auto for_each_node = [](const auto& visit) {
+    for (int row = 0; row < kSide; ++row) {
+      for (int column = 0; column < kSide; ++column) {
+        visit(static_cast<std::size_t>(DistanceNodes::at(column, row)), column, row);
+      }
     }
+  };
+  for_each_node([&](std::size_t node, int column, int row) {
+    const double miss = inverse[node] - coarsely(inverse, column, row);
+    misses[node] = miss * miss;
+  });
+  for_each_node(
+      [&](std::size_t node, int column, int row) { deviations[node] = deviation(misses, column, row); });
+  for_each_node([&](std::size_t node, int, int) {
+    // Both places of a border direction see half of what surrounds it.
+    const auto first = static_cast<std::size_t>(DistanceNodes::first_of(static_cast<int>(node)));
+    const double spread = std::max(deviations[node], deviations[first]);
+    words[node] = steps(inverse[node]) | steps(spread) << 16;
+  });
+}
+
+void blend_distances(const std::uint32_t* now, double kept, std::uint32_t* words) {
+  const auto mixed = [kept](std::uint32_t before, std::uint32_t after) {
+    const double value = kept * static_cast<double>(before) + (1 - kept) * static_cast<double>(after);
+    return static_cast<std::uint32_t>(std::lround(value));
+  };
+  for (std::size_t node = 0; node < DistanceNodes::kCount; ++node) {
+    const std::uint32_t before = words[node], after = now[node];
+    words[node] = mixed(before & 0xffffu, after & 0xffffu) | mixed(before >> 16, after >> 16) << 16;
   }
 }
 

@@ -20,7 +20,13 @@ void trace_distances(RTCScene scene, const glm::dvec3& origin, unsigned mask,
 // The directions of the nodes, row by row.
 const std::vector<glm::vec3>& distance_directions();
 
+struct DistanceScratch {
+  std::vector<double> inverse, misses, deviations;
+};
 // `distances` along distance_directions() -> the words of a distance map (probe_view.h).
-void pack_distances(std::span<const float> distances, double nearest_m, std::uint32_t* words);
+void pack_distances(std::span<const float> distances, double nearest_m, DistanceScratch& scratch,
+                    std::uint32_t* words);
+// words <- kept * words + (1 - kept) * now, rounded: inverse distances and deviations.
+void blend_distances(const std::uint32_t* now, double kept, std::uint32_t* words);
 
 }  // namespace herr

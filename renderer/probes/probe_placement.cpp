@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 
 #include "renderer/probes/probe_distances.h"
 
@@ -42,77 +41,91 @@ std::vector<glm::vec3> clearance_directions() {
   return all;
 }
 
-// Looks around in the geometry of one set.
-class Surveyor {
- public:
-  Surveyor(RTCScene scene, const glm::dvec3& lower_from_anchor, double clearance_m)
-      : scene_(scene), lower_(lower_from_anchor), clearance_m_(clearance_m) {}
-
-  const std::vector<float>& all_around(const glm::dvec3& place, unsigned mask) {
-    trace_distances(scene_, lower_ + place, mask, distance_directions(), fine_);
-    return fine_;
-  }
-  double nearest(const glm::dvec3& place) {
-    trace_distances(scene_, lower_ + place, kAllMask, kAround, few_);
-    return double{*std::min_element(few_.begin(), few_.end())};
-  }
-  bool has_room(const glm::dvec3& place) { return nearest(place) >= clearance_m_; }
-  bool sees(const glm::dvec3& from, const glm::dvec3& to) {
-    const glm::vec3 direction(glm::normalize(to - from));
-    trace_distances(scene_, lower_ + from, kAllMask, std::span(&direction, 1), few_);
-    return few_.front() > glm::distance(from, to);
-  }
-  // The nearest place with room that can be reached without passing through a surface; if there is none, as
-  // within a thin wall, the nearest with room; none where all is tight.
-  std::optional<glm::dvec3> better_place(const glm::dvec3& place, const glm::dvec3& spacing) {
-    static const std::vector<glm::dvec3> kMoves = moves();
-    std::optional<glm::dvec3> behind;
-    for (const glm::dvec3& move : kMoves) {
-      const glm::dvec3 candidate = place + move * spacing;
-      if (!has_room(candidate)) continue;
-      if (sees(place, candidate)) return candidate;
-      if (!behind) behind = candidate;
-    }
-    return behind;
-  }
-
- private:
-  inline static const std::vector<glm::vec3> kAround = clearance_directions();
-  RTCScene scene_;
-  glm::dvec3 lower_;
-  double clearance_m_;
-  std::vector<float> fine_, few_;
-};
+const std::vector<glm::vec3>& clearance_rays() {
+  static const std::vector<glm::vec3> around = clearance_directions();
+  return around;
+}
 
 }  // namespace
+
+const std::vector<float>& ProbeSurveyor::all_around(const glm::dvec3& place, unsigned mask) {
+  if (mask == kAllMask && seen_from_ == place) return fine_;
+  trace_distances(scene_, lower_ + place, mask, distance_directions(), fine_);
+  seen_from_.reset();
+  if (mask == kAllMask) seen_from_ = place;
+  return fine_;
+}
+
+double ProbeSurveyor::nearest(const glm::dvec3& place) {
+  trace_distances(scene_, lower_ + place, kAllMask, clearance_rays(), few_);
+  return double{*std::min_element(few_.begin(), few_.end())};
+}
+
+bool ProbeSurveyor::has_room(const glm::dvec3& place) {
+  return nearest(place) >= clearance_m_;
+}
+
+bool ProbeSurveyor::sees(const glm::dvec3& from, const glm::dvec3& to) {
+  const glm::vec3 direction(glm::normalize(to - from));
+  trace_distances(scene_, lower_ + from, kAllMask, std::span(&direction, 1), few_);
+  return few_.front() > glm::distance(from, to);
+}
+
+// The nearest place with room that can be reached without passing through a surface; if there is none, as
+// within a thin wall, the nearest with room; none where all is tight.
+std::optional<glm::dvec3> ProbeSurveyor::better_place(const glm::dvec3& place, const glm::dvec3& spacing) {
+  static const std::vector<glm::dvec3> kMoves = moves();
+  std::optional<glm::dvec3> behind;
+  for (const glm::dvec3& move : kMoves) {
+    const glm::dvec3 candidate = place + move * spacing;
+    if (!has_room(candidate)) continue;
+    if (sees(place, candidate)) return candidate;
+    if (!behind) behind = candidate;
+  }
+  return behind;
+}
+
+void ProbeSurveyor::face(const EmbreeScene& geometry, const ProbeGrid& grid) {
+  scene_ = geometry.top();
+  lower_ = grid.lower - geometry.anchor();
+  clearance_m_ = kClearance * grid.smallest_spacing();
+  seen_from_.reset();
+}
+
+ProbeStanding ProbeSurveyor::standing(const ProbeGrid& grid, int probe) {
+  const double smallest = grid.smallest_spacing();
+  glm::dvec3 place = grid.position(grid.place(probe));
+  const glm::dvec3 beside = place + smallest * kBeside;
+  const bool in_surface = nearest(beside) < kInSurface * smallest;
+  if (in_surface) place = beside;
+  const std::vector<float>& around = all_around(place, kAllMask);
+  const bool has_room_here = *std::min_element(around.begin(), around.end()) >= clearance_m_;
+  if (!in_surface && has_room_here) return {place, false};
+  const auto better = better_place(place, grid.spacing);
+  return better ? ProbeStanding{*better, true} : ProbeStanding{place, false};
+}
+
+void ProbeSurveyor::map(const glm::dvec3& place, unsigned mask, double nearest_m, std::uint32_t* words) {
+  pack_distances(all_around(place, mask), nearest_m, scratch_, words);
+}
 
 void ProbePlacement::settle(ProbeVolume& volume, const Scene& scene, const EmbreeScene& geometry,
                             RenderThreads& threads) {
   const ProbeGrid& grid = volume.grid;
   volume.near_ = probes_near_geometry(grid, scene);
-  const double smallest = grid.smallest_spacing();
   const double nearest_m = double{volume.view(0, geometry.anchor()).nearest};
   std::vector<std::uint8_t> moved(volume.near_.size());
-  threads.run(grid.size(), [&](int probe, int) {
+  std::vector<ProbeSurveyor> surveyors(static_cast<std::size_t>(threads.count()));
+  for (ProbeSurveyor& surveyor : surveyors) surveyor.face(geometry, grid);
+  threads.run(grid.size(), [&](int probe, int worker) {
     const auto i = static_cast<std::size_t>(probe);
     if (!volume.near_[i]) return;
-    Surveyor surveyor(geometry.top(), grid.lower - geometry.anchor(), kClearance * smallest);
-    glm::dvec3 place = grid.position(grid.place(probe));
-    const glm::dvec3 beside = place + smallest * kBeside;
-    const bool in_surface = surveyor.nearest(beside) < kInSurface * smallest;
-    if (in_surface) place = beside;
-    const std::vector<float>& around = surveyor.all_around(place, kAllMask);
-    if (in_surface || *std::min_element(around.begin(), around.end()) < kClearance * smallest) {
-      if (const auto better = surveyor.better_place(place, grid.spacing)) {
-        place = *better;
-        moved[i] = 1;
-      }
-    }
+    ProbeSurveyor& surveyor = surveyors[static_cast<std::size_t>(worker)];
+    const ProbeStanding standing = surveyor.standing(grid, probe);
+    moved[i] = standing.moved ? 1 : 0;
     for (ProbeSet& set : volume.sets) {
-      for (int axis = 0; axis < 3; ++axis)
-        set.places[4 * i + static_cast<std::size_t>(axis)] = static_cast<float>(place[axis]);
-      pack_distances(surveyor.all_around(place, set.mask), nearest_m,
-                     &set.distances[i * DistanceNodes::kCount]);
+      set.put(probe, standing.place);
+      surveyor.map(standing.place, set.mask, nearest_m, &set.distances[i * DistanceNodes::kCount]);
     }
   });
   for (std::size_t i = 0; i < moved.size(); ++i) volume.relocated_[i] = moved[i] != 0;

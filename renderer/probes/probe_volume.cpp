@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
-#include <type_traits>
 
 #include "renderer/memory_use.h"
+#include "renderer/probes/byte_state.h"
 
 namespace herr {
 namespace {
@@ -16,50 +16,8 @@ constexpr std::int64_t kLookAgain = 64;   // frames between two looks of a sleep
 constexpr double kMorePower = 2;          // lights that grow by more than this factor wake sleeping probes
 constexpr double kNearestShare = 0.1;     // of the smallest spacing: nearer geometry is taken to be there
 constexpr double kToleranceShare = 0.01;  // of the smallest spacing
-constexpr std::uint32_t kStateVersion = 2;
+constexpr std::uint32_t kStateVersion = 3;
 constexpr char kStateMark[8] = {'H', 'E', 'R', 'R', 'P', 'R', 'O', 'B'};
-
-// Appends and takes plain values and arrays of them, in one order for both directions.
-class ByteSink {
- public:
-  explicit ByteSink(std::vector<std::byte>& bytes) : bytes_(bytes) {}
-  template <typename T>
-  void value(const T& x) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* from = reinterpret_cast<const std::byte*>(&x);
-    bytes_.insert(bytes_.end(), from, from + sizeof(T));
-  }
-  template <typename T>
-  void array(const std::vector<T>& x) {
-    const auto* from = reinterpret_cast<const std::byte*>(x.data());
-    bytes_.insert(bytes_.end(), from, from + sizeof(T) * x.size());
-  }
-
- private:
-  std::vector<std::byte>& bytes_;
-};
-
-class ByteSource {
- public:
-  explicit ByteSource(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  template <typename T>
-  void value(T& x) {
-    take(&x, sizeof(T));
-  }
-  template <typename T>
-  void array(std::vector<T>& x) {
-    take(x.data(), sizeof(T) * x.size());
-  }
-  bool at_end() const { return bytes_.empty(); }
-
- private:
-  void take(void* to, std::size_t size) {
-    if (size > bytes_.size()) throw std::invalid_argument("probe state is cut off");
-    std::memcpy(to, bytes_.data(), size);
-    bytes_ = bytes_.subspan(size);
-  }
-  std::span<const std::byte> bytes_;
-};
 
 // exp(-dt / tau), the exact solution of exponential forgetting for any dt; 0 for a probe's first time.
 float kept_share(std::int64_t updated_ns, std::int64_t t_ns, double tau_s) {
@@ -94,6 +52,17 @@ ProbeVolume::ProbeVolume(const ProbeGrid& grid_in, const ProbeSettings& settings
   results.resize(sets.size() * ((n + kProbeLanes - 1) / kProbeLanes));
 }
 
+bool ProbeSet::put(int probe, const glm::dvec3& place) {
+  float* to = &places[4 * static_cast<std::size_t>(probe)];
+  bool elsewhere = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<float>(place[axis]);
+    elsewhere |= to[axis] != at;
+    to[axis] = at;
+  }
+  return elsewhere;
+}
+
 bool ProbeVolume::asleep(int probe) const {
   const auto i = static_cast<std::size_t>(probe);
   return std::all_of(sets.begin(), sets.end(),
@@ -111,8 +80,15 @@ void ProbeVolume::forget() {
     for (std::size_t i = 3; i < set.places.size(); i += 4) set.places[i] = 0.0f;
   }
   frame_ = 0;
+  stirred_ = -1;
   cursor_ = 0;
   power_ = 0;
+}
+
+void ProbeVolume::stir() {
+  if (stirred_ >= 0 && frame_ - stirred_ < kLookAgain) return;
+  stirred_ = frame_;
+  wake();
 }
 
 void ProbeVolume::start_anew() {
@@ -204,7 +180,7 @@ std::vector<std::byte> ProbeVolume::save() const {
   ByteSink out(bytes);
   out.value(kStateMark), out.value(kStateVersion), out.value(static_cast<std::uint32_t>(sets.size()));
   out.value(grid.counts), out.value(grid.lower), out.value(grid.spacing);
-  out.value(frame_), out.value(last_ns_), out.value(cursor_), out.value(power_);
+  out.value(frame_), out.value(last_ns_), out.value(stirred_), out.value(cursor_), out.value(power_);
   out.array(updated_ns_);
   for (const ProbeSet& set : sets) {
     out.array(set.places), out.array(set.gathered);
@@ -225,7 +201,7 @@ void ProbeVolume::restore(std::span<const std::byte> bytes) {
                     set_count == sets.size() && counts == grid.counts && lower == grid.lower &&
                     spacing == grid.spacing;
   if (!same) throw std::invalid_argument("probe state belongs to another version, scene or grid");
-  in.value(frame_), in.value(last_ns_), in.value(cursor_), in.value(power_);
+  in.value(frame_), in.value(last_ns_), in.value(stirred_), in.value(cursor_), in.value(power_);
   in.array(updated_ns_);
   for (ProbeSet& set : sets) {
     in.array(set.places), in.array(set.gathered);

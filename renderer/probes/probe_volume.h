@@ -32,12 +32,15 @@ inline constexpr int kUpdatesToSleep = 16;     // dark ones in a row: light need
 // One world that probes look at: everything, or the catchers alone (DESIGN: differential rendering).
 struct ProbeSet {
   unsigned mask = ~0u;                   // of the geometry that is there
-  std::vector<std::uint32_t> distances;  // as ProbeView, made once, of the scene as loaded
+  std::vector<std::uint32_t> distances;  // as ProbeView, made at the start and where something moves
   std::vector<float> places;             // as ProbeView
   std::vector<std::uint32_t> light;      // as ProbeView, as of the last frame
   std::vector<float> gathered;           // kLightFloats per probe: radiance^(1/gamma), channel by channel
   std::vector<float> mean, square;       // per probe: luminance of its rays and its square, blended likewise
   std::vector<std::uint8_t> dark_updates;  // per probe, in a row, up to kUpdatesToSleep
+
+  // Where a probe stands, metres from the grid's lower corner. True: it stood elsewhere.
+  bool put(int probe, const glm::dvec3& place);
 };
 
 // What a job of a frame found out, added up in the order of jobs.
@@ -58,6 +61,10 @@ class ProbeVolume {
   void begin_frame(std::int64_t t_ns, double power, int most);
   // As if there had been no frame.
   void start_anew();
+  // Something moved: light may come to where none was. Sleeping probes wake, once in 64 frames.
+  void stir();
+  // Of the last frame; kNeverUpdated before the first.
+  std::int64_t last_ns() const { return last_ns_; }
   // Sums up; `jobs` in order.
   void end_frame();
 
@@ -90,6 +97,7 @@ class ProbeVolume {
 
  private:
   friend class ProbePlacement;
+  friend class ProbeMotion;
   friend class ProbeReader;
   bool asleep(int probe) const;
   void wake();
@@ -102,7 +110,7 @@ class ProbeVolume {
   std::vector<float> keeps_;
   ProbeCounts counts_;
   std::vector<std::int64_t> updated_ns_;
-  std::int64_t frame_ = 0, last_ns_ = kNeverUpdated;
+  std::int64_t frame_ = 0, last_ns_ = kNeverUpdated, stirred_ = -1;  // stirred_: frame, -1 never
   std::int32_t cursor_ = 0;
   double power_ = 0;
 };
