@@ -18,8 +18,10 @@ struct FrameCounters {
   std::int64_t viewport_pixels = 0;
   std::int64_t invalid_rays = 0;      // not finite: never handed to Embree
   std::int64_t nonfinite_values = 0;  // NaN or Inf that a stage produced; replaced by 0 and counted
-  std::int64_t cut_paths = 0;  // light through glass that was followed no further: it brings the environment
-  std::int64_t commits = 0;    // Embree scenes committed
+  // Light through glass that was followed no further: it brings the probes' light, without probes the
+  // environment.
+  std::int64_t cut_paths = 0;
+  std::int64_t commits = 0;  // Embree scenes committed
   std::int64_t instances_moved = 0, instances_spawned = 0, instances_removed = 0;
   std::int64_t instances_restyled = 0;  // another material, or another mesh
   std::int64_t meshes_refitted = 0, meshes_rebuilt = 0;

@@ -111,8 +111,7 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
        feed_distance(s.feed_distance_m)},
       {"exposure_ev", "--exposure", "ev", Group::look, Effect::pictures,
        "stops (EV) by which PNG pictures are brighter than scene values: each 1 doubles them; EXR pictures "
-       "keep "
-       "scene values and name it",
+       "keep scene values and name it",
        exposure(s.exposure_ev)},
       {"auto_exposure", "--auto-exposure", "", Group::look, Effect::pictures,
        "choose the exposure by the first frame of the session, whichever frames are drawn",

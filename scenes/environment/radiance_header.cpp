@@ -101,7 +101,7 @@ class RadianceHeaderReader {
   void variable(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) return;
-    const std::string_view name = line.substr(0, equals), value = trimmed(line.substr(equals + 1));
+    const std::string_view name = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
     if (name == "FORMAT") return format(value);
     if (name == "EXPOSURE") {
       const auto factor = numbers<1>(value);

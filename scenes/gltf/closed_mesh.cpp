@@ -144,11 +144,6 @@ bool parts_enclose_volume(const TriangleMesh& mesh, std::span<const PassedEdge> 
 
 }  // namespace
 
-bool is_closed(const TriangleMesh& mesh) {
-  std::vector<PassedEdge> edges = passed_edges(mesh);
-  return all_passed_both_ways(edges);
-}
-
 bool is_closed_outwards(const TriangleMesh& mesh) {
   std::vector<PassedEdge> edges = passed_edges(mesh);
   if (!all_passed_both_ways(edges)) return false;

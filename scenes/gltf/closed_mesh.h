@@ -6,12 +6,10 @@
 
 namespace herr {
 
-// Every edge is passed as often in one direction as in the other, by triangles that have an area. Vertices at
-// the same place count as one. A surface whose edges do not meet end to end counts as open. O(n log n).
-bool is_closed(const TriangleMesh& mesh);
-
-// is_closed, and each of its parts encloses a volume with its fronts outside. A part is what hangs together
-// by edges of two triangles. Inward shells, cavities and sheets without thickness: false.
+// Every edge is passed as often in one direction as in the other, by triangles that have an area, and each
+// part encloses a volume with its fronts outside. A part is what hangs together by edges of two triangles.
+// Vertices at the same place count as one; edges that do not meet end to end leave a surface open. Inward
+// shells, cavities and sheets without thickness: false. O(n log n).
 bool is_closed_outwards(const TriangleMesh& mesh);
 
 }  // namespace herr

@@ -76,8 +76,8 @@ class PrimitiveCache {
     const double unit = bends ? 1 : take_unit(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
     if (!bends) built.sources.clear();
-    return BuiltPrimitive{mesh,          material, &primitive, std::move(built.sources), tangent_uv_set(made),
-                          makes_tangents, unit};
+    return BuiltPrimitive{
+        mesh, material, &primitive, std::move(built.sources), tangent_uv_set(made), makes_tangents, unit};
   }
 
   // Leaves tangents where the material follows them; true: made here.

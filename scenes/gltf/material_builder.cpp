@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scenes/gltf/file/gltf_limits.h"
+#include "sessions/camera/half_from_samples.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -235,8 +236,7 @@ float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t chann
   double sum = 0;
   for (std::size_t value = 0; value < counts.size(); ++value) {
     const double share = static_cast<double>(value) / 255.0;
-    const double linear = share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-    sum += static_cast<double>(counts[value]) * (decode ? linear : share);
+    sum += static_cast<double>(counts[value]) * (decode ? linear_from_srgb(share) : share);
   }
   return static_cast<float>(sum / (0.25 * static_cast<double>(rgba.size())));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "scenes/environment/environment_image.h"
@@ -11,7 +12,6 @@
 namespace herr {
 namespace {
 
-constexpr double kStudioPi = 3.141592653589793;
 constexpr int kRoomWidth_px = 128, kRoomHeight_px = 64;
 // Where the sun stands, seen from the model, when the camera is at azimuth 0; and the strip of light.
 constexpr double kSunAzimuth_deg = -35, kSunElevation_deg = 45, kStripAzimuth_deg = 70;
@@ -27,7 +27,7 @@ glm::dvec3 mean_radiance(const EnvironmentImage& image) {
   double weights = 0;
   const float* texel = image.rgba.data();
   for (int y = 0; y < image.height_px; ++y) {
-    const double weight = std::sin(kStudioPi * (y + 0.5) / image.height_px);
+    const double weight = std::sin(glm::pi<double>() * (y + 0.5) / image.height_px);
     for (int x = 0; x < image.width_px; ++x, texel += 4)
       sum += weight * glm::dvec3(texel[0], texel[1], texel[2]);
     weights += weight * image.width_px;
@@ -48,7 +48,8 @@ double room_radiance(const glm::dvec3& direction) {
   const double box = glm::dot(direction, direction_to(kSunAzimuth_deg, kSunElevation_deg));
   light += 2.5 * soft_step(box, std::cos(glm::radians(22.0)), 0.03);
   const double azimuth = std::atan2(direction.x, direction.z);
-  const double aside = std::abs(std::remainder(azimuth - glm::radians(kStripAzimuth_deg), 2 * kStudioPi));
+  const double aside =
+      std::abs(std::remainder(azimuth - glm::radians(kStripAzimuth_deg), 2 * glm::pi<double>()));
   light += 1.2 * soft_step(-aside, -glm::radians(12.0), 0.08) * soft_step(-std::abs(up), -0.6, 0.2);
   return light;
 }
@@ -84,7 +85,7 @@ void light_studio(double azimuth_deg, Scene& scene) {
   sun.name = "studio";
   sun.kind = LightKind::sun;
   sun.direction = -direction_to(azimuth_deg + kSunAzimuth_deg, kSunElevation_deg);
-  sun.intensity_w_sr = glm::vec3(static_cast<float>(kStudioPi * (1 - kStudioAmbient)));
+  sun.intensity_w_sr = glm::vec3(static_cast<float>(glm::pi<double>() * (1 - kStudioAmbient)));
   scene.lights = {sun};
   scene.ambient = scene.environment = glm::vec3(static_cast<float>(kStudioAmbient));
   paint_room(azimuth_deg, scene.environment_map);

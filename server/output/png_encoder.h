@@ -1,4 +1,5 @@
-// 8-bit sRGB pixels to the bytes of a PNG file, in memory: the file itself is written elsewhere. No times in the file: same pixels, same bytes.
+// 8-bit sRGB pixels to the bytes of a PNG file, in memory: the file itself is written elsewhere. No times in
+// the file: same pixels, same bytes.
 #pragma once
 
 #include <cstdint>

@@ -8,8 +8,8 @@ constexpr std::uint32_t kVersion = herr::kPictureModuleVersion + 1;
 #else
 constexpr std::uint32_t kVersion = herr::kPictureModuleVersion;
 #endif
-constexpr herr::PictureModule kModule{
-    kVersion, sizeof(herr::PictureModule), "0.0.1", nullptr, nullptr, nullptr};
+constexpr herr::PictureModule kModule{kVersion, sizeof(herr::PictureModule), "0.0.1", nullptr, nullptr,
+                                      nullptr};
 
 }  // namespace
 
