@@ -156,4 +156,16 @@ bool is_closed_outwards(const TriangleMesh& mesh) {
   return parts_are_closed(edges, parts) && parts_enclose_volume(mesh, edges, parts);
 }
 
+bool is_closed_inwards(const TriangleMesh& mesh) {
+  if (mesh.positions.empty()) return false;
+  double volume = 0;
+  const glm::dvec3 from(mesh.positions.front());
+  for (const auto& t : mesh.triangles) {
+    const glm::dvec3 a = glm::dvec3(mesh.positions[t[0]]) - from, b = glm::dvec3(mesh.positions[t[1]]) - from,
+                     c = glm::dvec3(mesh.positions[t[2]]) - from;
+    volume += glm::dot(a, glm::cross(b, c));
+  }
+  return volume < 0 && is_closed(mesh);
+}
+
 }  // namespace herr

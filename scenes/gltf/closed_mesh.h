@@ -14,4 +14,8 @@ bool is_closed(const TriangleMesh& mesh);
 // by edges of two triangles. Inward shells, cavities and sheets without thickness: false.
 bool is_closed_outwards(const TriangleMesh& mesh);
 
+// is_closed, and encloses more volume with its backs outside than with its fronts: as hulls do that are drawn
+// around a body for an outline, and rooms whose walls are seen from within.
+bool is_closed_inwards(const TriangleMesh& mesh);
+
 }  // namespace herr
