@@ -66,6 +66,13 @@ Scene load_bare_vox(const std::filesystem::path& file, DefaultLight light) {
   return scene;
 }
 
+std::string lower_case_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
 // No vertex may lie so far out that the ray tracer's floats overflow.
 void check_bounds(const Scene& scene, const std::filesystem::path& file) {
   const Bounds bounds = scene_bounds(scene);
@@ -77,13 +84,21 @@ void check_bounds(const Scene& scene, const std::filesystem::path& file) {
 
 }  // namespace
 
+bool is_scene_document(const std::filesystem::path& file) {
+  return lower_case_extension(file) == ".json";
+}
+
+std::string no_lights_warning(const std::filesystem::path& file) {
+  return printable(file.string()) + ": no lights: only the ambient term and emission light it";
+}
+
 Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case_extension(file);
   Scene scene;
   if (extension == ".json") {
     scene = read_scene_document(file, pixels);
+    if (light == DefaultLight::above && scene.lights.empty())
+      scene.warnings.push_back(no_lights_warning(file));
   } else if (extension == ".gltf" || extension == ".glb") {
     scene = load_bare_gltf(file, pixels, light);
   } else if (extension == ".vox") {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "scenes/model/scene.h"
 #include "scenes/model/texture_pixels.h"
@@ -12,8 +13,14 @@ namespace herr {
 // What lights a model that has no lights of its own.
 enum class DefaultLight : std::uint8_t {
   above,  // one light above it that fits its bounds, with ambient light and environment 0.2
-  none,   // nothing: the caller gives it light
+  none,   // nothing: the caller gives it light, or says that it has none
 };
+
+// Whether load_scene takes the file for a scene document, by its name; else it is a bare model.
+bool is_scene_document(const std::filesystem::path& file);
+
+// What is said of a scene document without lights.
+std::string no_lights_warning(const std::filesystem::path& file);
 
 // Reads a *.scene.json, or a bare .gltf, .glb or .vox. Throws InputError.
 Scene load_scene(const std::filesystem::path& file, TexturePixels pixels = TexturePixels::decoded,

@@ -8,10 +8,9 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Direct light of every light at hits [0, count) of a batch, whose layers are laid first.
+// Direct light of every light at hits [0, count) of a batch, whose layers are laid.
 template <Lobe kLobe>
 HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
-  if constexpr (kLobe == Lobe::layered) cover_bases(hits, count);
   clear(hits.direct, count);
   if (job.shading->plan->catchers) clear(hits.direct_without, count);
   for (const LightRecord& light : job.shading->lights) {

@@ -77,6 +77,7 @@ HWY_NOINLINE void follow_rays(const TileJob& job) {
     }
     take_pending(scratch, rays);
     trace_second_rays<kDetail>(job, RayKind::refraction, 0x2545f491u, true);
+    if constexpr (kLobe == Lobe::layered) cover_bases(scratch.second->hits, rays);
     send_onward(job, rays);
     job.cycles->lap(Stage::second_hits);
     direct_light<kLobe>(job, scratch.second->hits, rays, RayKind::refraction_shadow);

@@ -8,6 +8,7 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include "renderer/lighting/highlight_width-inl.h"
+#include "renderer/lighting/interfaces-inl.h"
 #include "renderer/lighting/sheen_albedo.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -119,10 +120,19 @@ HWY_INLINE VF sheen_share(const HitBatch& hits, int slot) {
   return mix(in_row(kSheenAlbedo), in_row(kSheenAlbedo + kSheenSteps), hn::Sub(y, row));
 }
 
-// Lays coat and sheen of hits [0, count) over their bases, once per batch: FurtherLobes::coat becomes the
-// share of light that the coat sends to the viewer (KHR: coat x Fresnel of n.v), sheen is scaled to send back
-// no more than came, and what lies below gets what each lets through. Sheen is taken off by the viewer's
-// angle alone.
+// What passes glass under layers that let the share `below` through, of what comes through them: what its
+// interface reflects counts once, though F0 and F90 are covered by now.
+HWY_INLINE void keep_passing(HitBatch& hits, int slot, MF glass, VF uncovered, VF below) {
+  const VF covered = hn::Max(interface_at(hits, slot, true).passes, set(1e-6f));
+  const VF share = hn::IfThenElse(glass, hn::Div(uncovered, covered), set(1.0f));
+  const VF transmission = load(&hits.transmission[slot]);
+  hn::Store(hn::Mul(transmission, hn::Mul(below, share)), kF, &hits.transmission[slot]);
+}
+
+// Lays coat and sheen of hits [0, count) over their bases, once per batch, before any light: FurtherLobes::
+// coat becomes the share of light that the coat sends to the viewer (KHR: coat x Fresnel of n.v), sheen is
+// scaled to send back no more than came, and what lies below gets what each lets through. Sheen is taken off
+// by the viewer's angle alone. Glass has its layers outside.
 HWY_NOINLINE inline void cover_bases(HitBatch& hits, int count) {
   FurtherLobes& lobes = *hits.lobes;
   const VF one = set(1.0f);
@@ -132,10 +142,15 @@ HWY_NOINLINE inline void cover_bases(HitBatch& hits, int count) {
     const VF cosine = hn::Abs(dot(load3(lobes.coat_normal, slot), load3(hits.viewer, slot)));
     const VF k = hn::Sub(one, hn::Min(cosine, one)), k2 = hn::Mul(k, k);
     const VF fresnel = hn::MulAdd(hn::Mul(hn::Mul(k2, k2), k), set(1.0f - kCoatF0), set(kCoatF0));
-    const VF coat = hn::Mul(load(&lobes.coat[slot]), fresnel), past_coat = hn::Sub(one, coat);
+    const MF glass = hn::Gt(load(&hits.transmission[slot]), hn::Zero(kF));
+    const MF within = hn::And(glass, hn::Gt(load(&hits.index_ratio[slot]), one));
+    const VF uncovered = hn::AllFalse(kF, glass) ? one : interface_at(hits, slot, true).passes;
+    const VF coat = hn::IfThenZeroElse(within, hn::Mul(load(&lobes.coat[slot]), fresnel));
+    const VF past_coat = hn::Sub(one, coat);
     hn::Store(coat, kF, &lobes.coat[slot]);
     const VF share = sheen_share(hits, slot);
-    const V3 sheen = load3(lobes.sheen, slot);
+    const V3 sheen = only(hn::Not(within), load3(lobes.sheen, slot));
+    store3(sheen, lobes.sheen, slot);
     const VF strongest = hn::Max(sheen.x, hn::Max(sheen.y, sheen.z));
     const VF past_sheen = hn::NegMulAdd(strongest, hn::Min(share, one), one);
     weaken(lobes.sheen, slot, hn::Div(past_coat, hn::Max(share, one)));
@@ -143,9 +158,8 @@ HWY_NOINLINE inline void cover_bases(HitBatch& hits, int count) {
     const VF below = hn::Mul(past_coat, past_sheen);
     weaken(hits.diffuse, slot, below);
     weaken(hits.f0, slot, below);
-    for (Lane<float>* lane : {&hits.f90, &hits.transmission}) {
-      hn::Store(hn::Mul(load(&(*lane)[slot]), below), kF, &(*lane)[slot]);
-    }
+    hn::Store(hn::Mul(load(&hits.f90[slot]), below), kF, &hits.f90[slot]);
+    if (!hn::AllFalse(kF, glass)) keep_passing(hits, slot, glass, uncovered, below);
   }
 }
 
@@ -172,10 +186,9 @@ HWY_INLINE V3 layers_lit(const HitBatch& hits, int slot, const LobeAngles& base,
   return f;
 }
 
-// Share of light from all sides that coat and sheen send to the viewer; `coat_share`: of the coat's, what no
-// mirror ray stands for.
-HWY_INLINE V3 layers_share(const HitBatch& hits, int slot, VF coat_share) {
-  const VF coat = hn::Mul(load(&hits.lobes->coat[slot]), coat_share);
+// Share of light from all sides that coat and sheen send to the viewer: no mirror ray stands for any of it.
+HWY_INLINE V3 layers_share(const HitBatch& hits, int slot) {
+  const VF coat = load(&hits.lobes->coat[slot]);
   return mul_add(sheen_share(hits, slot), load3(hits.lobes->sheen, slot), {coat, coat, coat});
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/lighting/further_lobes-inl.h"
+#include "renderer/lighting/interfaces-inl.h"
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/tiles/lanes-inl.h"
 
@@ -13,8 +14,8 @@ namespace HWY_NAMESPACE {
 // Share of the light from all sides that a surface scatters back. Constant ambient light meets diffuse and
 // specular reflectance in full (held_back = 0); light from probes never leaves stronger than it came: what a
 // dielectric's highlights send back does not reach its diffuse layer, and a metal has none.
-HWY_INLINE VF scattered_share(VF diffuse, VF f0, VF rough_share, VF held_back) {
-  return hn::MulAdd(hn::NegMulAdd(held_back, diffuse, f0), rough_share, diffuse);
+HWY_INLINE VF scattered_share(VF diffuse, VF reflects, VF unfollowed, VF held_back) {
+  return hn::MulAdd(hn::NegMulAdd(held_back, diffuse, reflects), unfollowed, diffuse);
 }
 
 // Share of light from all sides that reaches hits [slot, slot + kLanes): by short rays, by the occlusion
@@ -25,33 +26,53 @@ HWY_INLINE VF open_share(const HitBatch& hits, int slot, const FramePlan& plan, 
   return plan.surface_details ? hn::Min(traced, load(&hits.occlusion[slot])) : traced;
 }
 
+// What a surface reflects as a mirror does, per channel, and the share of it that no mirror ray stands for.
+struct SpecularShare {
+  V3 reflects;
+  VF unfollowed;
+};
+
+// F0, but for glass whose light is followed: there, what does not pass at this angle. Total reflection is
+// followed whole.
+HWY_INLINE SpecularShare specular_share(const HitBatch& hits, int slot, const FramePlan& plan,
+                                        bool mirror_traced) {
+  const VF one = set(1.0f);
+  SpecularShare out{load3(hits.f0, slot), mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one};
+  if (!plan.refraction) return out;
+  const MF clear =
+      hn::And(of_kind(hits, slot, HitKind::object), hn::Gt(load(&hits.transmission[slot]), hn::Zero(kF)));
+  if (hn::AllFalse(kF, clear)) return out;
+  const Interface at = interface_at(hits, slot, plan.surface_details);
+  out.reflects = select(clear, at.reflects, out.reflects);
+  out.unfollowed = hn::IfThenZeroElse(hn::And(clear, at.total), out.unfollowed);
+  return out;
+}
+
 // Radiance that hits [slot, slot + kLanes) send back: emission, direct light, and light from all sides
 // (constant, or from probes). The mirror ray stands for the mirror's share of the specular ambient light,
 // where one is traced; ambient light reaches the `open` share of a hit.
 HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced,
                        bool occlusion_traced) {
-  const VF one = set(1.0f);
   const bool probes = shading.probes != nullptr;
   const VF held_back = probes ? load(&hits.held_back[slot]) : hn::Zero(kF);
-  const VF rough_share = mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one;
+  const SpecularShare specular = specular_share(hits, slot, *shading.plan, mirror_traced);
   const VF open = open_share(hits, slot, *shading.plan, occlusion_traced);
   const VF none = hn::Zero(kF);
-  const V3 layers =
-      shading.plan->further_lobes ? layers_share(hits, slot, rough_share) : V3{none, none, none};
-  const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, const Lane<float>& f0,
+  const V3 layers = shading.plan->further_lobes ? layers_share(hits, slot) : V3{none, none, none};
+  const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, VF reflects,
                            const Lane<float>& direct, const Lane<float>& indirect, VF layer,
                            float ambient) HWY_ATTR {
     const VF around = probes ? load(&indirect[slot]) : set(ambient);
     const VF scattered =
-        hn::Add(layer, scattered_share(load(&diffuse[slot]), load(&f0[slot]), rough_share, held_back));
+        hn::Add(layer, scattered_share(load(&diffuse[slot]), reflects, specular.unfollowed, held_back));
     return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
   };
-  return {channel(hits.emission.x, hits.diffuse.x, hits.f0.x, hits.direct.x, hits.indirect.x, layers.x,
-                  shading.ambient[0]),
-          channel(hits.emission.y, hits.diffuse.y, hits.f0.y, hits.direct.y, hits.indirect.y, layers.y,
-                  shading.ambient[1]),
-          channel(hits.emission.z, hits.diffuse.z, hits.f0.z, hits.direct.z, hits.indirect.z, layers.z,
-                  shading.ambient[2])};
+  return {channel(hits.emission.x, hits.diffuse.x, specular.reflects.x, hits.direct.x, hits.indirect.x,
+                  layers.x, shading.ambient[0]),
+          channel(hits.emission.y, hits.diffuse.y, specular.reflects.y, hits.direct.y, hits.indirect.y,
+                  layers.y, shading.ambient[1]),
+          channel(hits.emission.z, hits.diffuse.z, specular.reflects.z, hits.direct.z, hits.indirect.z,
+                  layers.z, shading.ambient[2])};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -60,6 +60,7 @@ HWY_NOINLINE void reflect_light(const TileJob& job, int count) {
   if (rays == 0) return;
   remember_senders(scratch);
   trace_second_rays<kDetail>(job, RayKind::mirror, 0x517cc1b7u);
+  if constexpr (kLobe == Lobe::layered) cover_bases(scratch.second->hits, rays);
   if (glass) {
     remember_mirror_paths(scratch, rays);
     send_onward(job, rays);

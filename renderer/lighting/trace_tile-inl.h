@@ -49,6 +49,7 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
   cycles.lap(Stage::surfaces);
 
   const int count = packet_count * kLanes;
+  if constexpr (kLobe == Lobe::layered) cover_bases(scratch.first, count);
   direct_light<kLobe>(job, scratch.first, count, RayKind::shadow);
   cycles.lap(Stage::light_rays);
   if (plan.occlusion) {

@@ -159,10 +159,6 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
   for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);
   append_voxel_entries(root.objects("voxels"), scene);
   scene.timeline = parse_timeline(root);
-  if (scene.lights.empty()) {
-    scene.warnings.push_back(printable(file.string()) +
-                             ": no lights: only the ambient term and emission light it");
-  }
   return scene;
 }
 

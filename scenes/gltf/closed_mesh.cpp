@@ -144,11 +144,28 @@ bool parts_enclose_volume(const TriangleMesh& mesh, std::span<const PassedEdge> 
 
 }  // namespace
 
+bool is_closed(const TriangleMesh& mesh) {
+  std::vector<PassedEdge> edges = passed_edges(mesh);
+  return all_passed_both_ways(edges);
+}
+
 bool is_closed_outwards(const TriangleMesh& mesh) {
   std::vector<PassedEdge> edges = passed_edges(mesh);
   if (!all_passed_both_ways(edges)) return false;
   SurfaceParts parts(mesh.triangles.size(), edges);
   return parts_are_closed(edges, parts) && parts_enclose_volume(mesh, edges, parts);
+}
+
+bool is_closed_inwards(const TriangleMesh& mesh) {
+  if (mesh.positions.empty()) return false;
+  double volume = 0;
+  const glm::dvec3 from(mesh.positions.front());
+  for (const auto& t : mesh.triangles) {
+    const glm::dvec3 a = glm::dvec3(mesh.positions[t[0]]) - from, b = glm::dvec3(mesh.positions[t[1]]) - from,
+                     c = glm::dvec3(mesh.positions[t[2]]) - from;
+    volume += glm::dot(a, glm::cross(b, c));
+  }
+  return volume < 0 && is_closed(mesh);
 }
 
 }  // namespace herr

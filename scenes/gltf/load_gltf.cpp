@@ -1,6 +1,7 @@
 #include "scenes/gltf/load_gltf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <new>
 #include <optional>
@@ -72,12 +73,23 @@ class PrimitiveCache {
       built.mesh.more_uvs.clear();
     }
     if (!made.double_sided) built.mesh.closed = is_closed_outwards(built.mesh);
+    warn_of_bodies(made, built.mesh);
     const bool bends = primitive.joints[0] >= 0 || !primitive.targets.empty();
     const double unit = bends ? 1 : take_unit(built.mesh);
     scene_.meshes.push_back(std::move(built.mesh));
     if (!bends) built.sources.clear();
     return BuiltPrimitive{
         mesh, material, &primitive, std::move(built.sources), tangent_uv_set(made), makes_tangents, unit};
+  }
+
+  void warn_of_bodies(const Material& material, const TriangleMesh& mesh) {
+    const std::string name = "mesh \"" + printable(mesh.name) + "\" ";
+    if (std::isfinite(material.attenuation.distance_m) && material.attenuation.colour != glm::vec3(1.0f) &&
+        material.transmission > 0 && !mesh.closed && !is_closed(mesh))
+      warn(name + "is not closed: light that leaves it through a gap loses nothing to material \"" +
+           printable(material.name) + "\"");
+    if (!material.double_sided && !mesh.closed && is_closed_inwards(mesh))
+      warn(name + "is closed and faces inwards: its back faces, which no eye sees, shade what is inside");
   }
 
   // Leaves tangents where the material follows them; true: made here.

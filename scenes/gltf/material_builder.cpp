@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scenes/gltf/file/gltf_limits.h"
+#include "scenes/gltf/material_losses.h"
 #include "sessions/camera/half_from_samples.h"
 #include "sessions/files/input_error.h"
 
@@ -160,6 +161,7 @@ Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSo
   add_textures(from, get, to);
   add_lobes(from, get, to);
   to.mirror = mirror_with_textures(from, to);
+  warn_of_losses(from, to);
   return to;
 }
 
@@ -225,6 +227,18 @@ float MaterialBuilder::mirror_with_textures(const GltfMaterial& from, const Mate
   tint(mean.base_colour, to.base_colour_texture, from.base_colour_texture);
   tint(mean.specular_colour, to.specular_colour_texture.texture, from.specular_colour_texture);
   return mirror_of(mean);
+}
+
+void MaterialBuilder::warn_of_losses(const GltfMaterial& from, const Material& to) {
+  if (to.transmission <= 0 && from.coat <= 0 && from.sheen_colour == glm::vec3(0.0f)) return;
+  const auto mean = [&](float factor, int texture, const GltfTextureUse& use) {
+    return texture < 0 ? factor : factor * channel_mean(use, 1);
+  };
+  MeanRoughness rough{to.roughness, mean(from.coat_roughness, to.clearcoat.roughness_texture.texture,
+                                         from.coat_roughness_texture)};
+  if (!from.has_glossiness && to.transmission > 0)
+    rough.surface = mean(to.roughness, to.metallic_roughness_texture, from.metallic_roughness_texture);
+  for (const std::string& line : material_losses(from, rough)) warn(line);
 }
 
 // Mean of one channel of a texture, 0 ... 1; `decode`: from IEC 61966-2-1 to linear light.

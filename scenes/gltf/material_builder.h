@@ -64,6 +64,7 @@ class MaterialBuilder {
   float channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode = false);
   EncodedImage encoded(int image) const;
   std::int64_t texture_bytes_left() const;
+  void warn_of_losses(const GltfMaterial& from, const Material& to);
   void warn(const std::string& text);
 
   const GltfModel& model_;

@@ -25,17 +25,6 @@ int zone_from(const std::string& flag, const std::string& text) {
   return *minutes;
 }
 
-double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
-  const bool minus = text.starts_with("-");
-  try {
-    const double value = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
-    return minus ? -value : value;
-  } catch (const UsageError&) {
-    throw UsageError(flag + ": '" + printable(text) + "' is no number from -" + shortest_text(highest) +
-                     " to " + shortest_text(highest));
-  }
-}
-
 // Given once for each camera.
 template <typename Values>
 void repeated_flag(CLI::App& app, const std::string& flag, const char* kind, const std::string& help,

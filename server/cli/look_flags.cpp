@@ -34,12 +34,6 @@ std::vector<std::string> direction_names() {
   return names;
 }
 
-double signed_number(const std::string& flag, const std::string& text, double highest) {
-  const bool minus = text.starts_with('-');
-  const double size = parse_real_number(flag, minus ? text.substr(1) : text, 0, highest);
-  return minus ? -size : size;
-}
-
 LookDirection direction_from(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
@@ -47,8 +41,8 @@ LookDirection direction_from(const std::string& text) {
       throw UsageError("--from: '" + printable(text) + "' is no direction; write AZIMUTH,ELEVATION as 30,15");
     return kNamedDirections.at(parse_word("--from", text, direction_names())).direction;
   }
-  return {signed_number("--from", text.substr(0, comma), 360),
-          signed_number("--from", text.substr(comma + 1), 90)};
+  return {parse_signed_number("--from", text.substr(0, comma), 360),
+          parse_signed_number("--from", text.substr(comma + 1), 90)};
 }
 
 void add_camera_flags(CLI::App& app, LookOptions& options) {
@@ -93,11 +87,13 @@ void add_picture_flags(CLI::App& app, LookOptions& options) {
   file_flag(app, "--environment", "picture of the light around: .hdr, .exr, .png or .jpg, equirectangular",
             [&](const std::string& text) { options.environment = text; });
   value_flag(app, "--exposure", "EV",
-             "stops by which PNG pictures are brighter than scene values, or auto: by what is seen (default)",
+             "stops by which PNG pictures are brighter than scene values, or auto: by what is seen "
+             "(default: the scene's, else auto)",
              [&](const std::string& text) {
+               options.automatic_exposure = text == "auto";
                options.render.exposure_ev.reset();
-               if (text != "auto")
-                 options.render.exposure_ev = signed_number("--exposure", text, kMostExposure_ev);
+               if (!options.automatic_exposure)
+                 options.render.exposure_ev = parse_signed_number("--exposure", text, kMostExposure_ev);
              });
   app.add_flag_callback(
       "--json", [&] { options.json = true; }, "results on stdout as JSON");

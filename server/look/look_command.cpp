@@ -48,9 +48,10 @@ struct Subject {
 void load(const LookOptions& options, Subject& subject) {
   Scene& scene = subject.scene;
   scene = load_scene(options.path, TexturePixels::decoded, DefaultLight::none);
-  subject.studio = needs_studio(scene);
+  subject.studio = needs_studio(scene, !is_scene_document(options.path));
+  if (!subject.studio && scene.lights.empty()) scene.warnings.push_back(no_lights_warning(options.path));
   if (!options.environment.empty()) {
-    add_environment(options, scene);
+    add_environment(options, subject.studio, scene);
   } else if (subject.studio) {
     light_studio(options.from.azimuth_deg, scene);
   }

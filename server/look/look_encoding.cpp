@@ -14,7 +14,8 @@ namespace herr {
 Exposure look_exposure(const LookOptions& options, const Scene& scene, bool studio,
                        const ViewportImage& model) {
   if (options.render.exposure_ev) return {false, *options.render.exposure_ev};
-  if (scene.exposure && !scene.exposure->automatic) return {false, scene.exposure->ev};
+  if (!options.automatic_exposure && scene.exposure && !scene.exposure->automatic)
+    return {false, scene.exposure->ev};
   DisplayProfile profile;
   profile.viewports.resize(1);
   const std::optional<double> metered = metered_ev({model}, profile);

@@ -76,8 +76,15 @@ void paint_room(double azimuth_deg, EnvironmentImage& image) {
 
 }  // namespace
 
-bool needs_studio(const Scene& scene) {
-  return scene.lights.empty() && scene.ambient == glm::vec3(0.0f) && scene.environment_map.rgba.empty();
+bool needs_studio(const Scene& scene, bool bare_model) {
+  const glm::vec3 dark(0.0f);
+  if (!scene.lights.empty() || scene.ambient != dark || !scene.environment_map.rgba.empty()) return false;
+  if (bare_model) return true;
+  return scene.environment == dark &&
+         std::none_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+           const Material& of = scene.materials[instance.material];
+           return of.emission != dark || of.unlit;
+         });
 }
 
 void light_studio(double azimuth_deg, Scene& scene) {
@@ -91,8 +98,7 @@ void light_studio(double azimuth_deg, Scene& scene) {
   paint_room(azimuth_deg, scene.environment_map);
 }
 
-void add_environment(const LookOptions& options, Scene& scene) {
-  const bool studio = needs_studio(scene);
+void add_environment(const LookOptions& options, bool studio, Scene& scene) {
   if (studio) light_studio(options.from.azimuth_deg, scene);
   std::vector<std::string> remarks;
   scene.environment_map = read_environment_image(options.environment, remarks);

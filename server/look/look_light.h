@@ -14,13 +14,14 @@ inline constexpr double kStudioAmbient = 0.3;
 inline constexpr float kStudioBackdrop =
     0.1f;  // radiance behind the model, sRGB 89: white and black stand out
 
-// Whether a scene has no light at all.
-bool needs_studio(const Scene& scene);
+// Whether a scene has no light of its own: nothing to light it, and, but for a model that is no part of a
+// document, nothing around it or in it that shines.
+bool needs_studio(const Scene& scene, bool bare_model);
 // Lights the scene for a camera at an azimuth; again for the next one. Sizes stay: a renderer may read it.
 void light_studio(double azimuth_deg, Scene& scene);
 
 // Puts the picture of options.environment around the scene, its mean as the ambient light; the studio's sun,
-// if it shines, keeps its share of the light. Throws InputError.
-void add_environment(const LookOptions& options, Scene& scene);
+// if it shines (`studio`), keeps its share of the light. Throws InputError.
+void add_environment(const LookOptions& options, bool studio, Scene& scene);
 
 }  // namespace herr

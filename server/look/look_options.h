@@ -30,8 +30,9 @@ struct LookOptions {
   int samples = 4;          // rays per pixel
   bool background = true;   // the environment behind the model; else transparent
   std::string environment;  // picture of the light around; empty: the scene's own
-  RenderSettings render;    // light, rays, probes, exposure (none: automatic) and the machine
-  bool json = false;        // results on stdout as JSON
+  bool automatic_exposure = false;  // asked for, whatever the scene says
+  RenderSettings render;            // light, rays, probes, exposure (none: automatic) and the machine
+  bool json = false;                // results on stdout as JSON
 };
 
 // What no single flag can know. Throws UsageError.

@@ -39,7 +39,7 @@ bool average(Renderer& renderer, const FrameSample& sample, const SceneState& st
     if (stop_signal() != 0) return false;
     PixelPass pass;
     pass.seed = renderer.settings().seed + static_cast<std::uint32_t>(i);
-    pass.jitter = true;
+    pass.jitter = count > 1;  // one ray goes through the middle
     pass.index = i;
     renderer.render_pass(sample, state, pass, frame);
     if (count == 1) break;

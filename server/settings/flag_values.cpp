@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 #include "sessions/text/plain_values.h"
@@ -33,6 +34,16 @@ std::int64_t parse_whole_number(const std::string& flag, const std::string& text
 
 double parse_real_number(const std::string& flag, const std::string& text, double lowest, double highest) {
   return read_for(flag, [&] { return real_number_from(text, lowest, highest); });
+}
+
+double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
+  const bool minus = text.starts_with('-');
+  try {
+    const double size = real_number_from(minus ? text.substr(1) : text, 0, highest);
+    return minus ? -size : size;
+  } catch (const std::invalid_argument&) {
+    refuse(flag, text, "a number from -" + shortest_text(highest) + " to " + shortest_text(highest));
+  }
 }
 
 SizeValue parse_size(const std::string& flag, const std::string& text, int highest) {

@@ -19,6 +19,8 @@ std::int64_t parse_whole_number(const std::string& flag, const std::string& text
                                 std::int64_t highest);
 // Digits with at most one decimal point: no sign, no exponent, no leading zero before another digit.
 double parse_real_number(const std::string& flag, const std::string& text, double lowest, double highest);
+// As that, within [-highest, highest]: a minus sign may stand before it.
+double parse_signed_number(const std::string& flag, const std::string& text, double highest);
 
 struct SizeValue {
   int width = 0, height = 0;

@@ -1,10 +1,12 @@
 #include "scenes/gltf/file/gltf_materials.h"
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "scenes/gltf/format/known_extensions.h"
 #include "scenes/gltf/format/rounded_number.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
@@ -18,6 +20,7 @@ constexpr double kLargestIndex = 100;     // of refraction; the extension sets n
 constexpr double kLargestCutoff = 1e6;    // above 1 nothing of the surface is left, which is allowed
 constexpr double kLargestAngle = 1e6;     // radians
 constexpr double kSmallestDistance = 1e-12, kLargestDistance = 1e12;  // metres, inside a body
+constexpr double kAnyDistance = std::numeric_limits<double>::max();
 
 std::optional<JsonObject> part(const JsonObject& parent, const char* key) {
   if (!parent.has(key)) return std::nullopt;
@@ -31,8 +34,8 @@ std::optional<JsonObject> extension(const JsonObject& parent, const char* name) 
 
 class MaterialReader {
  public:
-  MaterialReader(std::size_t textures, std::vector<std::string>& warnings)
-      : textures_(static_cast<std::int64_t>(textures)), warnings_(warnings) {}
+  MaterialReader(const nlohmann::json& document, std::size_t textures, std::vector<std::string>& warnings)
+      : document_(document), textures_(static_cast<std::int64_t>(textures)), warnings_(warnings) {}
 
   GltfMaterial read(const JsonObject& from) {
     GltfMaterial to;
@@ -53,11 +56,11 @@ class MaterialReader {
     read_emission_and_passing(from, to);
     read_specular(from, to);
     read_further_lobes(from, to);
-    if (const auto old = extension(from, "KHR_materials_pbrSpecularGlossiness")) {
+    read_if_sound(from, "KHR_materials_pbrSpecularGlossiness", to, [&](const JsonObject& old) {
       const bool stands_alone =
           !from.has("pbrMetallicRoughness") || from.value("pbrMetallicRoughness").empty();
-      read_specular_glossiness(*old, stands_alone, to);
-    }
+      read_specular_glossiness(old, stands_alone, to);
+    });
     return to;
   }
 
@@ -65,6 +68,19 @@ class MaterialReader {
   void warn_of_rounding() const { rounded_.warn(warnings_); }
 
  private:
+  // Extensions that few readers know: a broken one that is not required is passed over, with a warning.
+  template <typename Read>
+  void read_if_sound(const JsonObject& from, const char* name, GltfMaterial& to, const Read& read) {
+    const GltfMaterial before = to;
+    try {
+      if (const auto found = extension(from, name)) read(*found);
+    } catch (const InputError& error) {
+      if (requires_extension(document_, name)) throw;
+      to = before;
+      warnings_.push_back(error.problem() + "; the material is shown without " + name);
+    }
+  }
+
   float factor(const JsonObject& object, const char* key, double highest, double fallback,
                OutOfRange beyond = OutOfRange::refused) {
     return static_cast<float>(rounded_.number_or(object, key, 0, highest, fallback, beyond));
@@ -121,27 +137,33 @@ class MaterialReader {
       to.transmission = factor(*transmission, "transmissionFactor", 1, 0);
       to.transmission_texture = texture(*transmission, "transmissionTexture");
     }
-    if (const auto volume = extension(from, "KHR_materials_volume")) {
-      texture(*volume, "thicknessTexture");  // checked; what light meets inside is traced
-      const float thickness = factor(*volume, "thicknessFactor", kLargestDistance, 0, OutOfRange::clamped);
+    read_if_sound(from, "KHR_materials_volume", to, [&](const JsonObject& volume) {
+      texture(volume, "thicknessTexture");  // checked; what light meets inside is traced
+      const float thickness = factor(volume, "thicknessFactor", kLargestDistance, 0, OutOfRange::clamped);
       Attenuation inside;
-      inside.colour = colour(*volume, "attenuationColor", 1, 1, OutOfRange::clamped);
-      read_distance(*volume, inside);
-      if (thickness > 0) to.attenuation = inside;  // 0: a thin wall, with nothing inside
-    }
-    if (const auto index = extension(from, "KHR_materials_ior")) {
-      to.refractive_index = factor(*index, "ior", kLargestIndex, 1.5);
-      // 0 stands for a fully reflective surface; between 0 and 1 there is nothing.
-      if (to.refractive_index > 0 && to.refractive_index < 1) {
-        index->fail("ior", "lies between 0 and 1", "write 0, or 1 and above");
-      }
-    }
+      inside.colour = colour(volume, "attenuationColor", 1, 1, OutOfRange::clamped);
+      read_distance(volume, inside);
+      if (!(thickness > 0)) return;  // a thin wall, with nothing inside
+      to.has_thickness = true;
+      to.attenuation = inside;
+    });
+    if (const auto index = extension(from, "KHR_materials_ior")) to.refractive_index = index_of(*index);
+  }
+
+  // 0 stands for a fully reflective surface; between 0 and 1 there is nothing.
+  float index_of(const JsonObject& from) {
+    const double index = rounded_.number_or(from, "ior", 0, kLargestIndex, 1.5);
+    if (!(index > 0 && index < 1)) return static_cast<float>(index);
+    if (1 - index <= kRounding)
+      return static_cast<float>(rounded_.number_or(from, "ior", 1, kLargestIndex, 1));
+    from.fail("ior", "is " + shown_number(index) + ", between 0 and 1", "write 0, or 1 and above");
   }
 
   // Writers that know no infinity write 0.
   void read_distance(const JsonObject& volume, Attenuation& inside) {
     if (!volume.has("attenuationDistance")) return;
-    const double distance_m = volume.number("attenuationDistance", -kLargestDistance, kLargestDistance);
+    const double distance_m = volume.number("attenuationDistance", -kAnyDistance, kAnyDistance);
+    if (distance_m > kLargestDistance) return;  // as far as no distance at all
     if (distance_m >= kSmallestDistance) {
       inside.distance_m = static_cast<float>(distance_m);
     } else {
@@ -160,26 +182,26 @@ class MaterialReader {
   }
 
   void read_further_lobes(const JsonObject& from, GltfMaterial& to) {
-    if (const auto coat = extension(from, "KHR_materials_clearcoat")) {
-      to.coat = factor(*coat, "clearcoatFactor", 1, 0, OutOfRange::clamped);
-      to.coat_roughness = factor(*coat, "clearcoatRoughnessFactor", 1, 0, OutOfRange::clamped);
-      to.coat_texture = texture(*coat, "clearcoatTexture");
-      to.coat_roughness_texture = texture(*coat, "clearcoatRoughnessTexture");
-      to.coat_normal_texture = texture(*coat, "clearcoatNormalTexture");
-      to.coat_normal_scale = normal_scale(*coat, "clearcoatNormalTexture");
-    }
-    if (const auto sheen = extension(from, "KHR_materials_sheen")) {
-      to.sheen_colour = colour(*sheen, "sheenColorFactor", 1, 0, OutOfRange::clamped);
-      to.sheen_roughness = factor(*sheen, "sheenRoughnessFactor", 1, 0, OutOfRange::clamped);
-      to.sheen_colour_texture = texture(*sheen, "sheenColorTexture");
-      to.sheen_roughness_texture = texture(*sheen, "sheenRoughnessTexture");
-    }
-    if (const auto stretched = extension(from, "KHR_materials_anisotropy")) {
-      to.anisotropy = factor(*stretched, "anisotropyStrength", 1, 0, OutOfRange::clamped);
+    read_if_sound(from, "KHR_materials_clearcoat", to, [&](const JsonObject& coat) {
+      to.coat = factor(coat, "clearcoatFactor", 1, 0, OutOfRange::clamped);
+      to.coat_roughness = factor(coat, "clearcoatRoughnessFactor", 1, 0, OutOfRange::clamped);
+      to.coat_texture = texture(coat, "clearcoatTexture");
+      to.coat_roughness_texture = texture(coat, "clearcoatRoughnessTexture");
+      to.coat_normal_texture = texture(coat, "clearcoatNormalTexture");
+      to.coat_normal_scale = normal_scale(coat, "clearcoatNormalTexture");
+    });
+    read_if_sound(from, "KHR_materials_sheen", to, [&](const JsonObject& sheen) {
+      to.sheen_colour = colour(sheen, "sheenColorFactor", 1, 0, OutOfRange::clamped);
+      to.sheen_roughness = factor(sheen, "sheenRoughnessFactor", 1, 0, OutOfRange::clamped);
+      to.sheen_colour_texture = texture(sheen, "sheenColorTexture");
+      to.sheen_roughness_texture = texture(sheen, "sheenRoughnessTexture");
+    });
+    read_if_sound(from, "KHR_materials_anisotropy", to, [&](const JsonObject& stretched) {
+      to.anisotropy = factor(stretched, "anisotropyStrength", 1, 0, OutOfRange::clamped);
       to.anisotropy_rotation_rad = static_cast<float>(rounded_.number_or(
-          *stretched, "anisotropyRotation", -kLargestAngle, kLargestAngle, 0, OutOfRange::clamped));
-      to.anisotropy_texture = texture(*stretched, "anisotropyTexture");
-    }
+          stretched, "anisotropyRotation", -kLargestAngle, kLargestAngle, 0, OutOfRange::clamped));
+      to.anisotropy_texture = texture(stretched, "anisotropyTexture");
+    });
   }
 
   // Checked wherever it stands, used where nothing else says what the surface is made of.
@@ -198,6 +220,7 @@ class MaterialReader {
     if (stands_alone) to = old;
   }
 
+  const nlohmann::json& document_;
   std::int64_t textures_;
   std::vector<std::string>& warnings_;
   RoundedNumbers rounded_;
@@ -208,7 +231,7 @@ class MaterialReader {
 void read_gltf_materials(const nlohmann::json& document, const std::filesystem::path& file,
                          GltfModel& model) {
   const JsonObject root(document, file, "");
-  MaterialReader reader(model.textures.size(), model.warnings);
+  MaterialReader reader(document, model.textures.size(), model.warnings);
   for (const JsonObject& material : root.objects("materials")) {
     model.materials.push_back(reader.read(material));
   }

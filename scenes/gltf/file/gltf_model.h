@@ -93,6 +93,7 @@ struct GltfMaterial {
   glm::vec3 base_colour{1.0f}, emission{0.0f};  // linear; emission includes its strength
   float metallic = 1.0f, roughness = 1.0f;
   float transmission = 0.0f, refractive_index = 1.5f;
+  bool has_thickness = false;  // a body with something inside, not a thin wall
   float alpha = 1.0f, alpha_cutoff = 0.5f;
   AlphaMode alpha_mode = AlphaMode::opaque;
   bool double_sided = false, unlit = false;

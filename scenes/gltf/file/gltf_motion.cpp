@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scenes/gltf/file/gltf_limits.h"
+#include "scenes/gltf/format/known_extensions.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
 
@@ -183,7 +184,12 @@ void read_gltf_visibility(const nlohmann::json& document, const std::filesystem:
   const std::vector<JsonObject> nodes = JsonObject(document, file, "").objects("nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].has("extensions") || !nodes[i].object("extensions").has(kName)) continue;
-    model.nodes[i].visible = nodes[i].object("extensions").object(kName).boolean_or("visible", true);
+    try {
+      model.nodes[i].visible = nodes[i].object("extensions").object(kName).boolean_or("visible", true);
+    } catch (const InputError& error) {
+      if (requires_extension(document, kName)) throw;
+      model.warnings.push_back(error.problem() + "; the node is shown");
+    }
   }
 }
 

@@ -194,6 +194,39 @@ void unpack_views(std::vector<std::vector<unsigned char>>&& decoded, GltfModel& 
   }
 }
 
+struct Proved {
+  std::vector<std::string> warnings;
+  GltfBytes bytes;
+  std::vector<std::vector<unsigned char>> decoded;  // of compressed views
+};
+
+Proved prove(const nlohmann::json& document, const GltfChunks& chunks, const std::filesystem::path& file) {
+  Proved proved;
+  proved.warnings = check_gltf_document(document, file, chunks.is_binary);
+  const JsonObject root(document, file, "");
+  proved.bytes = read_gltf_bytes(root, chunks);
+  proved.decoded = decoded_views(root.objects("bufferViews"), proved.bytes.buffers, proved.bytes.bytes_left);
+  return proved;
+}
+
+// A document whose compressed views are at fault, and that brings their bytes uncompressed as well, is shown
+// by those.
+Proved prove_or_show_plain(nlohmann::json& document, const GltfChunks& chunks,
+                           const std::filesystem::path& file) {
+  try {
+    return prove(document, chunks, file);
+  } catch (const InputError& error) {
+    if (!document.is_object() || !use_plain_views(document, chunks.is_binary)) throw;
+    try {
+      Proved plain = prove(document, chunks, file);
+      plain.warnings.push_back(error.problem() + "; the uncompressed form beside it is shown");
+      return plain;
+    } catch (const InputError&) {
+      throw error;  // NOLINT: the first one says what is wrong with the document as it is
+    }
+  }
+}
+
 }  // namespace
 
 GltfModel read_gltf(const std::filesystem::path& file) {
@@ -202,19 +235,15 @@ GltfModel read_gltf(const std::filesystem::path& file) {
   // Everything that tinygltf trusts is proved on the same document first.
   const JsonLimits limits{kMaxGltfBytes, kMaxJsonDepth, kMaxJsonValues};
   nlohmann::json document = parse_json_text(chunks.json, file, 1, limits);
-  const std::vector<std::string> warnings = check_gltf_document(document, file, chunks.is_binary);
-
-  const JsonObject root(document, file, "");
-  GltfBytes bytes = read_gltf_bytes(root, chunks);
-  auto decoded = decoded_views(root.objects("bufferViews"), bytes.buffers, bytes.bytes_left);
-  GltfModel model = convert(parse(document, file), file, std::move(bytes));
-  unpack_views(std::move(decoded), model);
+  Proved proved = prove_or_show_plain(document, chunks, file);
+  GltfModel model = convert(parse(document, file), file, std::move(proved.bytes));
+  unpack_views(std::move(proved.decoded), model);
   read_gltf_materials(document, file, model);
   read_gltf_motion(document, file, model);
   read_gltf_visibility(document, file, model);
   read_gltf_lights(document, file, model);
   read_gpu_instances(document, file, model);
-  model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
+  model.warnings.insert(model.warnings.begin(), proved.warnings.begin(), proved.warnings.end());
   for (std::string& warning : model.warnings) warning = gltf_warning(model, warning);
   return model;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 namespace herr {
 namespace {
@@ -132,6 +133,11 @@ std::string extension_loss(std::string_view name, bool has_picture) {
     if (loss.name == name) return loss.text;
   }
   return "it is not known; what it adds is left out";
+}
+
+bool requires_extension(const nlohmann::json& document, std::string_view name) {
+  const auto list = document.find("extensionsRequired");
+  return list != document.end() && std::find(list->begin(), list->end(), name) != list->end();
 }
 
 std::string extension_remedy(const std::string& name) {

@@ -2,6 +2,7 @@
 // them. Before: the names in a document. After: gltf_checks, extension_losses.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -19,5 +20,8 @@ std::string extension_loss(std::string_view name, bool has_picture);
 
 // What to do with a file that requires an extension which is not read.
 std::string extension_remedy(const std::string& name);
+
+// Whether the document cannot be shown without the extension.
+bool requires_extension(const nlohmann::json& document, std::string_view name);
 
 }  // namespace herr

@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -150,6 +151,23 @@ void check_meshopt_views(const std::vector<JsonObject>& buffers, const std::vect
     }
     check_against_parent(parent, *from, view);
   }
+}
+
+bool use_plain_views(nlohmann::json& document, bool binary) {
+  if (requires_extension(document, kMeshoptExtension)) return false;
+  const auto views = document.find("bufferViews"), buffers = document.find("buffers");
+  if (views == document.end() || buffers == document.end() || !buffers->is_array()) return false;
+  bool any = false;
+  for (nlohmann::json& view : *views) {
+    if (!view.is_object() || !view.contains("extensions") || !view["extensions"].is_object()) continue;
+    if (!view["extensions"].contains(kMeshoptExtension)) continue;
+    if (!view.contains("buffer") || !view["buffer"].is_number_unsigned()) continue;
+    const auto own = view["buffer"].get<std::size_t>();
+    const bool holds_bytes = own < buffers->size() && (*buffers)[own].is_object() &&
+                             ((*buffers)[own].contains("uri") || (binary && own == 0));
+    if (holds_bytes) any = view["extensions"].erase(kMeshoptExtension) > 0 || any;
+  }
+  return any;
 }
 
 std::vector<bool> needed_buffers(const std::vector<JsonObject>& buffers, const std::vector<JsonObject>& views,

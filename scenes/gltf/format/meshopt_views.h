@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "sessions/files/strict_json.h"
@@ -13,6 +14,10 @@ namespace herr {
 
 // Throws InputError for a compressed view whose parameters contradict the extension or its own view.
 void check_meshopt_views(const std::vector<JsonObject>& buffers, const std::vector<JsonObject>& views);
+
+// Takes the compressed form from views whose own buffer holds bytes, where the document may be shown without
+// it: for a document whose streams cannot be read. False: there are none.
+bool use_plain_views(nlohmann::json& document, bool binary);
 
 // Which buffers hold bytes that someone reads. A buffer for readers without the extension need not be there.
 // Throws InputError for one without data that a plain view reads.

@@ -191,5 +191,55 @@ TEST_F(Look, TurnsAModelInItsLightOnATurntable) {
   EXPECT_EQ(content_of(root() / "around/mine.txt"), "mine");
 }
 
+// One ray goes through the middle of its pixel: whatever the seed, the picture is the same.
+TEST_F(Look, SendsASingleRayThroughTheMiddleOfAPixel) {
+  write_ball("ball.scene.json", 0.5, "[0.5, 0.25, 1]", 0.25);
+  std::string first;
+  for (const char* seed : {"1", "2"}) {
+    ASSERT_EQ(
+        look(std::string("ball.scene.json --size 48x48 --overwrite --samples 1 --exposure 0 --seed ") + seed)
+            .exit_code,
+        0);
+    const std::string bytes = content_of(root() / "ball.png");
+    if (!first.empty()) EXPECT_EQ(bytes, first);
+    first = bytes;
+  }
+}
+
+// Auto brightens the ball of 1 / 64, the document's own exposure of 0 leaves it.
+TEST_F(Look, MetersWhereItIsAskedToWhateverTheDocumentSays) {
+  write_ball("ball.scene.json", 0.5, "[0.015625, 0.015625, 0.015625]", 0);
+  std::string text = content_of(root() / "ball.scene.json");
+  write_text(root() / "ball.scene.json", text.insert(1, R"("exposure_ev": 0, )"));
+  const Outcome own = look("ball.scene.json --size 48x48 --overwrite");
+  EXPECT_NE(own.out.find("exposure +0.00 EV"), std::string::npos) << own.out;
+  const Outcome metered = look("ball.scene.json --size 48x48 --overwrite --exposure auto");
+  EXPECT_EQ(metered.exit_code, 0) << metered.err;
+  EXPECT_EQ(metered.out.find("exposure +0.00 EV"), std::string::npos) << metered.out;
+}
+
+TEST_F(Look, LeavesADocumentTheLightThatItHas) {
+  const std::string shape = R"({"format_version": 1, "name": "ball", "shapes": [{"name": "ball",
+"sphere": {"centre": [0, 0, 0], "radius": 1}, "material": {"base_colour": [0.5, 0.5, 0.5])";
+  const std::pair<std::string, std::string> lit[] = {
+      {R"(}}], "environment": [0.5, 0.5, 0.5]})", "its own light"},
+      {R"(, "emission": [1, 1, 1]}}]})", "its own light"},
+      {R"(}}]})", "studio light"}};
+  for (const auto& [rest, light] : lit) {
+    write_text(root() / "ball.scene.json", shape + rest);
+    const Outcome got = look("ball.scene.json --size 48x48 --overwrite");
+    EXPECT_NE(got.out.find(light), std::string::npos) << got.out << got.err;
+    EXPECT_EQ(got.err.find("no lights") == std::string::npos, light == "studio light") << got.err;
+  }
+}
+
+TEST_F(Look, NamesTheWholeRangeOfNumbersWithASign) {
+  write_ball("ball.scene.json", 0.5, "[1, 1, 1]", 0);
+  EXPECT_NE(look("ball.scene.json --exposure -20").err.find("'-20' is not a number from -15 to 15"),
+            std::string::npos);
+  EXPECT_NE(look("ball.scene.json --from -400,0").err.find("'-400' is not a number from -360 to 360"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace herr

@@ -37,10 +37,14 @@ TEST(NodeVisibility, AHiddenNodeHidesMeshesAndLightsBelowItWhateverTheySay) {
   }
 }
 
-TEST(NodeVisibility, ThatIsNoTruthValueIsRefused) {
+TEST(NodeVisibility, ThatIsNoTruthValueShowsTheNodeAndIsRefusedWhereItIsRequired) {
   const TemporaryFolder folder;
   json document = triangle_document();
-  document["nodes"][0]["extensions"]["KHR_node_visibility"]["visible"] = "no";
+  document["nodes"][0]["extensions"]["KHR_node_visibility"]["visible"] = 0;
+  const Scene scene = load_scene(write_model(folder, document));
+  EXPECT_EQ(scene.instances.size(), 1u);
+  EXPECT_TRUE(any_contains(scene.warnings, "KHR_node_visibility.visible is a number; the node is shown"));
+  document["extensionsRequired"] = {"KHR_node_visibility"};
   EXPECT_TRUE(contains(error_of(write_model(folder, document)), "KHR_node_visibility.visible"));
 }
 

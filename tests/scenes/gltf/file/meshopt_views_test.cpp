@@ -324,5 +324,29 @@ TEST(MeshoptViews, ASmallFileCannotAskForMuchMemory) {
   }
 }
 
+TEST(MeshoptViews, BrokenOnesThatAreOptionalGiveWayToThePlainFormBesideThem) {
+  const auto broken = [](bool stream) {
+    PackedModel model = packed_grid(true, 4);
+    std::string plain = bytes_of(grid_positions());
+    plain += bytes_of(grid_indices());
+    model.document["buffers"][1]["uri"] = "plain.bin";
+    if (stream) std::fill(model.streams().begin(), model.streams().end(), '\x7f');
+    if (!stream) model.packed(0)["count"] = 3;
+    return std::pair{model, plain};
+  };
+  for (const bool stream : {true, false}) {
+    auto [model, plain] = broken(stream);
+    const TemporaryFolder folder;
+    folder.write("plain.bin", plain);
+    EXPECT_TRUE(contains(error_of(model.write(folder)), kName)) << "required";
+    model.document.erase("extensionsRequired");
+    const Scene scene = load_scene(model.write(folder));
+    EXPECT_EQ(scene.meshes.at(0).triangles.size(), grid_corners().size());
+    EXPECT_TRUE(any_contains(scene.warnings, "the uncompressed form beside it is shown"));
+    model.document["buffers"][1].erase("uri");
+    EXPECT_TRUE(contains(error_of(model.write(folder)), kName)) << "nothing stands beside it";
+  }
+}
+
 }  // namespace
 }  // namespace herr::test
