@@ -66,13 +66,24 @@ HWY_INLINE VoxelRays rays_of(const PacketRays& packet) {
   return rays;
 }
 
+constexpr float kDirectionSteps = 0x1p16f, kPlaceSteps = 0x1p8f;  // of the longest component; of a voxel
+
 // Of the rays that meet something, those that meet it for good: a share equal to the coverage, decided by the
-// ray's own bits and the instance.
+// ray's way and the instance. The way is taken in steps that are finer than samples and coarser than
+// rounding, so that a scene of another size decides alike.
 HWY_INLINE MF decide(const VoxelRays& rays, VF passes, MF meets, unsigned instance) {
   if (hn::AllTrue(kF, hn::Or(hn::Not(meets), hn::Eq(passes, hn::Zero(kF))))) return meets;
-  VU key = hash(hn::BitCast(kU, rays.direction.x), instance);
-  for (const VF value : {rays.direction.y, rays.direction.z, rays.origin.x, rays.origin.y, rays.origin.z}) {
-    key = hash(hn::Xor(key, hn::BitCast(kU, value)), 1);
+  const V3& d = rays.direction;
+  const VF longest = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
+  const VF per_direction = hn::Div(set(kDirectionSteps), longest), per_voxel = set(kPlaceSteps);
+  const auto steps = [](VF value, VF per) HWY_ATTR {
+    return hn::BitCast(kU, hn::Add(hn::Round(hn::Mul(value, per)), hn::Zero(kF)));  // 0 for -0
+  };
+  VU key = hash(steps(d.x, per_direction), instance);
+  for (const VU value :
+       {steps(d.y, per_direction), steps(d.z, per_direction), steps(rays.origin.x, per_voxel),
+        steps(rays.origin.y, per_voxel), steps(rays.origin.z, per_voxel)}) {
+    key = hash(hn::Xor(key, value), 1);
   }
   return hn::And(meets, hn::Ge(unit_float(key), passes));
 }
