@@ -111,7 +111,8 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
       timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
   out.times.commit_ms = update.commit_ms;
-  if (update.anything() && timed(out.times, Stage::scene_update, [&] { return impl.follow(update, state); })) {
+  if (update.anything() &&
+      timed(out.times, Stage::scene_update, [&] { return impl.follow(update, state); })) {
     out.counters.plan_changes = 1;
   }
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });

@@ -335,8 +335,8 @@ TEST(DataModels, NormalTexturesLookLikeTheShapesThatTheyStandFor) {
   for (const Tiles& tiles : kinds) {
     const std::string name = tiles.model;
     Scene scene = load_scene(models_folder("khronos_sample_assets") / name / "glTF-Binary" / (name + ".glb"));
-    // Highlights wider than a pixel: narrower ones are widened by the curvature of the shape, which a texture on
-    // a flat tile does not tell.
+    // Highlights wider than a pixel: narrower ones are widened by the curvature of the shape, which a texture
+    // on a flat tile does not tell.
     for (Material& material : scene.materials) {
       material.metallic_roughness_texture = -1;
       material.roughness = 0.5f;
