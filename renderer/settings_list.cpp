@@ -10,7 +10,7 @@ using Effect = SettingEffect;
 
 constexpr int kLargestPolar = 8192;
 constexpr double kLargestSeed = 4294967295;  // 32 bits
-constexpr double kLongestMemory_s = 1e6, kNearest_m = 1e-6, kFarthest_m = 1e9;
+constexpr double kLongestMemory_s = 1e6, kNearest_m = 1e-9, kFarthest_m = 1e9;
 
 // Rows: name, flag, unit, group, effect, sentence, value; then what holds where it has none.
 

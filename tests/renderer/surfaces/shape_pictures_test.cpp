@@ -162,8 +162,11 @@ TEST(ShapePicturesTest, AGlassBallRefractsAsSnellSays) {
       ++undecided;
       return;
     }
-    const double root = (kIndex - 1) / (kIndex + 1), f0 = root * root;
-    const double passes = 1 - (f0 + (1 - f0) * std::pow(1 - cosine, 5));
+    // Fresnel's equations, unpolarised; the same at both surfaces, since the angles are.
+    const double below = std::sqrt(1 - (1 - cosine * cosine) / (kIndex * kIndex));
+    const double across = (cosine - kIndex * below) / (cosine + kIndex * below),
+                 along = (below - kIndex * cosine) / (below + kIndex * cosine);
+    const double passes = 1 - 0.5 * (across * across + along * along);
     const double expected = x_behind > 0 ? passes * passes : 0;
     ++(x_behind > 0 ? bright : dark);
     ASSERT_NEAR(pixel[0], expected, 2e-3) << x << ", " << y << ", off the edge by " << x_behind;
