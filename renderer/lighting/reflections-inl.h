@@ -30,11 +30,6 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
     const V3 v = load3(hits.viewer, slot);
     const V3 n = load3(hits.normal, slot);
     V3 weight = mirror_weight(hits, slot, dot(n, v), plan.surface_details);
-    if (plan.further_lobes) {
-      // One ray for surface and coat, along the surface's normal.
-      const VF coat = hn::Mul(load(&hits.mirror[slot]), load(&hits.lobes->coat[slot]));
-      weight = {hn::Add(weight.x, coat), hn::Add(weight.y, coat), hn::Add(weight.z, coat)};
-    }
     if (plan.refraction) {
       const VF one = set(1.0f);
       const Onward onward =

@@ -3,10 +3,10 @@
 // (simd/kernel_instance.cpp.in).
 #pragma once
 
-#include "renderer/lighting/alpha_layers-inl.h"
 #include "renderer/lighting/ambient_occlusion-inl.h"
-#include "renderer/lighting/back_faces-inl.h"
 #include "renderer/tiles/ray_cones-inl.h"
+#include "renderer/tracing/alpha_layers-inl.h"
+#include "renderer/tracing/back_faces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

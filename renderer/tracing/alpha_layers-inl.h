@@ -3,7 +3,7 @@
 // Where less than 1/512 would still be seen, nothing more is traced.
 #pragma once
 
-#include "renderer/lighting/resolve-inl.h"
+#include "renderer/tracing/resolve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
