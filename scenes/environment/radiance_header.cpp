@@ -101,7 +101,9 @@ class RadianceHeaderReader {
   void variable(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) return;
-    const std::string_view name = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
+    std::string_view name = line.substr(0, equals);
+    while (name.ends_with(' ')) name.remove_suffix(1);  // a tab in front stays: it says "of an earlier file"
+    const std::string_view value = trimmed(line.substr(equals + 1));
     if (name == "FORMAT") return format(value);
     if (name == "EXPOSURE") {
       const auto factor = numbers<1>(value);

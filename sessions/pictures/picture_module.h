@@ -1,7 +1,7 @@
 // What the program and its picture module (herr_pictures.so) agree on. The module alone links OpenImageIO,
-// whose 260 shared libraries cost 0.3 s of CPU; it is loaded by the first EXR or HDR picture that is decoded,
-// or JPEG of a rare kind (loaded_module.h). Plain data and function pointers only: no exception and no
-// standard container crosses the border, so that neither allocators nor type information need to agree.
+// whose 260 shared libraries cost 0.3 s of CPU; it is loaded by the first EXR picture that is decoded, or
+// JPEG of a rare kind (loaded_module.h). Plain data and function pointers only: no exception and no standard
+// container crosses the border, so that neither allocators nor type information need to agree.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace herr {
 
 // Goes up with every change of this file. A module of another version is refused.
-inline constexpr std::uint32_t kPictureModuleVersion = 2;
+inline constexpr std::uint32_t kPictureModuleVersion = 3;
 
 // How samples are stored in a file, or wanted in memory.
 enum class SampleType : std::int32_t { u8, u16, half, f32, other };
@@ -39,8 +39,8 @@ struct PictureModule {
   std::uint32_t table_bytes;    // sizeof(PictureModule)
   const char* program_version;  // of the build that the module belongs to
 
-  // Reads the header of `format` ("png", "jpeg", "openexr" or "hdr", nothing else). The bytes must outlive
-  // the picture. Null on failure.
+  // Reads the header of `format` ("jpeg" or "openexr", nothing else). The bytes must outlive the picture.
+  // Null on failure.
   OpenPicture* (*open)(const char* format, const void* bytes, std::size_t count, PictureHeader* header,
                        PictureProblem* problem) noexcept;
   // All samples as u8, u16 or f32: rows from the top, channels R G B or grey first, alpha unassociated.

@@ -1,6 +1,6 @@
-// One picture in memory, decoded by the library of its format: JPEG by libjpeg, PNG by libpng, others and
-// rare kinds of JPEG by the picture module. Before: bytes whose first ones say the format. After:
-// camera_image, the textures of glTF files, pictures of environments.
+// One picture in memory, decoded by the library of its format: JPEG by libjpeg, PNG by libpng, EXR and rare
+// kinds of JPEG by the picture module. Before: bytes whose first ones say the format. After: camera_image,
+// the textures of glTF files.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace herr {
 
 class PictureReader {
  public:
-  // Reads the header; `format` is "jpeg", "png" or one of those of PictureModule::open. The bytes must
-  // outlive the reader. Throws ModuleError, std::bad_alloc, std::runtime_error for a fault of the library;
-  // what is wrong with the picture stands in problem().
+  // Reads the header; `format` is "jpeg", "png" or "openexr". The bytes must outlive the reader. Throws
+  // ModuleError, std::bad_alloc, std::runtime_error for a fault of the library; what is wrong with the
+  // picture stands in problem().
   PictureReader(const char* format, std::string_view bytes);
 
   // Why the picture could not be opened or read, as the library says it; empty while all is well.
@@ -26,7 +26,7 @@ class PictureReader {
   const PictureHeader& header() const { return header_; }  // of an opened picture
 
   // All samples; `samples` has width x height x channels of the type: u8 of any picture, u16 where they are
-  // stored so, f32 of EXR and HDR. False: problem() says why. Throws as the constructor does.
+  // stored so, f32 of EXR. False: problem() says why. Throws as the constructor does.
   bool read(SampleType as, void* samples, std::size_t capacity_bytes);
   // All pixels as 8-bit RGBA: grey in all three colours, alpha 255 where there is none. `rgba` has 4 x width
   // x height bytes. For pictures of 1 to 4 channels. False and throws: as read().

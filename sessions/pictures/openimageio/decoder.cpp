@@ -51,7 +51,7 @@ bool channels_in_order(const OIIO::ImageSpec& spec) {
 
 std::unique_ptr<OIIO::ImageInput> reader_of(const std::string& format) {
   // Only the reader of the verified format is made: the way by file name tries every plugin.
-  constexpr const char* kFormats[] = {"png", "jpeg", "openexr", "hdr"};
+  constexpr const char* kFormats[] = {"jpeg", "openexr"};
   if (std::find(std::begin(kFormats), std::end(kFormats), format) == std::end(kFormats))
     throw std::invalid_argument("no picture of format " + format + " is read");
   std::unique_ptr<OIIO::ImageInput> reader = OIIO::ImageInput::create(format);

@@ -146,7 +146,8 @@ TEST(TextureLevelsTest, AFineCheckerboardBecomesItsMeanWhereSamplesAreCoarser) {
     for (int x = 0; x < 256; ++x) checker.push_back((x + y) % 2 == 0 ? 0 : 255);
   }
   const Scene scene = wall_of(grey_image(256, 256, checker, true));
-  // 4 x 4 texels a pixel: the level of width 64. Light 0.5 is byte 188, 0.5029; the curve is off by 0.0022.
+  // 4 x 4 texels a pixel: the level of width 64. Light 0.5 is byte 188, 0.5029; half a step
+  // of bytes is 0.003 there.
   const RenderedFrame planar = test::render(scene, test::single_view(64, 64, 45, 45), test::planar_settings(),
                                             test::sample_from({0, 0, 0}));
   test::for_each_pixel(planar.viewports[0], [](int x, int y, const test::Pixel& pixel) {

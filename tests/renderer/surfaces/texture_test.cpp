@@ -51,7 +51,7 @@ TEST(TextureTest, TheSrgbCurveIsWithinItsStatedErrorAndExactAtBothEnds) {
   }
   for (const Isa isa : test::offered_isas()) {
     const RenderedFrame frame = render_wall(textured_wall(ramp), 256, 4, isa);
-    double worst = 0;
+    double worst = 0, worst_linear = 0;
     for (int i = 0; i < 256; ++i) {
       const double value = test::pixel_at(frame.viewports[0], i, 1)[0];
       // Pixel i looks at texel i's centre; uv of 16 bits and float may miss it by 256 / 65535 / 2 +
@@ -59,10 +59,16 @@ TEST(TextureTest, TheSrgbCurveIsWithinItsStatedErrorAndExactAtBothEnds) {
       // step, 2^-10 of the value.
       const double fetch = 0.0022 * 0.0105 + 2 * test::half_rounding(value);
       const double step = srgb_curve((i + 0.5) / 255) - srgb_curve((i - 0.5) / 255);  // of 8 bits
-      worst = std::max(worst, (std::abs(value - srgb_curve(i / 255.0)) - fetch) / step);
+      const double error = std::abs(value - srgb_curve(i / 255.0)) - fetch;
+      worst = std::max(worst, error / step);
+      worst_linear = std::max(worst_linear, error);
     }
     std::cout << name_of(isa) << ": the curve is off by at most " << worst << " steps of 8 bits\n";
     EXPECT_LT(worst, 0.5);
+    // The polynomial c (((( 43703 c - 107344) c + 111320) c + 13530) c + 4327) / 65536 differs most from the
+    // curve at code 231, where it is 0.79574 and the curve 0.79910: by 0.00336. Relative to a step it is
+    // worst at code 19: 0.438.
+    EXPECT_LT(worst_linear, 0.0034);
     EXPECT_NEAR(test::pixel_at(frame.viewports[0], 0, 1)[0], 0.0, 1e-5);
     EXPECT_NEAR(test::pixel_at(frame.viewports[0], 255, 1)[0], 1.0, 0x1p-10);
   }

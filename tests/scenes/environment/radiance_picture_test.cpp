@@ -74,6 +74,7 @@ TEST(RadiancePicture, RadianceIsThePixelDividedByAllExposures) {
   EXPECT_TRUE(once.remarks.empty());
   expect_colour(read_colour("EXPOSURE=4.0\n" + kRgbeFormat + "EXPOSURE= 5e-1\n", two), 1, 1, 1);
   expect_colour(read_colour(kRgbeFormat + "EXPOSURE=      1.0000000000000\n", two), 2, 2, 2);
+  expect_colour(read_colour(kRgbeFormat + "EXPOSURE = 4\n", two), 0.5, 0.5, 0.5);
   // Of an earlier file, so says the tab.
   expect_colour(read_colour(kRgbeFormat + "pcomb a.hdr\n\tEXPOSURE=4\n", two), 2, 2, 2);
 }

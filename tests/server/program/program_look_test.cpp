@@ -90,6 +90,35 @@ TEST_F(Look, ExposesLightOfAnyStrengthByTheModelAlone) {
   }
 }
 
+// Blender's default lamp of 1000 W is 54351 cd in glTF. Square below it, 4 m away, a matte half grey without
+// a highlight sends 54351 * 0.5 / (pi * 4^2) = 540.6. Exposed to 0.8: log2(0.8 / 540.6) = -9.40 EV, byte 231,
+// neither white nor black; without the exposure it is white.
+TEST_F(Look, ShowsWhatALampOfAThousandWattsLights) {
+  const float corners[4][3] = {
+      {-0.01f, -0.01f, -4}, {0.01f, -0.01f, -4}, {-0.01f, 0.01f, -4}, {0.01f, 0.01f, -4}};
+  write_text(root() / "patch.bin", std::string(reinterpret_cast<const char*>(corners), sizeof corners));
+  for (const char* lamp : {R"("type": "point")", R"("type": "spot", "spot": {"outerConeAngle": 0.5})"}) {
+    write_text(root() / "patch.gltf",
+               R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+"nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 5, "material": 0}]}],
+"materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.5, 0.5, 1], "metallicFactor": 0},
+  "extensions": {"KHR_materials_specular": {"specularFactor": 0}}}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+  "min": [-0.01, -0.01, -4], "max": [0.01, 0.01, -4]}],
+"bufferViews": [{"buffer": 0, "byteLength": 48}], "buffers": [{"byteLength": 48, "uri": "patch.bin"}],
+"extensionsUsed": ["KHR_lights_punctual", "KHR_materials_specular"],
+"extensions": {"KHR_lights_punctual": {"lights": [{"intensity": 54351.4, )" +
+                   std::string(lamp) + "}]}}}");
+    const Outcome got = look("patch.gltf --size 32x32 --json --overwrite");
+    ASSERT_EQ(got.exit_code, 0) << got.err;
+    EXPECT_NEAR(nlohmann::json::parse(got.out).at("exposure_ev").get<double>(), -9.40, 0.015) << lamp;
+    EXPECT_NEAR(read(root() / "patch.png").at(16, 16)[1], 231, 1) << lamp;
+    ASSERT_EQ(look("patch.gltf --size 32x32 --exposure 0 --overwrite").exit_code, 0);
+    EXPECT_EQ(read(root() / "patch.png").at(16, 16)[1], 255) << lamp;
+  }
+}
+
 // The silhouette's radius is 0.95 of half the shorter side, 0.95 * 40 = 38 pixels: alpha along the middle
 // rows sums up to 76 pixels, and along the middle columns. Sixteen rays a pixel count each border to 1/8.
 TEST_F(Look, FitsABallToThePictureAtAnyScale) {

@@ -1,5 +1,6 @@
-// JPEG and PNG as libjpeg and libpng decode them here, against what OpenImageIO, in the module, makes of the
-// same bytes; the PNG writer against the decoder; what is damaged.
+// JPEG and PNG as libjpeg and libpng decode them here, against what OpenImageIO makes of the same bytes; the
+// PNG writer against the decoder; what is damaged.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -8,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "sessions/pictures/loaded_module.h"
 #include "sessions/pictures/picture_reader.h"
 #include "sessions/pictures/png_writer.h"
 #include "tests/temporary_folder.h"
@@ -41,24 +41,30 @@ struct Decoded {
   std::vector<std::uint8_t> bytes;
 };
 
-Decoded by_module(const char* format, const std::string& bytes, SampleType as) {
+SampleType stored_as(const OIIO::TypeDesc& type) {
+  return type == OIIO::TypeDesc::UINT16 ? SampleType::u16 : SampleType::u8;
+}
+
+Decoded by_openimageio(const std::string& format, const std::string& bytes, SampleType as) {
   Decoded decoded;
-  PictureProblem problem;
-  OpenPicture* picture = picture_module().open(format, bytes.data(), bytes.size(), &decoded.header, &problem);
-  EXPECT_NE(picture, nullptr) << problem.text;
-  const PictureHeader& h = decoded.header;
-  decoded.bytes.resize(static_cast<std::size_t>(h.width_px * h.height_px * h.channels) *
-                       (as == SampleType::u16 ? 2 : 1));
-  EXPECT_TRUE(picture_module().read(picture, as, decoded.bytes.data(), decoded.bytes.size(), &problem));
-  picture_module().close(picture);
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  const auto reader = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec, wishes;
+  wishes.attribute("oiio:UnassociatedAlpha", 1);  // else colour is multiplied by alpha
+  reader->set_ioproxy(&memory);
+  EXPECT_TRUE(reader->open("memory." + format, spec, wishes)) << reader->geterror();
+  decoded.header = {spec.width, spec.height, spec.nchannels, stored_as(spec.format)};
+  const OIIO::TypeDesc type = as == SampleType::u16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
+  decoded.bytes.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels) * type.size());
+  EXPECT_TRUE(reader->read_image(0, 0, 0, spec.nchannels, type, decoded.bytes.data())) << reader->geterror();
   return decoded;
 }
 
-void expect_as_the_module(const char* format, const std::string& bytes, SampleType as,
-                          const std::string& what) {
+void expect_as_openimageio(const char* format, const std::string& bytes, SampleType as,
+                           const std::string& what) {
   PictureReader reader(format, bytes);
   ASSERT_EQ(reader.problem(), "") << what;
-  const Decoded wanted = by_module(format, bytes, as);
+  const Decoded wanted = by_openimageio(format, bytes, as);
   EXPECT_EQ(reader.header().width_px, wanted.header.width_px) << what;
   EXPECT_EQ(reader.header().height_px, wanted.header.height_px) << what;
   ASSERT_EQ(reader.header().channels, wanted.header.channels) << what;
@@ -68,18 +74,18 @@ void expect_as_the_module(const char* format, const std::string& bytes, SampleTy
   EXPECT_EQ(samples, wanted.bytes) << what;
 }
 
-TEST(Decoders, ReadTheSamplesThatTheModuleReads) {
+TEST(Decoders, ReadTheSamplesThatOpenImageIoReads) {
   for (const int channels : {1, 2, 3, 4}) {
     const std::string what = std::to_string(channels) + " channels";
     const auto values = pattern(static_cast<std::size_t>(2 * 37 * 23 * channels));
     const std::string narrow = file_of("a.png", 37, 23, channels, OIIO::TypeDesc::UINT8, values);
-    expect_as_the_module("png", narrow, SampleType::u8, what);
+    expect_as_openimageio("png", narrow, SampleType::u8, what);
     const std::string wide = file_of("a.png", 37, 23, channels, OIIO::TypeDesc::UINT16, values);
-    expect_as_the_module("png", wide, SampleType::u16, what + " of 16 bits");
-    expect_as_the_module("png", wide, SampleType::u8, what + " of 16 bits as 8");
+    expect_as_openimageio("png", wide, SampleType::u16, what + " of 16 bits");
+    expect_as_openimageio("png", wide, SampleType::u8, what + " of 16 bits as 8");
     if (channels == 1 || channels == 3)
-      expect_as_the_module("jpeg", file_of("a.jpg", 37, 23, channels, OIIO::TypeDesc::UINT8, values),
-                           SampleType::u8, what);
+      expect_as_openimageio("jpeg", file_of("a.jpg", 37, 23, channels, OIIO::TypeDesc::UINT8, values),
+                            SampleType::u8, what);
   }
 }
 
@@ -115,7 +121,7 @@ TEST(Decoders, ExpandPalettesFewBitsAndClearColoursToRgba) {
   const std::string palette("\x0aPLTE\x0a\x14\x1e\x28\x32\x3c\x06tRNS\xff\x80", 18);
   const std::string bits =
       png_of(std::string("\0\0\0\2\0\0\0\2\1\3\0\0\0", 13), palette, std::string("\0\x40\0\x80", 4));
-  expect_as_the_module("png", bits, SampleType::u8, "palette");
+  expect_as_openimageio("png", bits, SampleType::u8, "palette");
   PictureReader reader("png", bits);
   std::vector<std::uint8_t> rgba(16);
   ASSERT_TRUE(reader.read_rgba8(rgba.data())) << reader.problem();
@@ -169,7 +175,7 @@ TEST(PngWriter, WritesWhatTheDecoderReadsBack) {
     std::vector<std::uint8_t> back(values.size());
     ASSERT_TRUE(reader.read(SampleType::u8, back.data(), back.size())) << reader.problem();
     EXPECT_EQ(back, values);
-    expect_as_the_module("png", bytes, SampleType::u8, "written here");
+    expect_as_openimageio("png", bytes, SampleType::u8, "written here");
     std::vector<std::uint8_t> again;
     write_png({31, 17, channels, values.data()}, 1, again);
     EXPECT_EQ(again, file);

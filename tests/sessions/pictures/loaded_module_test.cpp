@@ -28,12 +28,12 @@ TEST(PictureModule, IsTheSameForEveryThread) {
 }
 
 TEST(PictureModule, ReadsNoFormatThatNobodyVerified) {
-  for (const char* format : {"tiff", "webp", "", "png;jpeg"})
+  for (const char* format : {"tiff", "webp", "hdr", "", "png;jpeg"})
     EXPECT_THROW(PictureReader(format, "II*\0 bytes of another kind"), std::runtime_error) << format;
 }
 
 TEST(PictureModule, SaysWhatIsWrongWithAPictureInPlainData) {
-  PictureReader reader("hdr", "#?RADIANCE and then nothing of sense");
+  PictureReader reader("openexr", "v/1\x01 and then nothing of sense");
   EXPECT_NE(reader.problem(), "");
   PictureProblem problem;
   PictureHeader header;
