@@ -339,7 +339,7 @@ TEST(DataModels, NormalTexturesLookLikeTheShapesThatTheyStandFor) {
     // on a flat tile does not tell.
     for (Material& material : scene.materials) {
       material.metallic_roughness_texture = -1;
-      material.roughness = 0.5f;
+      material.roughness = 0.35f;
     }
     // The tile that is least like its shape, lit from the left and from above so that
     // no ball shadows its tile.
