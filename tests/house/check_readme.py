@@ -21,7 +21,7 @@ SUBCOMMAND = re.compile(r"^  ([a-z]+) {2,}", re.MULTILINE)
 # Options of `herr` that no help lists, and those of other tools.
 HIDDEN = {"--measure", "--slow-down"}
 FOREIGN = {"--build", "--preset", "--install", "--prefix", "--target", "--fix", "--gtest_filter", "--resize", "--quick",
-           "--only", "--list"}
+           "--only", "--list", "--scanline", "--compression"}
 
 
 def markdown_files(root):
