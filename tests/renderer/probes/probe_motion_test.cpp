@@ -88,6 +88,7 @@ class MovingRoom {
     renderer_.restore(state);
     sample_ = sample;
   }
+  void turn_back(double seconds) { sample_.t_ns -= static_cast<TimeNs>(std::llround(1e9 * seconds)); }
   const FrameSample& sample() const { return sample_; }
 
  private:
@@ -193,6 +194,23 @@ TEST(ProbeMotionTest, WhatAFrameLooksAtIsBounded) {
   EXPECT_EQ(room.motion().restless(), 0);
   room.run(1);
   EXPECT_EQ(room.motion().looked(), 0);
+}
+
+// Another run begins: all that the first frame of it shows is as things stand.
+TEST(ProbeMotionTest, TimeThatTurnsBackBringsAllUpToDate) {
+  MovingRoom room(kAway), fresh(3);
+  room.run(20);
+  room.move_wall(3);
+  room.turn_back(0.1);
+  room.run(1), fresh.run(1);
+  EXPECT_EQ(room.motion().restless(), 0);
+  ProbeReader::Sight seen, expected;
+  for (int probe = 0; probe < 6 * 4 * 12; ++probe) {
+    room.renderer().probes()->sight(0, probe, seen);
+    fresh.renderer().probes()->sight(0, probe, expected);
+    ASSERT_EQ(seen.distance_m, expected.distance_m) << probe;
+    ASSERT_EQ(seen.deviation_per_m, expected.deviation_per_m) << probe;
+  }
 }
 
 TEST(ProbeMotionTest, PicturesAreTheSameWithAnyThreadsAndAfterAResume) {
