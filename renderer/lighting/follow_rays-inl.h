@@ -79,11 +79,7 @@ HWY_NOINLINE void follow_rays(const TileJob& job) {
     trace_second_rays<kDetail>(job, RayKind::refraction, 0x2545f491u, true);
     if constexpr (kLobe == Lobe::layered) cover_bases(scratch.second->hits, rays);
     send_onward(job, rays);
-    job.cycles->lap(Stage::second_hits);
-    direct_light<kLobe>(job, scratch.second->hits, rays, RayKind::refraction_shadow);
-    light_indirectly(job, rays);
-    gather_second_light(job, rays, true);
-    job.cycles->lap(Stage::second_light);
+    bring_second_light<kLobe>(job, rays, RayKind::refraction_shadow, true);
   }
   pending.begin = pending.end = 0;
 }

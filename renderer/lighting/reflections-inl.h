@@ -60,11 +60,7 @@ HWY_NOINLINE void reflect_light(const TileJob& job, int count) {
     remember_mirror_paths(scratch, rays);
     send_onward(job, rays);
   }
-  job.cycles->lap(Stage::second_hits);
-  direct_light<kLobe>(job, scratch.second->hits, rays, RayKind::mirror_shadow);
-  light_indirectly(job, rays);
-  gather_second_light(job, rays, glass);
-  job.cycles->lap(Stage::second_light);
+  bring_second_light<kLobe>(job, rays, RayKind::mirror_shadow, glass);
   if (glass) follow_rays<kDetail, kLobe>(job);
 }
 

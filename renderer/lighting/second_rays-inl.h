@@ -140,6 +140,16 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool 
   }
 }
 
+// Lights what second rays [0, rays) met, just traced, and adds what they bring. The rest of their stages.
+template <Lobe kLobe>
+HWY_INLINE void bring_second_light(const TileJob& job, int rays, RayKind shadow, bool onward) {
+  job.cycles->lap(Stage::second_hits);
+  direct_light<kLobe>(job, job.scratch->second->hits, rays, shadow);
+  light_indirectly(job, rays);
+  gather_second_light(job, rays, onward);
+  job.cycles->lap(Stage::second_light);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();

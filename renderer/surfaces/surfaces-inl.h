@@ -72,9 +72,9 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
     held_back = hn::Zero(kF);
   }
   if (shading.plan->refraction) {
-    // What passes the surface is not scattered by it.
+    // What passes the surface is not scattered by it, but to probes, whose rays end at it.
     const VF transmission = hn::Mul(dielectric, m.transmission);
-    dielectric = hn::Sub(dielectric, transmission);
+    if (use == SurfaceUse::colours) dielectric = hn::Sub(dielectric, transmission);
     put(transmission, out.transmission);
     put(set(instance.dielectric_f0), out.dielectric_f0);
     store_lanes(base, lanes, out.tint, slot);

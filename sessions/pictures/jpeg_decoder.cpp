@@ -1,34 +1,17 @@
 #include "sessions/pictures/jpeg_decoder.h"
 
-#include <csetjmp>
-#include <cstdio>
 #include <stdexcept>
 
-// After <cstdio>, which it needs and does not include.
-#include <jpeglib.h>
+#include "sessions/pictures/jpeg_failure.h"
 
 namespace herr {
 namespace {
 
-// libjpeg's way to report: it calls error_exit, which must not return.
-struct DecodingFailure {
-  jpeg_error_mgr manager{};  // first: libjpeg hands back a pointer to it
-  std::jmp_buf jump{};
-  char message[JMSG_LENGTH_MAX] = "";
-};
-
-[[noreturn]] void leave_decoding(j_common_ptr info) {
-  auto* failure = reinterpret_cast<DecodingFailure*>(info->err);
-  info->err->format_message(info, failure->message);
-  std::longjmp(failure->jump, 1);
-}
-
 class JpegDecoder final : public PictureDecoder {
  public:
   JpegDecoder() {
-    info_.err = jpeg_std_error(&failure_.manager);
-    failure_.manager.error_exit = leave_decoding;
-    failure_.manager.output_message = leave_decoding;  // a warning: what is decoded is not what was encoded
+    info_.err = report_to(failure_);
+    failure_.manager.emit_message = leave_where_jpeg_ends_early;
   }
   ~JpegDecoder() override { jpeg_destroy_decompress(&info_); }  // allowed before it was created
   JpegDecoder(const JpegDecoder&) = delete;
@@ -96,7 +79,7 @@ class JpegDecoder final : public PictureDecoder {
   }
 
   jpeg_decompress_struct info_{};
-  DecodingFailure failure_;
+  JpegFailure failure_;
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ FOREIGN = (
     Foreign("cpp-httplib", ("httplib.h",), ("server/*.cpp",), one_file=True),
     Foreign("OpenImageIO", ("OpenImageIO/*",),
             ("sessions/pictures/openimageio/*.cpp", "scenes/samples/generator/*picture*.cpp", "tests/*.cpp")),
-    Foreign("libjpeg", ("jpeglib.h",), ("sessions/pictures/jpeg_*.cpp", "tests/*.cpp")),
+    Foreign("libjpeg", ("jpeglib.h", "jerror.h"), ("sessions/pictures/jpeg_*.cpp", "sessions/pictures/jpeg_failure.h", "tests/*.cpp")),
     Foreign("libpng", ("png.h",), ("sessions/pictures/png_*.cpp",)),
     Foreign("libexpat", ("expat.h",), ("sessions/import/tables/xml_*.cpp",), one_file=True),
     Foreign("yaml-cpp", ("yaml-cpp/*",), ("sessions/import/cameras/yaml_document.cpp",)),

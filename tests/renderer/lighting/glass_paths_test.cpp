@@ -5,24 +5,12 @@
 #include <cmath>
 #include <iostream>
 
+#include "tests/renderer/lighting/clear_glass.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace herr {
 namespace {
-
-constexpr float kIndex = 1.5f;
-// Fresnel head on: ((n - 1) / (n + 1))^2.
-constexpr double kHeadOn = 0.04;
-
-Material clear_glass() {
-  Material m = test::matte(glm::vec3{1.0f});
-  m.roughness = 0;
-  m.transmission = 1;
-  m.mirror = 1;
-  m.refractive_index = kIndex;
-  return m;
-}
 
 Material perfect_mirror() {
   Material m = test::matte(glm::vec3{1.0f});
@@ -48,9 +36,9 @@ TEST(GlassPathsTest, AMirrorShowsWhatIsBehindGlass) {
   // which a mirrored ray does not follow.
   Scene scene;
   test::add(scene, test::quad({-9, -9, -2}, {18, 0, 0}, {0, 18, 0}), perfect_mirror());
-  test::add(scene, test::box({-9, -9, 1}, {9, 9, 1.5f}), clear_glass());
+  test::add(scene, test::box({-9, -9, 1}, {9, 9, 1.5f}), test::clear_glass());
   test::add(scene, test::quad({9, -9, 3}, {-18, 0, 0}, {0, 18, 0}), test::glowing({2, 2, 2}));
-  const double returns = 2 * kHeadOn / (1 + kHeadOn);
+  const double returns = 2 * test::kGlassHeadOn / (1 + test::kGlassHeadOn);
   EXPECT_NEAR(seen_ahead(scene, true)[0], 2 * (1 - returns), 2.0 / 512 + 1e-3);
 }
 
@@ -59,9 +47,9 @@ TEST(GlassPathsTest, GlassShowsAMirrorBehindIt) {
   // it on the way to the mirror and back.
   Scene scene;
   test::add(scene, test::quad({-9, -9, -3}, {18, 0, 0}, {0, 18, 0}), perfect_mirror());
-  test::add(scene, test::box({-9, -9, -2}, {9, 9, -1.5f}), clear_glass());
+  test::add(scene, test::box({-9, -9, -2}, {9, 9, -1.5f}), test::clear_glass());
   test::add(scene, test::quad({9, -9, 1}, {-18, 0, 0}, {0, 18, 0}), test::glowing({2, 2, 2}));
-  const double returns = 2 * kHeadOn / (1 + kHeadOn), passes = 1 - returns;
+  const double returns = 2 * test::kGlassHeadOn / (1 + test::kGlassHeadOn), passes = 1 - returns;
   EXPECT_NEAR(seen_ahead(scene, true)[0], 2 * (returns + passes * passes), 4.0 / 512 + 1e-3);
 }
 
@@ -71,7 +59,7 @@ TEST(GlassPathsTest, SeveralPanesLoseNoLight) {
   for (const float z : {-2.0f, -3.0f, -4.0f}) {
     const glm::dmat4x3 place(
         glm::rotate(glm::translate(glm::dmat4{1.0}, {0, 0, z}), 0.2 * z, glm::dvec3{0, 1, 0}));
-    test::add(scene, test::box({-9, -9, -0.1f}, {9, 9, 0.1f}), clear_glass(), false, place);
+    test::add(scene, test::box({-9, -9, -0.1f}, {9, 9, 0.1f}), test::clear_glass(), false, place);
   }
   scene.environment = glm::vec3{1.0f};
   const RenderedFrame frame = test::render(scene, test::single_view(48, 48, 40, 40), test::planar_settings(),
@@ -84,7 +72,7 @@ TEST(GlassPathsTest, SeveralPanesLoseNoLight) {
 TEST(GlassPathsTest, FromWithinABodyNoLightIsLost) {
   // The eye in a block of glass: what its faces reflect, totally beyond 41.8 degrees, meets other faces.
   Scene scene;
-  test::add(scene, test::box({-1, -1, -1}, {1, 1, 1}), clear_glass());
+  test::add(scene, test::box({-1, -1, -1}, {1, 1, 1}), test::clear_glass());
   scene.environment = glm::vec3{1.0f};
   const RenderedFrame frame = test::render(scene, test::single_view(48, 48, 60, 60), test::planar_settings(),
                                            test::sample_from({0.1, 0.2, 0.3}));
@@ -99,8 +87,8 @@ Scene balls() {
   Scene scene;
   test::add(scene, test::floor_quad(9, -1), test::matte({0.6f, 0.5f, 0.3f}));
   test::add(scene, test::sphere({-0.7f, 0, -4}, 0.6f), perfect_mirror());
-  test::add(scene, test::sphere({0.6f, 0, -3.5f}, 0.6f), clear_glass());
-  test::add(scene, test::sphere({0.1f, 0.3f, -2}, 0.2f), clear_glass());
+  test::add(scene, test::sphere({0.6f, 0, -3.5f}, 0.6f), test::clear_glass());
+  test::add(scene, test::sphere({0.1f, 0.3f, -2}, 0.2f), test::clear_glass());
   scene.lights = {test::light_at({1, 3, -2}, glm::vec3{9.0f}, {0.5f, 0.1f, 0.5f})};
   scene.environment = {0.3f, 0.5f, 0.8f};
   scene.ambient = glm::vec3{0.2f};
@@ -155,7 +143,7 @@ TEST(GlassPathsTest, GlassElsewhereDoesNotChangeAMirror) {
   scene.environment = {0.3f, 0.5f, 0.8f};
   scene.ambient = glm::vec3{0.2f};
   Scene with_glass = scene;
-  test::add(with_glass, test::sphere({0, -50, 0}, 0.2f), clear_glass());  // under the floor
+  test::add(with_glass, test::sphere({0, -50, 0}, 0.2f), test::clear_glass());  // under the floor
   const auto render = [](const Scene& of) {
     return test::render(of, test::single_view(96, 96, 25, 25), test::planar_settings(),
                         test::sample_from({0, 0, 0}));

@@ -5,23 +5,13 @@
 #include <cmath>
 #include <iostream>
 
+#include "tests/renderer/lighting/clear_glass.h"
 #include "tests/renderer/lighting/slow_glass.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace herr {
 namespace {
-
-constexpr float kIndex = 1.5f;
-
-Material clear_glass() {
-  Material m = test::matte(glm::vec3{1.0f});
-  m.roughness = 0;
-  m.transmission = 1;
-  m.mirror = 1;
-  m.refractive_index = kIndex;
-  return m;
-}
 
 // Profile of the vase, radius and height in metres: up the outer wall, over the rim, and down the inner wall,
 // 3 mm of glass between them; a solid foot of 12 mm.
@@ -99,7 +89,7 @@ struct VaseScene {
 
   VaseScene(int side, bool level)
       : profile(test::single_view(side, side, 14, 14)), view(view_of_vase(level)) {
-    test::add(scene, mesh, clear_glass());
+    test::add(scene, mesh, test::clear_glass());
   }
   RenderedFrame render() const { return test::render(scene, profile, test::planar_settings(), view); }
   // Calls visit(pixel, origin, direction) for pixels that see the vase.
@@ -124,7 +114,7 @@ TEST(GlassVaseTest, InAUniformSurroundingItCannotBeSeen) {
   const RenderedFrame frame = vase.render();
   test::expect_finite(frame);
   const auto outside = [](const glm::dvec3&) { return glm::dvec3{1.0}; };
-  const test::SlowGlass tracer(vase.mesh, kIndex, outside);
+  const test::SlowGlass tracer(vase.mesh, test::kGlassIndex, outside);
   int off = 0;
   double least = 9, most = 0;
   const int seen = vase.each_pixel(frame, tracer, [&](const test::Pixel& pixel, const auto&, const auto&) {
@@ -153,7 +143,7 @@ TEST(GlassVaseTest, BetweenTwoColoursItShowsWhatASlowTracerShows) {
       const glm::vec3 c(i < 2 * 64 ? upper : lower);
       image.rgba.insert(image.rgba.end(), {c.x, c.y, c.z, 1});
     }
-    const test::SlowGlass tracer(vase.mesh, kIndex, outside);
+    const test::SlowGlass tracer(vase.mesh, test::kGlassIndex, outside);
     const RenderedFrame frame = vase.render();
     double error2 = 0, power = 0, dropped = 0;
     const int seen = vase.each_pixel(

@@ -141,14 +141,17 @@ glm::dvec3 traced_light_on_floor(const glm::dvec3& eye) {
   return sum / double{kPaths};
 }
 
-// Beside the wall light is reddish: a red metal colours it as a red matte wall does.
+// Beside the wall light is reddish: a red metal colours it as a red matte wall does, and so does red glass,
+// at which rays of probes end.
 TEST(ProbeMetalTest, ARedMetalWallColoursTheFloorBesideIt) {
   const glm::dvec3 eye{-0.7, -0.3, 0};
   const glm::dvec3 expected = traced_light_on_floor(eye);
   Material matte_red = test::matte(kRed);
   matte_red.specular = 0;
-  for (const Material& wall : {matte_red, metal(kRed)}) {
-    SCOPED_TRACE(testing::Message() << "metallic " << wall.metallic);
+  Material red_glass = matte_red;
+  red_glass.transmission = 1;
+  for (const Material& wall : {matte_red, metal(kRed), red_glass}) {
+    SCOPED_TRACE(testing::Message() << "metallic " << wall.metallic << ", glass " << wall.transmission);
     const Scene scene = room_with(wall);
     const FrameSample sample = test::looking_down(eye);
     test::ProbeRun run(scene, view(), test::probe_settings(0.1), sample);

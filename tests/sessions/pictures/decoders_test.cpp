@@ -135,6 +135,19 @@ TEST(Decoders, ExpandPalettesFewBitsAndClearColoursToRgba) {
                                              255}));
 }
 
+// Cameras and editors leave bytes before the end marker; libjpeg warns of them and decodes the same pixels.
+TEST(Decoders, PassOverBytesThatAJpegHasTooMany) {
+  const std::string clean = file_of("a.jpg", 16, 8, 3, OIIO::TypeDesc::UINT8, pattern(3 * 16 * 8));
+  std::string longer = clean;
+  longer.insert(clean.rfind("\xff\xd9"), 4, '\0');
+  expect_as_openimageio("jpeg", longer, SampleType::u8, "four bytes too many");
+  std::vector<std::uint8_t> wanted(4 * 16 * 8), read(wanted.size());
+  PictureReader first("jpeg", clean), second("jpeg", longer);
+  ASSERT_TRUE(first.read_rgba8(wanted.data()));
+  ASSERT_TRUE(second.read_rgba8(read.data())) << second.problem();
+  EXPECT_EQ(read, wanted);
+}
+
 TEST(Decoders, GiveColourPicturesAsRgbaWithoutFurtherWork) {
   const std::string jpeg = file_of("a.jpg", 16, 8, 3, OIIO::TypeDesc::UINT8, pattern(3 * 16 * 8));
   PictureReader rgb("jpeg", jpeg), rgba("jpeg", jpeg);
