@@ -11,6 +11,7 @@
 #include "server/process/terminal.h"
 #include "server/replay/replay_command.h"
 #include "server/serve/serve_command.h"
+#include "server/study/stability/stability_command.h"
 #include "server/study/study_command.h"
 #include "server/synth/synth_command.h"
 
@@ -27,7 +28,9 @@ struct RunCommand {
   int operator()(const herr::CheckOptions& options) const { return herr::run_check(options); }
   int operator()(const herr::InspectOptions& options) const { return herr::run_inspect(options); }
   int operator()(const herr::LookOptions& options) const { return herr::run_look(options); }
-  int operator()(const herr::StudyOptions& options) const { return herr::run_study(options); }
+  int operator()(const herr::StudyOptions& options) const {
+    return options.stability ? herr::run_stability(options) : herr::run_study(options);
+  }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
   int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }
 };

@@ -120,6 +120,7 @@ FrameSample Session::sample(TimeNs t_ns) {
   state.last_sample_ns = t_ns;
   FrameSample frame;
   frame.t_ns = t_ns;
+  frame.start_ns = state.start_ns;
   frame.head = state.poses->at(t_ns);
   frame.head_speed = state.poses->speed();
   frame.gaze = state.gaze->at(t_ns);

@@ -232,7 +232,7 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const auto eye = plan.polar ? static_cast<Eye>(i) : profile.viewports[i].eye;
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
-    const std::uint32_t key = frame_key(sample.t_ns, static_cast<int>(eye), seed);
+    const std::uint32_t key = frame_key(sample.t_ns - sample.start_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
       samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);

@@ -56,7 +56,8 @@ void Renderer::Impl::plan_probes() {
 
 void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& state, int most) {
   probes->begin_frame(sample.t_ns, summed_power(state), most);
-  probes->directions.aim(frame_key(sample.t_ns, kProbeKey, settings.seed), probes->node_directions);
+  probes->directions.aim(frame_key(sample.t_ns - sample.start_ns, kProbeKey, settings.seed),
+                         probes->node_directions);
   light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), beyond_scene_m, probe_lights);
   view_probes();
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {

@@ -46,6 +46,9 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
   value_flag(app, "--only", "NAME,...",
              "sweep these alone, by the name of their setting as in study.csv: polar,light_samples,filter",
              [&](const std::string& text) { options.only = names_in(text); });
+  app.add_flag_callback(
+      "--stability", [&] { options.stability = true; },
+      "relations that must hold on stiff and extreme cases, in place of error against time");
   file_flag(app, "--references", "folder of references that several studies share (default OUT/references)",
             [&](const std::string& text) { options.references = text; });
   file_flag(app, "--export", "new folder for picture sequences of a clip, for video metrics elsewhere",

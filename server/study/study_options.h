@@ -24,6 +24,7 @@ struct StudyOptions {
   std::vector<std::string> only;     // sweeps, by the name of their setting; empty: all
   int frames = 3;
   double minutes = 20;
+  bool stability = false;  // relations that must hold, in place of error against time
   bool overwrite = false, resume = false;
   bool json = false;
 };

@@ -32,6 +32,7 @@ struct SampledCamera {
 // Everything that the headset would have known when a frame began at t_ns.
 struct FrameSample {
   TimeNs t_ns = 0;
+  TimeNs start_ns = 0;  // of the session: random numbers follow t_ns - start_ns
   SampledPose head;
   HeadSpeed head_speed;  // from poses recorded at or before t_ns, whatever the sampling mode
   SampledGaze gaze;
