@@ -51,6 +51,16 @@ void RelationLog::add(RelationResult result) {
 std::span<const RelationGroup> relation_groups() {
   static constexpr RelationGroup kGroups[] = {
       {"place", "moved, turned and scaled scenes give the same picture", measure_place},
+      {"stamps", "stamps shifted by hours and to the last legal one give the same picture", measure_stamps},
+      {"light", "light times k, the sum of lights, lights inside and on surfaces", measure_light},
+      {"samples", "light samples up: no bias, less noise", measure_samples},
+      {"surfaces", "roughness 0, index of refraction 1 and 10, albedo 0 and 1", measure_surfaces},
+      {"gaze", "gaze, polar widths and viewports at their limits", measure_gaze},
+      {"triangles", "needle, duplicate, degenerate and huge triangles; tiny and huge voxels",
+       measure_triangles},
+      {"probes", "memory of 0 and nearly all, lights that are switched", measure_probes},
+      {"control", "prediction, width control, loads that step", measure_control},
+      {"threads", "threads and instruction sets", measure_threads},
   };
   return kGroups;
 }
