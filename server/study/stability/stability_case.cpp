@@ -28,6 +28,7 @@ RenderSettings smaller(RenderSettings settings) {
 }  // namespace
 
 StabilityCase::StabilityCase(const StudyOptions& options) : subject_(options) {
+  subject_.free_renderer();
   const FrameInstant instant = subject_.instant(frame().number);
   case_.scene = *instant.scene;
   case_.scene.changes = false;
