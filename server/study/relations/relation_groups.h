@@ -9,13 +9,16 @@ class RelationLog;
 
 void measure_place(const RelationCase& subject, RelationLog& log);      // place_relations.cpp
 void measure_stamps(const RelationCase& subject, RelationLog& log);     // stamps_relations.cpp
-void measure_light(const RelationCase& subject, RelationLog& log);      // light_relations.cpp
-void measure_samples(const RelationCase& subject, RelationLog& log);    // samples_relations.cpp
-void measure_surfaces(const RelationCase& subject, RelationLog& log);   // surfaces_relations.cpp
+void measure_light(const RelationCase& subject, RelationLog& log);      // light/light_relations.cpp
+void measure_samples(const RelationCase& subject, RelationLog& log);    // light/samples_relations.cpp
+void measure_surfaces(const RelationCase& subject, RelationLog& log);   // light/surfaces_relations.cpp
 void measure_gaze(const RelationCase& subject, RelationLog& log);       // gaze_relations.cpp
 void measure_triangles(const RelationCase& subject, RelationLog& log);  // triangles_relations.cpp
 void measure_probes(const RelationCase& subject, RelationLog& log);     // probes_relations.cpp
 void measure_control(const RelationCase& subject, RelationLog& log);    // control_relations.cpp
 void measure_threads(const RelationCase& subject, RelationLog& log);    // threads_relations.cpp
+
+// Of the group light: a light inside, on and just above a surface (light/light_near.cpp).
+void measure_light_near(const RelationCase& subject, RelationLog& log);
 
 }  // namespace herr
