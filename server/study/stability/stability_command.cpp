@@ -1,6 +1,8 @@
 #include "server/study/stability/stability_command.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -8,13 +10,20 @@
 #include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
+#include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
 #include "server/study/stability/stability_case.h"
+#include "server/study/stability/stability_folder.h"
+#include "server/study/stability/stability_json.h"
+#include "server/study/stability/stability_page.h"
 #include "server/study/stability/stability_progress.h"
 #include "server/study/stability/stability_record_of.h"
 #include "server/study/stability/stability_run.h"
 #include "server/study/stability/stability_text.h"
 #include "server/study/stability/stability_verdict.h"
+#include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {
@@ -37,6 +46,8 @@ int run_stability(const StudyOptions& options) {
   check_render_settings(options.render);
   const TimeNs start_ns = steady_now_ns();
   const StabilityCase subject(options);
+  const StabilityFolder folder(options.out_folder());
+  const FolderLock lock = folder.prepare(options.overwrite);
   std::optional<std::vector<RelationResult>> results = ask(groups, subject.relations());
   if (!results) {
     print_message("stopped; nothing is written");
@@ -44,7 +55,12 @@ int run_stability(const StudyOptions& options) {
   }
   const StabilityRecord record = stability_record_of(options, subject, std::move(*results),
                                                      static_cast<double>(steady_now_ns() - start_ns) * 1e-9);
-  print_result(stability_text(record));
+  const std::string json = json_text(stability_json(record));
+  write_whole_file(folder.json(), json);
+  write_whole_file(folder.page(), stability_page(record));
+  sync_folder(folder.path());
+  print_result(options.json ? json : stability_text(record));
+  print_message("report: " + printable(folder.page().string()));
   return stability_exit_code(record.results);
 }
 

@@ -9,10 +9,6 @@
 namespace herr {
 namespace {
 
-const char* kind_text(RelationKind kind) {
-  return kind == RelationKind::exact ? "exact" : "statistical";
-}
-
 std::string group_title(const std::string& name) {
   for (const RelationGroup& group : relation_groups()) {
     if (group.name == name) return name + ": " + group.sentence;
@@ -23,7 +19,7 @@ std::string group_title(const std::string& name) {
 std::vector<std::string> relation_row(const RelationResult& result) {
   const Relation& relation = result.relation;
   return {relation.name,
-          kind_text(relation.kind),
+          name_of(relation.kind),
           result.asked() ? error_figure(result.error) : kNoFigure,
           error_figure(relation.bound),
           share_text(result),

@@ -48,6 +48,10 @@ RelationCounts counts_of(std::span<const RelationResult> results) {
   return counts;
 }
 
+const char* name_of(RelationKind kind) {
+  return kind == RelationKind::exact ? "exact" : "statistical";
+}
+
 std::string counts_text(const RelationCounts& counts) {
   std::string text;
   append_count(text, counts.fail, "FAILS", "FAIL");

@@ -19,6 +19,8 @@ struct RelationCounts {
 };
 RelationCounts counts_of(std::span<const RelationResult> results);
 
+const char* name_of(RelationKind kind);  // "exact", "statistical"
+
 // "31 hold, 1 fails, 5 not applicable"
 std::string counts_text(const RelationCounts& counts);
 
