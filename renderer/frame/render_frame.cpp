@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/broken_on_purpose.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/viewports/camera_feed.h"
@@ -257,7 +258,14 @@ void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
   const int tile = job - first_tile[grid_index];
   const int tiles_x = (grid.sink.width + kTileSide - 1) / kTileSide;
   const auto w = static_cast<std::size_t>(worker);
-  trace_tile({&grid, &shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide, tile_scratch[w].get(),
+  const RayGrid* traced = &grid;
+  if constexpr (kFault == Fault::samples_keyed_by_thread) {
+    thread_local RayGrid of_thread;
+    of_thread = grid;
+    of_thread.key += static_cast<std::uint32_t>(worker);
+    traced = &of_thread;
+  }
+  trace_tile({traced, &shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide, tile_scratch[w].get(),
               &counters[w], &cycles[w], recorder});
 }
 
