@@ -12,6 +12,7 @@
 #include "renderer/broken_on_purpose.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/tiles/finite_lanes.h"
 #include "renderer/viewports/camera_feed.h"
 #include "renderer/viewports/gaze_marker.h"
 
@@ -72,6 +73,17 @@ void count(const SceneUpdate& update, FrameCounters& counters) {
   counters.meshes_rebuilt = update.rebuilt;
 }
 
+// Debug builds: no pixel is NaN or infinite.
+void require_finite_viewports(const RenderedFrame& frame) {
+  if constexpr (!kStagesAreChecked) return;
+  for (const ViewportImage& image : frame.viewports) {
+    for (int y = 0; y < image.height_px; ++y) {
+      const std::span row(image.row(y), 4 * static_cast<std::size_t>(image.width_px));
+      require_none(Stage::viewports, first_not_finite(row, "row " + std::to_string(y)));
+    }
+  }
+}
+
 }  // namespace
 
 bool Renderer::render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
@@ -123,6 +135,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   if (!impl.trace_tiles(out.times, use)) return false;
   timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
+  require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
   out.times.frame_ms = milliseconds_since(start);
