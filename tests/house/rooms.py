@@ -56,7 +56,8 @@ FACE = {
         "scenes/document/parse_change.h",
         "scenes/environment/environment_image.h",
         "scenes/model/exposure.h",
-        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/transform_checks.h",
+        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/similar_scene.h",
+        "scenes/model/transform_checks.h",
         "scenes/model/voxel_grid.h",
     ),
     "renderer": (
