@@ -36,6 +36,8 @@ StabilityCase::StabilityCase(const StudyOptions& options) : subject_(options) {
   case_.profile = smaller(*instant.profile);
   case_.settings = smaller(subject_.defaults());
   case_.camera = instant.session_has_camera;
+  case_.session = options.session;
+  case_.reading = options.reading;
 }
 
 }  // namespace herr
