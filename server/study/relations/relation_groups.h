@@ -7,8 +7,8 @@ namespace herr {
 
 class RelationLog;
 
-void measure_place(const RelationCase& subject, RelationLog& log);      // place_relations.cpp
-void measure_stamps(const RelationCase& subject, RelationLog& log);     // stamps_relations.cpp
+void measure_place(const RelationCase& subject, RelationLog& log);      // place/place_relations.cpp
+void measure_stamps(const RelationCase& subject, RelationLog& log);     // place/stamps_relations.cpp
 void measure_light(const RelationCase& subject, RelationLog& log);      // light_relations.cpp
 void measure_samples(const RelationCase& subject, RelationLog& log);    // samples_relations.cpp
 void measure_surfaces(const RelationCase& subject, RelationLog& log);   // surfaces_relations.cpp

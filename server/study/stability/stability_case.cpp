@@ -41,6 +41,8 @@ StabilityCase::StabilityCase(const StudyOptions& options) : subject_(of_one_fram
   case_.profile = smaller(*instant.profile);
   case_.settings = smaller(subject_.defaults());
   case_.camera = instant.session_has_camera;
+  case_.session = options.session;
+  case_.reading = options.reading;
 }
 
 }  // namespace herr
