@@ -17,5 +17,7 @@ void measure_triangles(const RelationCase& subject, RelationLog& log);  // trian
 void measure_probes(const RelationCase& subject, RelationLog& log);     // probes_relations.cpp
 void measure_control(const RelationCase& subject, RelationLog& log);    // control_relations.cpp
 void measure_threads(const RelationCase& subject, RelationLog& log);    // threads_relations.cpp
+void measure_prediction(const RelationCase& subject,
+                        RelationLog& log);  // part of control: prediction_relations.cpp
 
 }  // namespace herr

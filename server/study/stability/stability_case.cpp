@@ -25,9 +25,14 @@ RenderSettings smaller(RenderSettings settings) {
   return settings;
 }
 
+StudyOptions of_one_frame(StudyOptions options) {
+  options.frames = 1;
+  return options;
+}
+
 }  // namespace
 
-StabilityCase::StabilityCase(const StudyOptions& options) : subject_(options) {
+StabilityCase::StabilityCase(const StudyOptions& options) : subject_(of_one_frame(options)) {
   const FrameInstant instant = subject_.instant(frame().number);
   case_.scene = *instant.scene;
   case_.scene.changes = false;
