@@ -39,6 +39,7 @@ bool is_of_one_colour(const LinearPicture& picture) {
 }  // namespace
 
 StabilityCase::StabilityCase(const StudyOptions& options) : subject_(of_one_frame(options)) {
+  subject_.free_renderer();
   const FrameInstant instant = subject_.instant(frame().number);
   case_.scene = *instant.scene;
   case_.scene.changes = false;
