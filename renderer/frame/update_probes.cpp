@@ -6,6 +6,7 @@
 #include "renderer/lighting/light_records.h"
 #include "renderer/memory_use.h"
 #include "renderer/probes/probe_placement.h"
+#include "renderer/tiles/finite_lanes.h"
 #include "renderer/timing.h"
 
 namespace herr {
@@ -19,6 +20,16 @@ double summed_power(const SceneState& state) {
     sum += double{light.intensity_w_sr.x} + double{light.intensity_w_sr.y} + double{light.intensity_w_sr.z};
   }
   return sum;
+}
+
+// Debug builds: what probes have gathered is finite.
+void require_finite_probes(const ProbeVolume& probes) {
+  if constexpr (!kStagesAreChecked) return;
+  for (const ProbeSet& set : probes.sets) {
+    require_none(Stage::probe_update, first_not_finite(std::span(set.gathered), "gathered"));
+    require_none(Stage::probe_update, first_not_finite(std::span(set.mean), "mean"));
+    require_none(Stage::probe_update, first_not_finite(std::span(set.square), "square"));
+  }
 }
 
 }  // namespace
@@ -136,6 +147,7 @@ void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& 
     job.tile.cycles->lap(Stage::probe_update);
   });
   gathering.finish(out.times);
+  require_finite_probes(*probes);
 
   const PhaseClock publishing(cycles);
   publish_probes();

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "renderer/broken_on_purpose.h"
+
 namespace herr {
 
 std::array<int, 3> strata_for(const glm::vec3& size, int samples) {
@@ -42,6 +44,11 @@ void order_strata(LightRecord& light) {
   const int stride = spreading_stride(light.samples);
   const int nx = light.strata[0], ny = light.strata[1];
   std::size_t sample = 0;
+  if constexpr (kFault == Fault::biased_adaptive_samples) {
+    std::iota(light.stratum_of.begin(), light.stratum_of.end(), std::uint16_t{0});
+    std::iota(light.sample_of.begin(), light.sample_of.end(), std::uint16_t{0});
+    return;
+  }
   for (const int parity : kClasses) {
     for (int i = 0; i < light.samples; ++i) {
       const int stratum = i * stride % light.samples;
@@ -87,6 +94,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     }
     const float half = 0.5f * std::max({light.size.x, light.size.y, light.size.z});
     record.min_distance2 = std::max(half * half, nearest2(light, centre, reach));
+    if constexpr (kFault == Fault::singular_falloff) record.min_distance2 = nearest2(light, centre, reach);
     for (int axis = 0; axis < 3; ++axis) record.direction[axis] = static_cast<float>(light.direction[axis]);
     if (light.range_m > 0) record.inverse_range2 = static_cast<float>(1.0 / (light.range_m * light.range_m));
     if (light.kind == LightKind::spot) {
