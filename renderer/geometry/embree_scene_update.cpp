@@ -32,8 +32,9 @@ void EmbreeScene::show_instance(std::size_t slot) {
 }
 
 void EmbreeScene::place_instance(std::size_t slot) {
-  glm::dmat4x3 m = keep_rays_traceable(scene_.instances[slot].world_from_object,
-                                       rays_reach_m_ + glm::length(anchor_) + 2 * kAnchorReach_m);
+  glm::dmat4x3 m =
+      keep_rays_traceable(scene_.instances[slot].world_from_object,
+                          rays_reach_m_ + glm::length(anchor_) + 2 * kAnchorReach * anchor_step_m_);
   m[3] -= anchor_;
   float columns[12];
   for (int column = 0; column < 4; ++column) {

@@ -120,6 +120,20 @@ void measure_scaled(const RelationCase& subject, const Pictures& here, const std
   }
 }
 
+// Far from the origin too: what is small stands where it is small against its place.
+void measure_small_and_far(const RelationCase& subject, const Pictures& here, RelationLog& log) {
+  const Relation relation = of_pixels(
+      "scaled by 1e-4, 1e3 m away, hard light",
+      "a scene of a ten-thousandth of the size, a kilometre from the origin, gives the same picture",
+      kScaledShare,
+      "the anchor stands within 24 extents of a scene that is smaller than a metre: places round to "
+      "2e-6 of its size, a hundredth of a pixel");
+  Similarity similarity;
+  similarity.scale = 1e-4;
+  similarity.move = way_of(1e3);
+  measure_likeness(subject, here, similarity, relation, log);
+}
+
 }  // namespace
 
 void measure_place(const RelationCase& subject, RelationLog& log) {
@@ -134,6 +148,7 @@ void measure_place(const RelationCase& subject, RelationLog& log) {
   measure_turned(hard_rays, hard, log);
   measure_scaled(hard_rays, hard, "hard light", log);
   measure_scaled(lit, all, "all light", log);
+  measure_small_and_far(hard_rays, hard, log);
 }
 
 }  // namespace herr
