@@ -10,6 +10,7 @@
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
+#include "renderer/tiles/finite_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -145,9 +146,13 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool 
 // Lights what second rays [0, rays) met, just traced, and adds what they bring. The rest of their stages.
 template <Lobe kLobe>
 HWY_INLINE void bring_second_light(const TileJob& job, int rays, RayKind shadow, bool onward) {
+  const HitBatch& hits = job.scratch->second->hits;
   job.cycles->lap(Stage::second_hits);
+  require_finite(hits, rays, Stage::second_hits, *job.shading->plan);
   direct_light<kLobe>(job, job.scratch->second->hits, rays, shadow);
+  require_finite(hits, rays, Stage::light_rays, *job.shading->plan);
   light_indirectly(job, rays);
+  require_finite(hits, rays, Stage::indirect_light, *job.shading->plan);
   gather_second_light(job, rays, onward);
   job.cycles->lap(Stage::second_light);
 }

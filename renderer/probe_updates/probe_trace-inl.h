@@ -11,6 +11,7 @@
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probe_updates/probe_update-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
+#include "renderer/tiles/finite_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -130,9 +131,12 @@ void trace_probes(const ProbeJob& job) {
     } else {
       trace_directions<SurfaceDetail::plain>(job, origins, first, rays);
     }
+    require_finite(hits, count, Stage::probe_rays, *tile.shading->plan);
     direct_light<Lobe::none>(tile, hits, count,
                              job.set == 0 ? RayKind::probe_shadow : RayKind::catcher_probe_shadow);
+    require_finite(hits, count, Stage::light_rays, *tile.shading->plan);
     indirect_light(tile, hits, count);
+    require_finite(hits, count, Stage::indirect_light, *tile.shading->plan);
     store_radiance(job, first, rays);
   }
 }

@@ -1,0 +1,26 @@
+// The parts of a stability report that page and terminal share. Before: StabilityRecord. After:
+// stability_page, stability_text.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/study/report/report_table.h"
+#include "server/study/stability/stability_record.h"
+
+namespace herr {
+
+// What was asked, of what and how long, by name; without what is not known.
+std::vector<std::pair<std::string, std::string>> stability_facts(const StabilityRecord& record);
+
+// One of each group, in order: what fails first. Its sentence is the one of relation_groups(), where that
+// still has it.
+std::vector<ReportTable> group_tables(const StabilityRecord& record);
+
+// "place: moved by 1e6 m: why", of those that were not asked.
+std::vector<std::string> not_applicable_lines(const StabilityRecord& record);
+// failure_line() of each, worst first.
+std::vector<std::string> failure_lines(const StabilityRecord& record);
+
+}  // namespace herr
