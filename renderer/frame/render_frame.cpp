@@ -214,8 +214,14 @@ void Renderer::Impl::choose_details() {
       [this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
 
+LightReach Renderer::Impl::light_reach() const {
+  double eyes_m = 0;
+  for (const EyeView& eye : eyes) eyes_m = std::max(eyes_m, glm::length(eye.anchored_from_eye.position));
+  return {beyond_scene_m, eyes_m};
+}
+
 void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
-  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), beyond_scene_m,
+  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), light_reach(),
                 lights);
   shading.plan = &plan;
   shading.scene = geometry->top();

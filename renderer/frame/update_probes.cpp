@@ -69,7 +69,7 @@ void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& sta
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns - sample.start_ns, kProbeKey, settings.seed),
                          probes->node_directions);
-  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), beyond_scene_m, probe_lights);
+  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), light_reach(), probe_lights);
   view_probes();
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
     ShadingInputs& by_probes = probe_shading[set] = shading;

@@ -22,6 +22,7 @@ constexpr int kRaysAtOnce = kTileRays / kProbeLanes;
 // Where the job's probes stand, metres from the anchor.
 struct ProbeOrigins {
   alignas(64) float x[kProbeLanes] = {}, y[kProbeLanes] = {}, z[kProbeLanes] = {};
+  alignas(64) std::uint32_t probe[kProbeLanes] = {};
 };
 
 HWY_INLINE ProbeOrigins probe_origins(const ProbeJob& job) {
@@ -33,6 +34,7 @@ HWY_INLINE ProbeOrigins probe_origins(const ProbeJob& job) {
     origins.x[lane] = view.lower[0] + place[0];
     origins.y[lane] = view.lower[1] + place[1];
     origins.z[lane] = view.lower[2] + place[2];
+    origins.probe[lane] = static_cast<std::uint32_t>(probe);
     ++lane;
   }
   return origins;
@@ -57,6 +59,10 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     const MF lanes = hn::And(first_lanes(probes - lane), traceable(origin, direction));
     set_rays(packet, origin, direction);
     hn::Store(hn::Set(kU, mask), kU, packet.ray.mask);
+    const VU key = hash(hn::Xor(hn::Load(kU, origins.probe + lane), hn::Set(kU, directions.key)),
+                        static_cast<std::uint32_t>(ray));
+    hn::Store(key, kU, &hits.key[slot]);
+    if (tile.shading->plan->voxels) set_chance(packet.ray, key);
     set_valid(valid, lanes);
     tile.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
@@ -68,7 +74,6 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     record(tile, kind, packet.ray, valid, true);
     if (!hn::AllFalse(kF, lanes)) intersect_packet<kLanes>(valid, tile.shading->scene, false, &packet);
     surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot, SurfaceUse::matte);
-    hn::Store(hn::Zero(kU), kU, &hits.key[slot]);
   }
 }
 

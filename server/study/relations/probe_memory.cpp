@@ -124,7 +124,8 @@ ProbeLight ProbeMemory::light() const {
 }
 
 std::vector<LinearPicture> ProbeMemory::picture(TimeNs t_ns) {
-  RelationCase then = subject_;
+  RelationCase then;  // all that is asked of it
+  then.state = subject_.state, then.sample = subject_.sample;
   then.sample.t_ns = t_ns;
   return next_picture(renderer_, then);
 }

@@ -35,14 +35,15 @@ std::string page_code(const std::string& text) {
   return html_element("code", "", words);
 }
 
-std::string page_pictures(const std::vector<StudyPicture>& pictures) {
+std::string page_pictures(const std::vector<StudyPicture>& pictures, int enlarged_px) {
   std::string figures;
   for (const StudyPicture& picture : pictures) {
     if (picture.png.empty()) continue;
     const std::string title = html_text(picture.title);
-    figures += html_element("figure", "",
-                            "<img width=\"" + std::to_string(picture.width_px) + "\" height=\"" +
-                                std::to_string(picture.height_px) + "\" alt=\"" + title +
+    const int times = std::max(1, enlarged_px / std::max(1, picture.width_px));
+    figures += html_element("figure", times > 1 ? "class=\"pixels\"" : "",
+                            "<img width=\"" + std::to_string(times * picture.width_px) + "\" height=\"" +
+                                std::to_string(times * picture.height_px) + "\" alt=\"" + title +
                                 "\" src=\"data:image/png;base64," +
                                 base64_text(std::as_bytes(std::span(picture.png))) + "\">\n" +
                                 html_element("figcaption", "",

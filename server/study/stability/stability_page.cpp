@@ -10,6 +10,8 @@
 namespace herr {
 namespace {
 
+constexpr int kShownWidthPx = 1000;  // small pictures are enlarged up to it
+
 std::string facts_part(const StabilityRecord& record) {
   std::string facts;
   const auto fact = [&](const std::string& name, const std::string& value) {
@@ -25,15 +27,17 @@ std::string facts_part(const StabilityRecord& record) {
 
 std::string verdict_part(const StabilityRecord& record) {
   const RelationCounts counts = counts_of(record.results);
-  std::string items = html_element("li", counts.fail > 0 ? "class=\"missed\"" : "",
-                                   html_element("b", "", counts.fail > 0 ? "Does not hold: " : "Holds: ") +
-                                       html_text(counts_text(counts)) + ".<br>Closest to its limit: " +
-                                       html_text(closest_text(record.results)) + ".") +
+  const bool fails = counts.fail > 0;
+  std::string items = html_element("li", fails ? "class=\"missed\"" : "",
+                                   html_element("b", "", fails ? "Does not hold: " : "Holds: ") +
+                                       html_text(counts_text(counts))) +
                       "\n";
   for (const std::string& line : failure_lines(record)) {
     items += html_element("li", "class=\"missed\"", html_text(line)) + "\n";
   }
-  return html_element("ul", "class=\"aims\"", items) + "\n";
+  return html_element("ul", "class=\"aims\"", items) + "\n" +
+         html_element("p", "", "Closest to its limit: " + html_text(closest_text(record.results)) + ".") +
+         "\n";
 }
 
 std::string groups_part(const StabilityRecord& record) {
@@ -46,7 +50,7 @@ std::string stability_body(const StabilityRecord& record) {
   return html_element("h1", "", "Relations that must hold: " + html_text(record.scene)) + "\n" +
          facts_part(record) + page_section("verdict", "Verdict", verdict_part(record)) +
          page_section("relations", "Relations", groups_part(record)) +
-         page_section("pictures", "What the worst look like", page_pictures(record.pictures)) +
+         page_section("pictures", "What the worst look like", page_pictures(record.pictures, kShownWidthPx)) +
          page_section("not-applicable", "Not applicable", page_list(not_applicable_lines(record))) +
          page_section("warnings", "Warnings", page_list(record.warnings));
 }

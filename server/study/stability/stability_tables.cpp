@@ -21,13 +21,12 @@ std::vector<std::string> relation_row(const RelationResult& result) {
   return {relation.name,
           name_of(relation.kind),
           result.asked() ? error_figure(result.error) : kNoFigure,
-          error_figure(relation.bound),
+          bound_figure(relation.bound),
           share_text(result),
           relation.unit,
           verdict_text(result),
           fixed_figure(result.seconds, 1),
-          relation.holds,
-          relation.bound_from,
+          relation.holds + ". Bound: " + relation.bound_from,
           result.asked() ? result.where : result.not_applicable};
 }
 
@@ -43,8 +42,7 @@ ReportTable group_table(const std::string& group, std::vector<const RelationResu
                      {"unit", true},
                      {"verdict", true},
                      {"s"},
-                     {"what must hold", true, true},
-                     {"where the bound is from", true, true},
+                     {"what must hold, and where the bound is from", true, true},
                      {"worst place, or why it was not asked", true, true}},
                     {},
                     ""};

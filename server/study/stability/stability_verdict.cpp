@@ -6,11 +6,13 @@
 
 #include "server/process/exit_code.h"
 #include "server/study/report/figure_text.h"
+#include "server/text/number_text.h"
 
 namespace herr {
 namespace {
 
 constexpr double kShareInTimes = 10;  // larger shares are told as multiples
+constexpr std::size_t kLongestBound = 6;
 
 // An error that is no number lies beyond every share.
 double sortable_share(const RelationResult& result) {
@@ -73,6 +75,11 @@ std::string error_figure(double error) {
   return figure(error);
 }
 
+std::string bound_figure(double bound) {
+  const std::string text = shortest_text(bound);
+  return std::isfinite(bound) && text.size() <= kLongestBound ? text : error_figure(bound);
+}
+
 std::string share_text(const RelationResult& result) {
   if (!result.asked()) return kNoFigure;
   const double share = result.share_of_bound();
@@ -84,7 +91,7 @@ std::string share_text(const RelationResult& result) {
 std::string failure_line(const RelationResult& result) {
   const Relation& relation = result.relation;
   return result.group + ": " + relation.name + " " + verdict_text(result) + ": " +
-         error_figure(result.error) + ", bound " + error_figure(relation.bound) + " (" + relation.unit + ")" +
+         error_figure(result.error) + ", bound " + bound_figure(relation.bound) + " (" + relation.unit + ")" +
          (result.where.empty() ? "" : "; " + result.where);
 }
 

@@ -30,6 +30,8 @@ std::string verdict_text(const RelationResult& result);
 std::string share_text(const RelationResult& result);
 // As figure(), with what is not finite in words.
 std::string error_figure(double error);
+// As it was stated: "0.001"; of long ones three digits.
+std::string bound_figure(double bound);
 
 // "light: two lights give their sum FAILS: 0.3, bound 0.001 (largest relative difference); left, pixel ..."
 std::string failure_line(const RelationResult& result);

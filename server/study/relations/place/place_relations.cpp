@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "server/study/relations/picture_distance.h"
+#include "server/study/relations/place/similar_case.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
-#include "server/study/relations/similar_case.h"
 #include "server/text/number_text.h"
 
 namespace herr {

@@ -1,4 +1,4 @@
-#include "server/study/relations/similar_case.h"
+#include "server/study/relations/place/similar_case.h"
 
 #include <stdexcept>
 #include <utility>
