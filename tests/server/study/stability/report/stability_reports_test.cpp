@@ -5,11 +5,11 @@
 #include <sstream>
 #include <string>
 
-#include "server/study/stability/stability_page.h"
-#include "server/study/stability/stability_pictures.h"
-#include "server/study/stability/stability_text.h"
+#include "server/study/stability/report/stability_page.h"
+#include "server/study/stability/report/stability_pictures.h"
+#include "server/study/stability/report/stability_text.h"
 #include "tests/server/study/report/page_checks.h"
-#include "tests/server/study/stability/stability_records.h"
+#include "tests/server/study/stability/report/stability_records.h"
 
 namespace herr {
 namespace {

@@ -1,10 +1,10 @@
-#include "server/study/stability/stability_tables.h"
+#include "server/study/stability/report/stability_tables.h"
 
 #include <algorithm>
 #include <initializer_list>
 
 #include "server/study/report/figure_text.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {

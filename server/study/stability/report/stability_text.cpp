@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_text.h"
+#include "server/study/stability/report/stability_text.h"
 
 #include <vector>
 
 #include "server/study/report/figure_text.h"
 #include "server/study/report/report_table.h"
-#include "server/study/stability/stability_tables.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_tables.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {

@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_page.h"
+#include "server/study/stability/report/stability_page.h"
 
 #include <vector>
 
 #include "server/study/diagrams/html_text.h"
 #include "server/study/report/page_parts.h"
-#include "server/study/stability/stability_tables.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_tables.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/study/report/report_table.h"
-#include "server/study/stability/stability_record.h"
+#include "server/study/stability/report/stability_record.h"
 
 namespace herr {
 
