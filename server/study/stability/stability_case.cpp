@@ -39,6 +39,7 @@ bool is_of_one_colour(const LinearPicture& picture) {
 }  // namespace
 
 StabilityCase::StabilityCase(const StudyOptions& options) : subject_(of_one_frame(options)) {
+  subject_.free_renderer();
   const FrameInstant instant = subject_.instant(frame().number);
   case_.scene = *instant.scene;
   case_.scene.changes = false;
@@ -47,6 +48,8 @@ StabilityCase::StabilityCase(const StudyOptions& options) : subject_(of_one_fram
   case_.profile = smaller(*instant.profile);
   case_.settings = smaller(subject_.defaults());
   case_.camera = instant.session_has_camera;
+  case_.session = options.session;
+  case_.reading = options.reading;
 }
 
 std::vector<std::string> StabilityCase::warnings() const {

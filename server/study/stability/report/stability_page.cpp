@@ -42,7 +42,7 @@ std::string verdict_part(const StabilityRecord& record) {
 
 std::string groups_part(const StabilityRecord& record) {
   std::string tables;
-  for (const ReportTable& table : group_tables(record)) tables += page_table(table);
+  for (const ReportTable& table : page_tables(record)) tables += page_table(table);
   return tables;
 }
 

@@ -16,24 +16,29 @@ std::string group_title(const std::string& name) {
   return name;
 }
 
-std::vector<std::string> relation_row(const RelationResult& result) {
-  const Relation& relation = result.relation;
-  return {relation.name,
-          name_of(relation.kind),
-          result.asked() ? error_figure(result.error) : kNoFigure,
-          bound_figure(relation.bound),
-          share_text(result),
-          relation.unit,
-          verdict_text(result),
-          fixed_figure(result.seconds, 1),
-          relation.holds + ". Bound: " + relation.bound_from,
-          result.asked() ? result.where : result.not_applicable};
+using Results = std::vector<const RelationResult*>;
+
+// By group, in the order of the record; within one, what fails first.
+std::vector<Results> grouped(const StabilityRecord& record) {
+  std::vector<Results> groups;
+  for (const RelationResult& result : record.results) {
+    const auto same = [&](const Results& group) { return group.front()->group == result.group; };
+    const auto found = std::find_if(groups.begin(), groups.end(), same);
+    if (found == groups.end()) {
+      groups.push_back({&result});
+    } else {
+      found->push_back(&result);
+    }
+  }
+  for (Results& group : groups) {
+    std::stable_partition(group.begin(), group.end(),
+                          [](const RelationResult* result) { return !result->holds(); });
+  }
+  return groups;
 }
 
-ReportTable group_table(const std::string& group, std::vector<const RelationResult*> results) {
-  std::stable_partition(results.begin(), results.end(),
-                        [](const RelationResult* result) { return !result->holds(); });
-  ReportTable table{group_title(group),
+ReportTable page_table_of(const Results& results) {
+  ReportTable table{group_title(results.front()->group),
                     {{"relation", true},
                      {"kind", true},
                      {"error"},
@@ -46,7 +51,50 @@ ReportTable group_table(const std::string& group, std::vector<const RelationResu
                      {"worst place, or why it was not asked", true, true}},
                     {},
                     ""};
-  for (const RelationResult* result : results) table.rows.push_back(relation_row(*result));
+  for (const RelationResult* result : results) {
+    const Relation& relation = result->relation;
+    table.rows.push_back(
+        {relation.name, name_of(relation.kind), result->asked() ? error_figure(result->error) : kNoFigure,
+         bound_figure(relation.bound), share_text(*result), relation.unit, verdict_text(*result),
+         fixed_figure(result->seconds, 1), relation.holds + ". Bound: " + relation.bound_from,
+         result->asked() ? result->where : result->not_applicable});
+  }
+  return table;
+}
+
+// Characters that begin within the first `most` bytes.
+std::string short_unit(const std::string& unit, std::size_t most) {
+  if (unit.size() <= most) return unit;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(unit[end]) & 0xC0) == 0x80) --end;
+  return unit.substr(0, end) + "..";
+}
+
+ReportTable terminal_table_of(const Results& results) {
+  constexpr std::size_t kLongestUnit = 26;
+  const std::string& unit = results.front()->relation.unit;
+  const bool one_unit = std::all_of(results.begin(), results.end(), [&](const RelationResult* result) {
+    return result->relation.unit == unit;
+  });
+  ReportTable table{
+      group_title(results.front()->group),
+      {{"verdict", true}, {"relation", true}, {"kind", true}, {"error"}, {"bound"}, {"of bound"}},
+      {},
+      ""};
+  if (one_unit) {
+    table.title += ". Error: " + unit;
+  } else {
+    table.columns.push_back({"unit", true});
+  }
+  for (const RelationResult* result : results) {
+    const Relation& relation = result->relation;
+    table.rows.push_back({result->holds()    ? "holds"
+                          : result->counts() ? "FAILS"
+                                             : "fails",
+                          relation.name, name_of(relation.kind), error_figure(result->error),
+                          bound_figure(relation.bound), share_text(*result)});
+    if (!one_unit) table.rows.back().push_back(short_unit(relation.unit, kLongestUnit));
+  }
   return table;
 }
 
@@ -76,18 +124,17 @@ std::vector<std::pair<std::string, std::string>> stability_facts(const Stability
   return facts;
 }
 
-std::vector<ReportTable> group_tables(const StabilityRecord& record) {
-  std::vector<std::string> names;
-  for (const RelationResult& result : record.results) {
-    if (std::find(names.begin(), names.end(), result.group) == names.end()) names.push_back(result.group);
-  }
+std::vector<ReportTable> page_tables(const StabilityRecord& record) {
   std::vector<ReportTable> tables;
-  for (const std::string& name : names) {
-    std::vector<const RelationResult*> results;
-    for (const RelationResult& result : record.results) {
-      if (result.group == name) results.push_back(&result);
-    }
-    tables.push_back(group_table(name, std::move(results)));
+  for (const Results& group : grouped(record)) tables.push_back(page_table_of(group));
+  return tables;
+}
+
+std::vector<ReportTable> terminal_tables(const StabilityRecord& record) {
+  std::vector<ReportTable> tables;
+  for (Results group : grouped(record)) {
+    std::erase_if(group, [](const RelationResult* result) { return !result->asked(); });
+    if (!group.empty()) tables.push_back(terminal_table_of(group));
   }
   return tables;
 }

@@ -34,7 +34,7 @@ TEST(StabilityText, SaysWhatFailsWhereWhatWasNotAskedAndTheVerdictLast) {
 
 TEST(StabilityText, WithinAGroupTheOneThatFailsStandsFirst) {
   const std::string text = stability_text(test::rich_stability());
-  EXPECT_LT(text.find("\ntoo large "), text.find("\nquiet "));
+  EXPECT_LT(text.find("FAILS    too large"), text.find("holds    quiet"));
 }
 
 TEST(StabilityText, LinesFitATerminalAndHoldNoControlCharacters) {
