@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_page.h"
+#include "server/study/stability/report/stability_page.h"
 
 #include <vector>
 
 #include "server/study/diagrams/html_text.h"
 #include "server/study/report/page_parts.h"
-#include "server/study/stability/stability_tables.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_tables.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {
@@ -42,7 +42,7 @@ std::string verdict_part(const StabilityRecord& record) {
 
 std::string groups_part(const StabilityRecord& record) {
   std::string tables;
-  for (const ReportTable& table : group_tables(record)) tables += page_table(table);
+  for (const ReportTable& table : page_tables(record)) tables += page_table(table);
   return tables;
 }
 

@@ -7,16 +7,19 @@
 #include <vector>
 
 #include "server/study/report/report_table.h"
-#include "server/study/stability/stability_record.h"
+#include "server/study/stability/report/stability_record.h"
 
 namespace herr {
 
 // What was asked, of what and how long, by name; without what is not known.
 std::vector<std::pair<std::string, std::string>> stability_facts(const StabilityRecord& record);
 
-// One of each group, in order: what fails first. Its sentence is the one of relation_groups(), where that
-// still has it.
-std::vector<ReportTable> group_tables(const StabilityRecord& record);
+// One of each group, in order: what fails first, then as they were asked. The title is the sentence of
+// relation_groups(), where that still has the group.
+std::vector<ReportTable> page_tables(const StabilityRecord& record);
+// The same for a terminal, where a relation's name goes first: without those that were not asked, and the
+// unit in the title where it is the same of all.
+std::vector<ReportTable> terminal_tables(const StabilityRecord& record);
 
 // "place: moved by 1e6 m: why", of those that were not asked.
 std::vector<std::string> not_applicable_lines(const StabilityRecord& record);
