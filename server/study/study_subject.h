@@ -22,6 +22,8 @@ class StudySubject {
   // Frames in ascending order until rewind(). The instant refers to this subject; valid until the next call.
   FrameInstant instant(std::int64_t frame);
   void rewind() { step_->rewind(); }
+  // No instant needs it, and its threads limit those of others. No rewind() from then on.
+  void free_renderer() { opened_.renderer.reset(); }
 
   const StudyFrames& frames() const { return frames_; }
   const RenderSettings& defaults() const { return report_.settings; }  // threads and isa resolved

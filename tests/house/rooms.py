@@ -12,7 +12,9 @@ ROOMS = {
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
                "study/diagrams", "study/report", "study/plan", "study/reference", "study/measure",
-               "study/findings", "study/relations", "study/relations/light", "study", "study/stability", "cli"),
+               "study/findings", "study/relations", "study/relations/light", "study/relations/place",
+               "study/relations/gaze", "study/relations/triangles", "study/stability/report", "study",
+               "study/stability", "cli"),
 }
 
 # Modules whose root holds public headers, which every room may include, and what those headers alone need.
@@ -47,7 +49,8 @@ FACE = {
         "sessions/pictures/image_size.h", "sessions/pictures/jpeg_header.h",
         "sessions/pictures/loaded_module.h", "sessions/pictures/png_writer.h", "sessions/pictures/picture_reader.h", "sessions/pictures/png_chunks.h",
         "sessions/record/session_recorder.h",
-        "sessions/streams/event_stream.h", "sessions/streams/frame_sample.h", "sessions/streams/session_options.h",
+        "sessions/streams/event_stream.h", "sessions/streams/frame_sample.h", "sessions/streams/gaze_sampler.h",
+        "sessions/streams/head_speed.h", "sessions/streams/pose_sampler.h", "sessions/streams/session_options.h",
     ),
     "scenes": (
         "scenes/load_scene.h",
@@ -55,7 +58,8 @@ FACE = {
         "scenes/document/parse_change.h",
         "scenes/environment/environment_image.h",
         "scenes/model/exposure.h",
-        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/transform_checks.h",
+        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/similar_scene.h",
+        "scenes/model/transform_checks.h",
         "scenes/model/voxel_grid.h",
     ),
     "renderer": (
