@@ -108,8 +108,21 @@ Extent extent_of(const std::array<glm::dvec3, 3>& p) {
   return {longest > 0 ? area / longest : 0, std::sqrt(3.0) * 0x1p-24 * largest};
 }
 
+// Directions are stored with |x| + |y| + |z| = 1, which a mean of them keeps only where no component changes
+// its sign.
+template <typename T>
+bool means_keep_length(const std::vector<T>& directions, const Corners& at) {
+  if (directions.empty()) return true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float a = directions[at[0]][axis], b = directions[at[1]][axis], c = directions[at[2]][axis];
+    if (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0) return false;
+  }
+  return true;
+}
+
 void divide(TriangleMesh& mesh, std::size_t t) {
   const Corners at = mesh.triangles[t];
+  if (!means_keep_length(mesh.normals, at) || !means_keep_length(mesh.tangents, at)) return;
   const std::array<glm::dvec3, 3> p{glm::dvec3(mesh.positions[at[0]]), glm::dvec3(mesh.positions[at[1]]),
                                     glm::dvec3(mesh.positions[at[2]])};
   const Extent extent = extent_of(p);

@@ -22,9 +22,10 @@ void add_duplicates(Scene& scene);
 // away.
 void add_triangles_without_area(Scene& scene);
 // Into each triangle of rigid meshes a vertex very near an edge or a corner: two or one of the three parts
-// are needles. The surface stays: normals and the like are interpolated as shading does. Triangles so small
-// that float coordinates would tilt a needle by more than 1/1024 stay whole. Beyond a million triangles one
-// of several is divided.
+// are needles. The surface stays: normals and the like are interpolated as shading does. These stay whole:
+// triangles so small that float coordinates would tilt a needle by more than 1/1024, and those with normals
+// on two sides of an axis plane, which shading does not interpolate along straight lines. Beyond a million
+// triangles one of several is divided.
 void divide_into_needles(Scene& scene);
 // One triangle in a rigid mesh from `from` to 1e8 m along `away`, a unit vector; `width` wide at its near end
 // along `across`. All in the world.

@@ -35,8 +35,13 @@ class TriangleRelations {
     if (any) wanted_ = draw_(subject_);
     measure_duplicates();
     measure_added(relation_without_area(), any, add_triangles_without_area);
-    measure_added(relation_of_needles(), any, divide_into_needles);
     measure_added(relation_of_far_corner(), any, [this](Scene& scene) { add_far_corner(scene, behind()); });
+    // The last bit of a normal chooses which way a random ray goes, and how fast normals turn, which makes
+    // the highlights of wide rays wider, each triangle knows from its own corners alone.
+    subject_.settings.occlusion_rays = 0;
+    subject_.settings.ray_width = 0;
+    if (any) wanted_ = draw_(subject_);
+    measure_added(relation_of_needles(), any, divide_into_needles);
     measure_floors();
   }
 
@@ -96,7 +101,9 @@ class TriangleRelations {
   static Relation relation_of_needles() {
     Relation relation;
     relation.name = "needles";
-    relation.holds = "triangles divided at a vertex very near an edge or corner show the same surface";
+    relation.holds =
+        "triangles divided at a vertex very near an edge or corner show the same surface to rays "
+        "of no width";
     relation.bound = kFewPixels;
     relation.bound_from =
         "a needle's vertex is rounded to floats, which tilts it by 1/1024 at most, and needles are "
