@@ -46,12 +46,22 @@ std::string groups_part(const StabilityRecord& record) {
   return tables;
 }
 
+std::string sentences_part(const StabilityRecord& record) {
+  std::string items;
+  for (const RelationSentence& one : relation_sentences(record)) {
+    items +=
+        html_element("dt", "", html_text(one.names)) + html_element("dd", "", html_text(one.sentence)) + "\n";
+  }
+  return items.empty() ? "" : html_element("dl", "class=\"metrics\"", items) + "\n";
+}
+
 std::string stability_body(const StabilityRecord& record) {
   return html_element("h1", "", "Relations that must hold: " + html_text(record.scene)) + "\n" +
          facts_part(record) + page_section("verdict", "Verdict", verdict_part(record)) +
          page_section("relations", "Relations", groups_part(record)) +
          page_section("pictures", "What the worst look like", page_pictures(record.pictures, kShownWidthPx)) +
          page_section("not-applicable", "Not applicable", page_list(not_applicable_lines(record))) +
+         page_section("sentences", "What must hold, and where bounds are from", sentences_part(record)) +
          page_section("warnings", "Warnings", page_list(record.warnings));
 }
 

@@ -46,9 +46,7 @@ ReportTable page_table_of(const Results& results) {
                      {"of bound"},
                      {"unit", true},
                      {"verdict", true},
-                     {"s"},
-                     {"what must hold, and where the bound is from", true, true},
-                     {"worst place, or why it was not asked", true, true}},
+                     {"s"}},
                     {},
                     ""};
   for (const RelationResult* result : results) {
@@ -70,29 +68,33 @@ std::string short_unit(const std::string& unit, std::size_t most) {
   return unit.substr(0, end) + "..";
 }
 
+template <typename Value>
+bool all_alike(const Results& results, const Value& value) {
+  return std::all_of(results.begin(), results.end(),
+                     [&](const RelationResult* result) { return value(*result) == value(*results.front()); });
+}
+
 ReportTable terminal_table_of(const Results& results) {
-  constexpr std::size_t kLongestUnit = 26;
-  const std::string& unit = results.front()->relation.unit;
-  const bool one_unit = std::all_of(results.begin(), results.end(), [&](const RelationResult* result) {
-    return result->relation.unit == unit;
-  });
-  ReportTable table{
-      group_title(results.front()->group),
-      {{"verdict", true}, {"relation", true}, {"kind", true}, {"error"}, {"bound"}, {"of bound"}},
-      {},
-      ""};
-  if (one_unit) {
-    table.title += ". Error: " + unit;
-  } else {
-    table.columns.push_back({"unit", true});
-  }
+  constexpr std::size_t kLongestUnit = 24;
+  const Relation& first = results.front()->relation;
+  const bool one_kind = all_alike(results, [](const RelationResult& result) { return result.relation.kind; });
+  const bool one_unit = all_alike(results, [](const RelationResult& result) { return result.relation.unit; });
+  ReportTable table{group_title(results.front()->group) +
+                        (one_kind ? std::string(" (") + name_of(first.kind) + ")" : "") +
+                        (one_unit ? "; error: " + first.unit : ""),
+                    {{"verdict", true}, {"relation", true}, {"error"}, {"bound"}, {"of bound"}},
+                    {},
+                    ""};
+  if (!one_kind) table.columns.push_back({"kind", true});
+  if (!one_unit) table.columns.push_back({"unit", true});
   for (const RelationResult* result : results) {
     const Relation& relation = result->relation;
     table.rows.push_back({result->holds()    ? "holds"
                           : result->counts() ? "FAILS"
                                              : "fails",
-                          relation.name, name_of(relation.kind), error_figure(result->error),
-                          bound_figure(relation.bound), share_text(*result)});
+                          relation.name, error_figure(result->error), bound_figure(relation.bound),
+                          share_text(*result)});
+    if (!one_kind) table.rows.back().push_back(name_of(relation.kind));
     if (!one_unit) table.rows.back().push_back(short_unit(relation.unit, kLongestUnit));
   }
   return table;
@@ -137,6 +139,22 @@ std::vector<ReportTable> terminal_tables(const StabilityRecord& record) {
     if (!group.empty()) tables.push_back(terminal_table_of(group));
   }
   return tables;
+}
+
+std::vector<RelationSentence> relation_sentences(const StabilityRecord& record) {
+  std::vector<RelationSentence> sentences;
+  std::string group;
+  for (const RelationResult& result : record.results) {
+    const std::string sentence = result.relation.holds + ". Bound: " + result.relation.bound_from + ".";
+    const bool goes_on = !sentences.empty() && group == result.group && sentences.back().sentence == sentence;
+    if (goes_on) {
+      sentences.back().names += "; " + result.relation.name;
+    } else {
+      sentences.push_back({result.group + ": " + result.relation.name, sentence});
+    }
+    group = result.group;
+  }
+  return sentences;
 }
 
 std::vector<std::string> not_applicable_lines(const StabilityRecord& record) {

@@ -18,8 +18,15 @@ std::vector<std::pair<std::string, std::string>> stability_facts(const Stability
 // relation_groups(), where that still has the group.
 std::vector<ReportTable> page_tables(const StabilityRecord& record);
 // The same for a terminal, where a relation's name goes first: without those that were not asked, and the
-// unit in the title where it is the same of all.
+// kind and unit in the title where they are the same of all.
 std::vector<ReportTable> terminal_tables(const StabilityRecord& record);
+
+// What must hold and where its bound is from, of relations in a row that say the same.
+struct RelationSentence {
+  std::string names;  // "place: moved by 1e3 m; moved by 1e6 m"
+  std::string sentence;
+};
+std::vector<RelationSentence> relation_sentences(const StabilityRecord& record);
 
 // "place: moved by 1e6 m: why", of those that were not asked.
 std::vector<std::string> not_applicable_lines(const StabilityRecord& record);
