@@ -18,11 +18,12 @@ void fill(const RecordedRays& rays, std::size_t first, std::size_t count, float 
   std::memcpy(packet.dir_y, &rays.dy[first], bytes);
   std::memcpy(packet.dir_z, &rays.dz[first], bytes);
   for (std::size_t i = 0; i < kRays; ++i) {
-    packet.tnear[i] = packet.time[i] = 0;
+    packet.tnear[i] = 0;
     packet.tfar[i] = tfar;
     packet.mask[i] = mask;
     packet.flags[i] = 0;
     packet.id[i] = i < count ? rays.footprint[first + i] : 0;
+    packet.time[i] = i < count ? rays.chance[first + i] : 0;
     valid[i] = i < count && !rays.is_gap(first + i) ? -1 : 0;
   }
 }

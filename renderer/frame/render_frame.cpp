@@ -9,8 +9,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/broken_on_purpose.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/tiles/finite_lanes.h"
 #include "renderer/viewports/camera_feed.h"
 #include "renderer/viewports/gaze_marker.h"
 
@@ -37,7 +39,7 @@ auto timed(StageTimes& times, Stage stage, Work&& work) {
 }
 
 void require_usable(const Pose& pose) {
-  constexpr double kFarthest_m = 1e9;
+  constexpr double kFarthest_m = 1e9;  // as rows of a session are checked
   const glm::dvec3& p = pose.position;
   const glm::dquat& q = pose.orientation;
   const bool usable = std::abs(p.x) < kFarthest_m && std::abs(p.y) < kFarthest_m &&
@@ -69,6 +71,17 @@ void count(const SceneUpdate& update, FrameCounters& counters) {
   counters.instances_restyled = update.restyled;
   counters.meshes_refitted = update.refitted;
   counters.meshes_rebuilt = update.rebuilt;
+}
+
+// Debug builds: no pixel is NaN or infinite.
+void require_finite_viewports(const RenderedFrame& frame) {
+  if constexpr (!kStagesAreChecked) return;
+  for (const ViewportImage& image : frame.viewports) {
+    for (int y = 0; y < image.height_px; ++y) {
+      const std::span row(image.row(y), 4 * static_cast<std::size_t>(image.width_px));
+      require_none(Stage::viewports, first_not_finite(row, "row " + std::to_string(y)));
+    }
+  }
 }
 
 }  // namespace
@@ -122,6 +135,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   if (!impl.trace_tiles(out.times, use)) return false;
   timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
+  require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
   out.times.frame_ms = milliseconds_since(start);
@@ -200,8 +214,14 @@ void Renderer::Impl::choose_details() {
       [this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
 
+LightReach Renderer::Impl::light_reach() const {
+  double eyes_m = 0;
+  for (const EyeView& eye : eyes) eyes_m = std::max(eyes_m, glm::length(eye.anchored_from_eye.position));
+  return {beyond_scene_m, eyes_m};
+}
+
 void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
-  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), beyond_scene_m,
+  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), light_reach(),
                 lights);
   shading.plan = &plan;
   shading.scene = geometry->top();
@@ -257,7 +277,14 @@ void Renderer::Impl::run_tile(int job, int worker, RayRecorder* recorder) {
   const int tile = job - first_tile[grid_index];
   const int tiles_x = (grid.sink.width + kTileSide - 1) / kTileSide;
   const auto w = static_cast<std::size_t>(worker);
-  trace_tile({&grid, &shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide, tile_scratch[w].get(),
+  const RayGrid* traced = &grid;
+  if constexpr (kFault == Fault::samples_keyed_by_thread) {
+    thread_local RayGrid of_thread;
+    of_thread = grid;
+    of_thread.key += static_cast<std::uint32_t>(worker);
+    traced = &of_thread;
+  }
+  trace_tile({traced, &shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide, tile_scratch[w].get(),
               &counters[w], &cycles[w], recorder});
 }
 

@@ -9,6 +9,7 @@
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/geometry/instance_boxes.h"
+#include "renderer/lighting/light_records.h"
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probes/probe_motion.h"
 #include "renderer/renderer.h"
@@ -80,6 +81,7 @@ struct Renderer::Impl {
   void place_eyes(const FrameSample& sample);  // parts of update_acceleration: these three
   void show_full_details();
   void choose_details();
+  LightReach light_reach() const;  // of lights, for this frame
   void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
   void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);

@@ -6,6 +6,7 @@
 #include "renderer/lighting/light_records.h"
 #include "renderer/memory_use.h"
 #include "renderer/probes/probe_placement.h"
+#include "renderer/tiles/finite_lanes.h"
 #include "renderer/timing.h"
 
 namespace herr {
@@ -19,6 +20,16 @@ double summed_power(const SceneState& state) {
     sum += double{light.intensity_w_sr.x} + double{light.intensity_w_sr.y} + double{light.intensity_w_sr.z};
   }
   return sum;
+}
+
+// Debug builds: what probes have gathered is finite.
+void require_finite_probes(const ProbeVolume& probes) {
+  if constexpr (!kStagesAreChecked) return;
+  for (const ProbeSet& set : probes.sets) {
+    require_none(Stage::probe_update, first_not_finite(std::span(set.gathered), "gathered"));
+    require_none(Stage::probe_update, first_not_finite(std::span(set.mean), "mean"));
+    require_none(Stage::probe_update, first_not_finite(std::span(set.square), "square"));
+  }
 }
 
 }  // namespace
@@ -58,7 +69,7 @@ void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& sta
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns - sample.start_ns, kProbeKey, settings.seed),
                          probes->node_directions);
-  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), beyond_scene_m, probe_lights);
+  light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), light_reach(), probe_lights);
   view_probes();
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
     ShadingInputs& by_probes = probe_shading[set] = shading;
@@ -136,6 +147,7 @@ void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& 
     job.tile.cycles->lap(Stage::probe_update);
   });
   gathering.finish(out.times);
+  require_finite_probes(*probes);
 
   const PhaseClock publishing(cycles);
   publish_probes();

@@ -188,16 +188,16 @@ void DeformedMesh::flatten_normals(std::size_t first, std::size_t last) {
 
 void DeformedMesh::bake(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    std::array<glm::vec3, 3> places, directions;
+    std::array<glm::vec3, 3> places, directions{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t vertex = mesh_.triangles[t][corner];
       built_.baked.records[t].normal[corner] = normals_[vertex];
-      if (directions_.empty()) continue;
       const float* v = vertices_ + 3 * std::size_t{vertex};
       places[corner] = {v[0], v[1], v[2]};
-      directions[corner] = directions_[vertex];
+      if (!directions_.empty()) directions[corner] = directions_[vertex];
     }
-    if (!directions_.empty()) built_.baked.records[t].curvature = shading_curvature(places, directions);
+    built_.baked.records[t].curvature_and_rounding =
+        curvature_and_rounding(shading_curvature(places, directions), most_rounded_length(places));
     if (tangents_.empty()) continue;
     TangentRecord& record = built_.baked.tangents[t];
     for (std::size_t corner = 0; corner < 3; ++corner)

@@ -90,12 +90,12 @@ void set_mesh(const Material& material, const BakedMesh& baked, bool has_uvs,
 }
 
 // Where rays are met, coordinates are the object's own. On an analytic shape they are about 1: eight
-// roundings (going there, crossing, coming back), and twice that. On a triangle they are differences to its
-// corners, and in voxels up to their number along the grid: two roundings.
+// roundings (going there, crossing, coming back), and twice that. On a triangle they are its own
+// (rounded_length), and in voxels up to their number along the grid: two roundings.
 constexpr float kShapeRounding = 0x1p-20f, kCornerRounding = 0x1p-23f;
 
-float object_rounding(const Scene& scene, const Instance& instance, const BakedMesh* baked) {
-  if (baked) return kCornerRounding * baked->longest_edge;
+float object_rounding(const Scene& scene, const Instance& instance) {
+  if (instance.kind == ShapeKind::mesh) return kCornerRounding;
   if (instance.kind != ShapeKind::voxels) return kShapeRounding;
   const glm::ivec3& counts = scene.voxel_grids[instance.grid].counts;
   return kCornerRounding * static_cast<float>(std::max({counts.x, counts.y, counts.z}));
@@ -110,7 +110,7 @@ InstanceRecord instance_record(const Scene& scene, const Instance& instance, con
   record.kind = instance.kind;
   record.catcher = instance.catcher;
   record.back_face_culling = culls_back_faces(scene, instance);
-  record.object_rounding = object_rounding(scene, instance, baked);
+  record.object_rounding = object_rounding(scene, instance);
   set_matrix(instance, record);
   set_material(material, record);
   if (baked) set_mesh(material, *baked, !scene.meshes[instance.mesh].uvs.empty(), textures, record);

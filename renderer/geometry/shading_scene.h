@@ -16,7 +16,10 @@ struct alignas(32) TriangleRecord {
   std::uint32_t normal[3];  // octahedral, two 16-bit snorms: x low, y high
   std::uint32_t uv[3];      // two 16-bit unorms over the mesh's uv range: u low, v high
   float texel_density = 0;  // area in coordinates over area in object space, 1/m^2
-  float curvature = 0;      // turn of the shading normal along the surface, radians per unit of object space
+  // Turn of the shading normal along the surface, radians per unit of object space: a float but for its last
+  // 8 bits. In these n: places on the triangle are rounded as a float near 2^(n - 127) is, off its plane and
+  // in object space; 0: not at all.
+  std::uint32_t curvature_and_rounding = 0;
 };
 static_assert(sizeof(TriangleRecord) == 32);
 
@@ -93,7 +96,8 @@ struct InstanceRecord {
   float emission[3] = {};
   const TextureRecord* base_colour_texture = nullptr;
   const TextureRecord* metallic_roughness_texture = nullptr;
-  float least_offset_m = 0;              // secondary rays start at least this far off
+  // Secondary rays start at least this far off; off a mesh, this times 2^(n - 127) of the triangle.
+  float least_offset_m = 0;
   float object_rounding = 0;             // the same in object space
   const DetailRecord* detail = nullptr;  // null: nothing more
   float object_per_world2 = 1;           // squared length in object space of a metre (mean over directions)
@@ -117,12 +121,12 @@ struct LightRecord {
   float inverse_range2 = 0;               // 1 / (distance where the light ends)^2; 0: it never ends
   float direction[3] = {};                // in which a spot or sun shines, unit
   float cone_scale = 0, cone_offset = 1;  // of a spot: brightness clamp(scale cos + offset)^2
-  float reach = 0;                        // of a sun: metres that leave the scene from anywhere in it
-  std::uint32_t key = 0;                  // random numbers: which light
-  int samples = 1;                        // the product of the strata
-  int first_samples = 1;                  // of these, traced for every hit (LightSampling::first)
-  int strata[3] = {1, 1, 1};              // per axis
-  bool stratified = true;                 // false: every sample lies anywhere on the light
+  float reach = 0;            // metres that leave the scene from anywhere in it: twice its diagonal
+  std::uint32_t key = 0;      // random numbers: which light
+  int samples = 1;            // the product of the strata
+  int first_samples = 1;      // of these, traced for every hit (LightSampling::first)
+  int strata[3] = {1, 1, 1};  // per axis
+  bool stratified = true;     // false: every sample lies anywhere on the light
   // Which stratum each sample takes, and its inverse; in use where samples <= kMostOrderedSamples. A sample
   // comes after those strata around it that lie on a coarser lattice.
   std::array<std::uint16_t, kMostOrderedSamples> stratum_of{}, sample_of{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -86,13 +87,10 @@ TangentRecord bake_tangents(const TriangleMesh& mesh, const std::array<std::uint
   return record;
 }
 
-float longest_edge(const TriangleMesh& mesh) {
-  float longest = 0;
-  for (const auto& t : mesh.triangles) {
-    const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    longest = std::max({longest, glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-  }
-  return longest;
+// Per axis, the largest coordinate of a corner and the largest difference of two.
+glm::vec3 rounded_extents(const std::array<glm::vec3, 3>& p) {
+  const glm::vec3 lower = glm::min(glm::min(p[0], p[1]), p[2]), upper = glm::max(glm::max(p[0], p[1]), p[2]);
+  return glm::max(glm::abs(lower), glm::abs(upper)) + (upper - lower);
 }
 
 }  // namespace
@@ -127,6 +125,25 @@ float shading_curvature(const std::array<glm::vec3, 3>& corners, const std::arra
   return std::min(std::sqrt(mean2 < fastest2 ? mean2 : fastest2), 1e30f);  // NaN: no area
 }
 
+float rounded_length(const std::array<glm::vec3, 3>& corners) {
+  const glm::dvec3 a(corners[0]);
+  const glm::dvec3 area = glm::cross(glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a);
+  const double length = glm::length(area);
+  if (!(length > 0)) return 0;
+  return static_cast<float>(glm::dot(glm::abs(area) / length, glm::dvec3(rounded_extents(corners))));
+}
+
+float most_rounded_length(const std::array<glm::vec3, 3>& corners) {
+  return glm::length(rounded_extents(corners));
+}
+
+std::uint32_t curvature_and_rounding(float curvature, float length) {
+  constexpr std::uint32_t kLastBits = 0xffu, kMantissa = 0x7fffffu, kLargestExponent = 254;
+  const std::uint32_t exponent =
+      std::min((std::bit_cast<std::uint32_t>(std::max(length, 0.0f)) + kMantissa) >> 23, kLargestExponent);
+  return (std::bit_cast<std::uint32_t>(curvature) & ~kLastBits) | exponent;
+}
+
 std::uint32_t encode_octahedral(const glm::vec3& n) {
   const float norm = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
   if (!(norm > 0)) return encode_octahedral({0, 1, 0});
@@ -153,9 +170,9 @@ BakedMesh bake_triangles(const TriangleMesh& mesh) {
       places[corner] = mesh.positions[vertex];
       directions[corner] = unit_normal(mesh.normals[vertex]);
     }
-    baked.records[i].curvature = shading_curvature(places, directions);
+    baked.records[i].curvature_and_rounding =
+        curvature_and_rounding(shading_curvature(places, directions), rounded_length(places));
   }
-  baked.longest_edge = longest_edge(mesh);
   bake_coordinates(mesh, mesh.uvs, baked);
   for (const auto& uvs : mesh.more_uvs) {
     BakedCoordinates& set = baked.more.emplace_back();

@@ -124,7 +124,7 @@ HWY_NOINLINE inline void first_visibility(const TileJob& job, const LightRecord&
                                           const HitBatch& hits, int count, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
-  scratch.queue.count = 0;
+  begin_light_rays(scratch.queue, light, s);
   for (int slot = 0; slot < count; slot += kLanes) {
     hn::Store(set(1.0f), kF, &scratch.visible[slot]);
     hn::Store(set(1.0f), kF, &scratch.visible_without[slot]);
@@ -147,7 +147,7 @@ HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord&
                                           const HitBatch& hits, int count, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
-  scratch.queue.count = 0;
+  begin_light_rays(scratch.queue, light, s);
   for (int slot = 0; slot < count; slot += kLanes) {
     const MF asks = hn::Gt(load(&adaptive.asks[slot]), hn::Zero(kF));
     const VF one = set(1.0f);

@@ -49,7 +49,7 @@ HWY_INLINE void local_direction(std::uint32_t key, int ray, int rays, float loca
 HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
   TileScratch& scratch = *job.scratch;
   const HitBatch& hits = scratch.first;
-  scratch.queue.count = 0;
+  begin_occlusion_rays(scratch.queue, ray);
   const VI lane = hn::Iota(kI, 0);
   const VF radius = set(job.shading->occlusion_radius_m);
   for (int p = 0; p < packets; ++p) {

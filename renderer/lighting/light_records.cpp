@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "renderer/broken_on_purpose.h"
+
 namespace herr {
 
 std::array<int, 3> strata_for(const glm::vec3& size, int samples) {
@@ -42,6 +44,11 @@ void order_strata(LightRecord& light) {
   const int stride = spreading_stride(light.samples);
   const int nx = light.strata[0], ny = light.strata[1];
   std::size_t sample = 0;
+  if constexpr (kFault == Fault::biased_adaptive_samples) {
+    std::iota(light.stratum_of.begin(), light.stratum_of.end(), std::uint16_t{0});
+    std::iota(light.sample_of.begin(), light.sample_of.end(), std::uint16_t{0});
+    return;
+  }
   for (const int parity : kClasses) {
     for (int i = 0; i < light.samples; ++i) {
       const int stratum = i * stride % light.samples;
@@ -55,14 +62,16 @@ void order_strata(LightRecord& light) {
 
 namespace {
 
-constexpr double kNearestShare = 0x1p-24;  // of the scene: a float does not tell nearer places apart
+constexpr double kNearestShare = 0x1p-24;  // of coordinates: a float does not tell nearer places apart
 constexpr float kMostIrradiance = 1e29f;   // what it is multiplied by must not leave a float's range
 constexpr float kSmallestSquare = 1e-36f;  // so that its inverse is finite
 
-// Below this squared distance a light gets no brighter.
-float nearest2(const AreaLight& light, double beyond_scene_m) {
+// Below this squared distance a light gets no brighter. A place near the light is rounded as the light's own,
+// and as the eye's whose ray leads there: what lies far away is no matter.
+float nearest2(const AreaLight& light, const glm::vec3& centre, const LightReach& reach) {
   const glm::vec3& i = light.intensity_w_sr;
-  const double nearest_m = kNearestShare * beyond_scene_m;
+  const double largest_m = 2 * (double{glm::length(centre)} + reach.eyes_m);
+  const double nearest_m = kNearestShare * std::min(reach.beyond_scene_m, largest_m);
   return std::max({static_cast<float>(nearest_m * nearest_m), std::max({i.x, i.y, i.z}) / kMostIrradiance,
                    kSmallestSquare});
 }
@@ -70,7 +79,7 @@ float nearest2(const AreaLight& light, double beyond_scene_m) {
 }  // namespace
 
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
-                   double beyond_scene_m, std::vector<LightRecord>& out) {
+                   const LightReach& reach, std::vector<LightRecord>& out) {
   out.clear();
   for (const AreaLight& light : lights) {
     if (light.intensity_w_sr == glm::vec3{0.0f}) continue;
@@ -84,7 +93,8 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
       record.intensity[axis] = light.intensity_w_sr[axis];
     }
     const float half = 0.5f * std::max({light.size.x, light.size.y, light.size.z});
-    record.min_distance2 = std::max(half * half, nearest2(light, beyond_scene_m));
+    record.min_distance2 = std::max(half * half, nearest2(light, centre, reach));
+    if constexpr (kFault == Fault::singular_falloff) record.min_distance2 = nearest2(light, centre, reach);
     for (int axis = 0; axis < 3; ++axis) record.direction[axis] = static_cast<float>(light.direction[axis]);
     if (light.range_m > 0) record.inverse_range2 = static_cast<float>(1.0 / (light.range_m * light.range_m));
     if (light.kind == LightKind::spot) {
@@ -94,7 +104,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
       record.cone_scale = static_cast<float>(scale);
       record.cone_offset = static_cast<float>(-outer * scale);
     }
-    record.reach = static_cast<float>(beyond_scene_m);
+    record.reach = static_cast<float>(reach.beyond_scene_m);
     // All samples of a light without extent would be the same.
     const bool extended = light.size.x > 0 || light.size.y > 0 || light.size.z > 0;
     record.samples = extended ? sampling.samples : 1;

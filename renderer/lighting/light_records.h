@@ -22,10 +22,13 @@ int spreading_stride(int n);
 // Fills stratum_of and sample_of of a light of at most kMostOrderedSamples samples.
 void order_strata(LightRecord& light);
 
-// Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`. `beyond_scene_m`: a
-// distance that leaves the scene from any place in it.
+// Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`.
+struct LightReach {
+  double beyond_scene_m = 0;  // leaves the scene from any place in it
+  double eyes_m = 0;          // from the anchor to the eyes, at most
+};
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
-                   double beyond_scene_m, std::vector<LightRecord>& out);
+                   const LightReach& reach, std::vector<LightRecord>& out);
 
 // Irradiance that these lights would give, unblocked and head on, at the point of `boxes` (world
 // space) farthest from each, per channel: a scale of what catchers receive that no light near

@@ -95,7 +95,7 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
 HWY_NOINLINE inline void queue_shadow_rays(const TileJob& job, const LightRecord& light, int s,
                                            const HitBatch& hits, int count) {
   TileScratch& scratch = *job.scratch;
-  scratch.queue.count = 0;
+  begin_light_rays(scratch.queue, light, s);
   for (int slot = 0; slot < count; slot += kLanes) {
     const V3 to_light = way_to_light(light, s, hits, slot);
     hn::Store(set(1.0f), kF, &scratch.visible[slot]);

@@ -10,6 +10,7 @@
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
+#include "renderer/tiles/finite_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -77,18 +78,20 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
     hn::Store(width, kF, &second.hits.cone_width[start]);
     hn::Store(spread, kF, &second.hits.cone_spread[start]);
     if (kDetail != SurfaceDetail::plain) widen(packet.ray, second.hits, start);
-    hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
-    set_valid(valid, lanes);
-    record(job, kind, packet.ray, valid, false);
-    intersect_packet<kLanes>(valid, job.shading->scene, !glass, &packet);
-    surface_of_packet<kDetail>(packet, lanes, *job.shading, true, second.hits, start);
     VU key = hn::BitCast(
         kU, hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(scratch.first.key.data()), sender));
     if (glass) {
       const VU path = hn::BitCast(kU, hn::Load(kI, &second.path[start]));
       key = hn::Xor(key, hn::Mul(hn::ShiftRight<kSenderBits + 1>(path), hn::Set(kU, 0x9e3779b1u)));
     }
-    hn::Store(hash(key, salt), kU, &second.hits.key[start]);
+    key = hash(key, salt);
+    hn::Store(key, kU, &second.hits.key[start]);
+    if (job.shading->plan->voxels) set_chance(packet.ray, key);
+    hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
+    set_valid(valid, lanes);
+    record(job, kind, packet.ray, valid, false);
+    intersect_packet<kLanes>(valid, job.shading->scene, !glass, &packet);
+    surface_of_packet<kDetail>(packet, lanes, *job.shading, true, second.hits, start);
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
     second.hits.block[i] = scratch.first.block[static_cast<std::size_t>(second.sender[i])];
@@ -143,9 +146,13 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool 
 // Lights what second rays [0, rays) met, just traced, and adds what they bring. The rest of their stages.
 template <Lobe kLobe>
 HWY_INLINE void bring_second_light(const TileJob& job, int rays, RayKind shadow, bool onward) {
+  const HitBatch& hits = job.scratch->second->hits;
   job.cycles->lap(Stage::second_hits);
+  require_finite(hits, rays, Stage::second_hits, *job.shading->plan);
   direct_light<kLobe>(job, job.scratch->second->hits, rays, shadow);
+  require_finite(hits, rays, Stage::light_rays, *job.shading->plan);
   light_indirectly(job, rays);
+  require_finite(hits, rays, Stage::indirect_light, *job.shading->plan);
   gather_second_light(job, rays, onward);
   job.cycles->lap(Stage::second_light);
 }

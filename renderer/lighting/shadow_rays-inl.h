@@ -56,6 +56,18 @@ HWY_INLINE V3 ray_origin(const HitBatch& hits, int slot) {
   return mul_add(load(&hits.offset[slot]), load3(hits.geometric_normal, slot), load3(hits.position, slot));
 }
 
+// An empty queue for rays to light sample `s`, or for occlusion ray `s`.
+HWY_INLINE void begin_light_rays(RayQueue& queue, const LightRecord& light, int s) {
+  constexpr std::uint32_t kShadows = 1u << 19;  // beyond the light's own numbers
+  queue.count = 0;
+  queue.salt = light.key + kShadows + static_cast<std::uint32_t>(s);
+}
+HWY_INLINE void begin_occlusion_rays(RayQueue& queue, int s) {
+  constexpr std::uint32_t kOcclusion = 1u << 18;  // between the first light's numbers and its shadows
+  queue.count = 0;
+  queue.salt = kOcclusion + static_cast<std::uint32_t>(s);
+}
+
 // Appends `lanes` to the queue. Compressed in a register and stored whole: a compressing store is microcoded
 // on some CPUs. What the store writes beyond the last ray is overwritten by the next.
 HWY_INLINE void push(RayQueue& queue, const V3& origin, const V3& direction, VI hit, MF lanes) {
@@ -103,13 +115,16 @@ HWY_INLINE MF occluded_by_shares(const int* valid, RTCScene scene, MF lanes, Ray
   return hn::And(lanes, hit);
 }
 
-// With voxels: rays of the queue from `start` on are as wide as those that found the hits they come from.
+// With voxels: rays of the queue from `start` on are as wide as those that found the hits they come from, and
+// have random numbers of their own.
 HWY_INLINE void widen_shadow_rays(Ray& packet, const HitBatch& hits, const RayQueue& queue, int start,
                                   const V3& direction, MF used) {
   const VI hit = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &queue.hit[start]));
   const VF length = hn::Sqrt(hn::Max(dot(direction, direction), set(1e-30f)));
   const VF width = hn::Max(hn::GatherIndex(kF, hits.cone_width.data(), hit), hn::Zero(kF));
   hn::Store(footprint_code(hn::Div(width, length), hn::Zero(kF)), kU, packet.id);
+  const VI key = hn::GatherIndex(kI, reinterpret_cast<const std::int32_t*>(hits.key.data()), hit);
+  set_chance(packet, hash(hn::BitCast(kU, key), queue.salt));
 }
 
 // Traces the queue's rays over their whole length, t in [0, 1); calls blocked(i, passes) for each that meets
@@ -162,7 +177,7 @@ HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKi
                                  const Blocked& blocked, const BlockedWithout& blocked_without) {
   TileScratch& scratch = *job.scratch;
   const bool catchers_occlude = job.shading->plan->catchers_occlude;
-  if (catchers_occlude) scratch.blocked->count = 0;
+  if (catchers_occlude) scratch.blocked->count = 0, scratch.blocked->salt = scratch.queue.salt;
   // Probes of catchers alone know no virtual object.
   const unsigned mask = kind == RayKind::catcher_probe_shadow ? kCatcherMask : kAllMask;
   trace_occlusion(job, hits, scratch.queue, mask, kind, [&](int i, float passes) HWY_ATTR {

@@ -11,6 +11,7 @@
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probe_updates/probe_update-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
+#include "renderer/tiles/finite_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -21,6 +22,7 @@ constexpr int kRaysAtOnce = kTileRays / kProbeLanes;
 // Where the job's probes stand, metres from the anchor.
 struct ProbeOrigins {
   alignas(64) float x[kProbeLanes] = {}, y[kProbeLanes] = {}, z[kProbeLanes] = {};
+  alignas(64) std::uint32_t probe[kProbeLanes] = {};
 };
 
 HWY_INLINE ProbeOrigins probe_origins(const ProbeJob& job) {
@@ -32,6 +34,7 @@ HWY_INLINE ProbeOrigins probe_origins(const ProbeJob& job) {
     origins.x[lane] = view.lower[0] + place[0];
     origins.y[lane] = view.lower[1] + place[1];
     origins.z[lane] = view.lower[2] + place[2];
+    origins.probe[lane] = static_cast<std::uint32_t>(probe);
     ++lane;
   }
   return origins;
@@ -56,6 +59,10 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     const MF lanes = hn::And(first_lanes(probes - lane), traceable(origin, direction));
     set_rays(packet, origin, direction);
     hn::Store(hn::Set(kU, mask), kU, packet.ray.mask);
+    const VU key = hash(hn::Xor(hn::Load(kU, origins.probe + lane), hn::Set(kU, directions.key)),
+                        static_cast<std::uint32_t>(ray));
+    hn::Store(key, kU, &hits.key[slot]);
+    if (tile.shading->plan->voxels) set_chance(packet.ray, key);
     set_valid(valid, lanes);
     tile.counters->rays[kind] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
     hn::Store(hn::Set(kU, kSecondLook), kU, packet.ray.flags);
@@ -67,7 +74,6 @@ HWY_INLINE void trace_directions(const ProbeJob& job, const ProbeOrigins& origin
     record(tile, kind, packet.ray, valid, true);
     if (!hn::AllFalse(kF, lanes)) intersect_packet<kLanes>(valid, tile.shading->scene, false, &packet);
     surface_of_packet<kDetail>(packet, lanes, *tile.shading, true, hits, slot, SurfaceUse::matte);
-    hn::Store(hn::Zero(kU), kU, &hits.key[slot]);
   }
 }
 
@@ -125,9 +131,12 @@ void trace_probes(const ProbeJob& job) {
     } else {
       trace_directions<SurfaceDetail::plain>(job, origins, first, rays);
     }
+    require_finite(hits, count, Stage::probe_rays, *tile.shading->plan);
     direct_light<Lobe::none>(tile, hits, count,
                              job.set == 0 ? RayKind::probe_shadow : RayKind::catcher_probe_shadow);
+    require_finite(hits, count, Stage::light_rays, *tile.shading->plan);
     indirect_light(tile, hits, count);
+    require_finite(hits, count, Stage::indirect_light, *tile.shading->plan);
     store_radiance(job, first, rays);
   }
 }

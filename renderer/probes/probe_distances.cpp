@@ -16,6 +16,8 @@ constexpr int kSide = DistanceNodes::kStride;
 // the edge of two triangles exactly may slip between them.
 const glm::dvec3 kAside{1.07e-4, 0.62e-4, -1.31e-4};
 
+constexpr float kGoldenShare = 0.618034f;
+
 double norm_of(const glm::vec3& d) {
   return std::abs(double{d.x}) + std::abs(double{d.y}) + std::abs(double{d.z});
 }
@@ -80,7 +82,9 @@ void trace_distances(RTCScene scene, const glm::dvec3& origin, unsigned mask,
       packet.ray.org_x[i] = from.x, packet.ray.org_y[i] = from.y, packet.ray.org_z[i] = from.z;
       packet.ray.dir_x[i] = d.x, packet.ray.dir_y[i] = d.y, packet.ray.dir_z[i] = d.z;
       packet.ray.tnear[i] = 0, packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
-      packet.ray.time[i] = 0, packet.ray.mask[i] = mask, packet.ray.flags[i] = packet.ray.id[i] = 0;
+      // Evenly spread (tiles/ray_packets-inl.h: set_chance).
+      packet.ray.time[i] = std::fmod(kGoldenShare * static_cast<float>(first + i), 1.0f);
+      packet.ray.mask[i] = mask, packet.ray.flags[i] = packet.ray.id[i] = 0;
       packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
       valid[i] = used ? -1 : 0;
     }

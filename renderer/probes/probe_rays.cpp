@@ -37,7 +37,8 @@ void ProbeDirections::allocate(int rays, int directions) {
   weights.reserve(n * static_cast<std::size_t>(directions));
 }
 
-void ProbeDirections::aim(std::uint32_t key, const std::vector<glm::dvec3>& node_directions) {
+void ProbeDirections::aim(std::uint32_t frame_key, const std::vector<glm::dvec3>& node_directions) {
+  key = frame_key;
   const glm::dquat turn = rotation_of(key);
   for (int i = 0; i < rays(); ++i) {
     const glm::dvec3 d = turn * fibonacci_direction(i, rays());

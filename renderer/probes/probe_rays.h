@@ -26,11 +26,12 @@ struct ProbeDirections {
   };
   std::vector<Weight> weights;
   std::vector<std::int32_t> first_weight;  // per direction, then the end
+  std::uint32_t key = 0;                   // random numbers of the frame
 
   // Allocates for `rays`, kFewestProbeRays ... kMostProbeRays (renderer/render_settings.h).
   void allocate(int rays, int directions);
   // New frame; `node_directions` are those of the irradiance map. No allocation.
-  void aim(std::uint32_t key, const std::vector<glm::dvec3>& node_directions);
+  void aim(std::uint32_t frame_key, const std::vector<glm::dvec3>& node_directions);
   int rays() const { return static_cast<int>(x.size()); }
 };
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "renderer/broken_on_purpose.h"
 #include "renderer/memory_use.h"
 #include "renderer/probes/byte_state.h"
 
@@ -22,7 +23,10 @@ constexpr char kStateMark[8] = {'H', 'E', 'R', 'R', 'P', 'R', 'O', 'B'};
 // exp(-dt / tau), the exact solution of exponential forgetting for any dt; 0 for a probe's first time.
 float kept_share(std::int64_t updated_ns, std::int64_t t_ns, double tau_s) {
   if (updated_ns == kNeverUpdated || tau_s <= 0) return 0.0f;
-  const double age_s = (static_cast<double>(t_ns) - static_cast<double>(updated_ns)) * kSecondsPerNanosecond;
+  const double age_s = static_cast<double>(t_ns - updated_ns) * kSecondsPerNanosecond;
+  if constexpr (kFault == Fault::euler_hysteresis) {
+    return static_cast<float>(std::max(1 - age_s / tau_s, 0.0));
+  }
   return static_cast<float>(std::exp(-age_s / tau_s));
 }
 

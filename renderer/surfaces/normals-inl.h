@@ -67,10 +67,11 @@ HWY_INLINE void store_index_ratio(const InstanceRecord& instance, MF inside, MF 
   store_lanes(hn::IfThenElse(inside, set(index), set(1.0f / index)), lanes, out.index_ratio.data() + slot);
 }
 
-// Normals of `lanes`, turned to the viewer's side. Returns where the triangle's back is seen: some of
-// `lanes`.
+// Normals of `lanes`, turned to the viewer's side, and where secondary rays start: at least `rounding` off
+// the surface. Returns where the triangle's back is seen: some of `lanes`.
 HWY_INLINE MF store_normals(const InstanceRecord& instance, VI record, const Barycentric& at,
-                            const RayHit& packet, const V3& viewer, MF lanes, HitBatch& out, int slot) {
+                            const RayHit& packet, const V3& viewer, VF rounding, MF lanes, HitBatch& out,
+                            int slot) {
   V3 g = normal_to_world(instance, object_normal(packet));
   V3 n = normal_to_world(
       instance,
@@ -87,8 +88,12 @@ HWY_INLINE MF store_normals(const InstanceRecord& instance, VI record, const Bar
   n = select(hn::Lt(dot(bend, bend), set(2e-8f)), g, n);
   store_lanes(g, lanes, out.geometric_normal, slot);
   store_lanes(n, lanes, out.normal, slot);
-  const VF curvature = hn::GatherIndex(kF, reinterpret_cast<const float*>(instance.triangles) + 7, record);
-  store_curvature(instance, curvature, lanes, out, slot);
+  const VU word = hn::GatherIndex(kU, reinterpret_cast<const std::uint32_t*>(instance.triangles) + 7, record);
+  const VU last_bits = hn::Set(kU, 0xffu);
+  store_curvature(instance, hn::BitCast(kF, hn::AndNot(last_bits, word)), lanes, out, slot);
+  const VF rounded_length = hn::BitCast(kF, hn::ShiftLeft<23>(hn::And(word, last_bits)));
+  const VF least = hn::Mul(rounded_length, set(instance.least_offset_m));
+  store_lanes(hn::Max(rounding, least), lanes, out.offset.data() + slot);
   return hn::And(g_behind, lanes);
 }
 

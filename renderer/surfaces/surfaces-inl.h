@@ -133,11 +133,11 @@ HWY_NOINLINE MF surface_of_packet(const RayHit& packet, MF rays, const ShadingIn
     left = hn::AndNot(lanes, left);
     const InstanceRecord& instance = shading.instances[id];
     const VI record = hn::IfThenElseZero(hn::RebindMask(kI, lanes), records);
-    store_lanes(hn::Max(rounding, set(instance.least_offset_m)), lanes, out.offset.data() + slot);
     if (instance.kind == ShapeKind::mesh) {
-      const MF behind = store_normals(instance, record, at, packet, viewer, lanes, out, slot);
+      const MF behind = store_normals(instance, record, at, packet, viewer, rounding, lanes, out, slot);
       if (instance.back_face_culling) backs = hn::Or(backs, behind);
     } else {
+      store_lanes(hn::Max(rounding, set(instance.least_offset_m)), lanes, out.offset.data() + slot);
       store_shape(instance, packet, viewer, lanes, out, slot);
     }
     VF object_width2 = area;

@@ -87,13 +87,15 @@ HWY_NOINLINE inline int generate_rays(const TileJob& job) {
 
       RayHit& packet = packets[count];
       set_rays(packet, origin, direction);
+      const VU key = hash(pixel, grid.key);
+      if (job.shading->plan->voxels) set_chance(packet.ray, key);
       const auto slot = static_cast<std::size_t>(count);
       set_valid(scratch.packet_valid[slot].data(), valid);
       scratch.packet_x[slot] = x;
       scratch.packet_y[slot] = y;
       // Samples that are wanted keep their place even when the ray is not traceable:
       // they show the background.
-      hn::Store(hash(pixel, grid.key), kU, scratch.first.key.data() + count * kLanes);
+      hn::Store(key, kU, scratch.first.key.data() + count * kLanes);
       hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, wanted), hn::Set(kI, static_cast<int>(HitKind::miss))),
                 kI, scratch.first.kind.data() + count * kLanes);
       const auto block = static_cast<std::uint8_t>((y - job.y0) / 4 * kBlocksAlong + (x - job.x0) / 4);

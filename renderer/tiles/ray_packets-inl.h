@@ -43,6 +43,13 @@ HWY_INLINE void widen(Ray& packet, const HitBatch& hits, int slot) {
             kU, packet.id);
 }
 
+// Random bits that decide whether rays meet what hides a share of them: voxels. They travel in the rays'
+// time, which nothing else asks for. They come from the sample that sends the rays, not from where those
+// lead, so that rounding decides nothing.
+HWY_INLINE void set_chance(Ray& packet, VU key) {
+  hn::Store(unit_float(key), kF, packet.time);
+}
+
 // Rays that look for the nearest hit.
 HWY_INLINE void set_rays(RayHit& packet, const V3& origin, const V3& direction) {
   set_rays(packet.ray, origin, direction, kEndless, kAllMask);
@@ -59,7 +66,7 @@ HWY_NOINLINE inline void record_in(RayRecorder& recorder, RayKind kind, const Ra
   for (int i = 0; i < kLanes; ++i) {
     if (valid[i] != 0) {
       recorder.add(kind, packet.org_x[i], packet.org_y[i], packet.org_z[i], packet.dir_x[i], packet.dir_y[i],
-                   packet.dir_z[i], packet.id[i]);
+                   packet.dir_z[i], packet.id[i], packet.time[i]);
     } else if (gaps) {
       recorder.add_gap(kind);
     }

@@ -103,6 +103,7 @@ struct alignas(64) RayQueue {
   Lane3 origin, direction;
   Lane<std::int32_t> hit;
   int count = 0;
+  std::uint32_t salt = 0;  // tells their random numbers from those of other rays of the same hits
 };
 
 // What is known of a light at each hit while its samples are adaptive. Half a megabyte: only where asked for.

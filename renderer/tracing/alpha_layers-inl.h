@@ -32,7 +32,10 @@ HWY_INLINE void go_on(const TileJob& job, int packet, MF lanes) {
   const auto wanted = static_cast<std::size_t>(hn::CountTrue(kF, lanes)), rays = hn::CountTrue(kF, valid);
   job.counters->rays[RayKind::behind] += static_cast<std::int64_t>(rays);
   job.counters->invalid_rays += static_cast<std::int64_t>(wanted - rays);
-  set_rays(packets_of(scratch)[packet], origin, direction);
+  RayHit& rays_behind = packets_of(scratch)[packet];
+  const VU chance = hash(hn::BitCast(kU, load(rays_behind.ray.time)), 0);
+  set_rays(rays_behind, origin, direction);
+  if (job.shading->plan->voxels) set_chance(rays_behind.ray, chance);
   set_valid(scratch.packet_valid[static_cast<std::size_t>(packet)].data(), valid);
   const VI miss = hn::Set(kI, static_cast<int>(HitKind::miss));
   hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, lanes), miss), kI, &hits.kind[slot]);

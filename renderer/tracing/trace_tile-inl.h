@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/lighting/ambient_occlusion-inl.h"
+#include "renderer/tiles/finite_lanes.h"
 #include "renderer/tiles/ray_cones-inl.h"
 #include "renderer/tracing/alpha_layers-inl.h"
 #include "renderer/tracing/back_faces-inl.h"
@@ -49,20 +50,25 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
   cycles.lap(Stage::surfaces);
 
   const int count = packet_count * kLanes;
+  require_finite(scratch.first, count, Stage::surfaces, plan);
   if constexpr (kLobe == Lobe::layered) cover_bases(scratch.first, count);
   direct_light<kLobe>(job, scratch.first, count, RayKind::shadow);
   cycles.lap(Stage::light_rays);
+  require_finite(scratch.first, count, Stage::light_rays, plan);
   if (plan.occlusion) {
     ambient_occlusion(job, packet_count);
     cycles.lap(Stage::occlusion);
+    require_finite(scratch.first, count, Stage::occlusion, plan);
   }
   if (plan.probes) {
     indirect_light(job, scratch.first, count);
     cycles.lap(Stage::indirect_light);
+    require_finite(scratch.first, count, Stage::indirect_light, plan);
   }
   if (plan.refraction) set_ray_budget(job, count);
   if (plan.mirror_rays) reflect_light<kDetail, kLobe>(job, count);
   if (plan.refraction) refract_light<kDetail, kLobe>(job, count);
+  if (plan.mirror_rays || plan.refraction) require_finite(scratch.first, count, Stage::second_light, plan);
 }
 
 template <SurfaceDetail kDetail, Lobe kLobe>

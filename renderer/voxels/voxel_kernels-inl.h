@@ -30,6 +30,8 @@ class PacketRays {
   HWY_INLINE VF direction(int axis) const { return field(4 + static_cast<unsigned>(axis)); }
   HWY_INLINE VF tnear() const { return field(3); }
   HWY_INLINE VF tfar() const { return field(8); }
+  // In place of a time: random bits (tiles/ray_packets-inl.h).
+  HWY_INLINE VU chance() const { return hn::BitCast(kU, field(7)); }
   HWY_INLINE VU id() const { return hn::BitCast(kU, field(10)); }
   HWY_INLINE void set_tfar(MF lanes, VF t) const { store(8, lanes, t); }
 
@@ -66,26 +68,11 @@ HWY_INLINE VoxelRays rays_of(const PacketRays& packet) {
   return rays;
 }
 
-constexpr float kDirectionSteps = 0x1p16f, kPlaceSteps = 0x1p8f;  // of the longest component; of a voxel
-
 // Of the rays that meet something, those that meet it for good: a share equal to the coverage, decided by the
-// ray's way and the instance. The way is taken in steps that are finer than samples and coarser than
-// rounding, so that a scene of another size decides alike.
-HWY_INLINE MF decide(const VoxelRays& rays, VF passes, MF meets, unsigned instance) {
+// ray's random bits and the instance.
+HWY_INLINE MF decide(const PacketRays& packet, VF passes, MF meets, unsigned instance) {
   if (hn::AllTrue(kF, hn::Or(hn::Not(meets), hn::Eq(passes, hn::Zero(kF))))) return meets;
-  const V3& d = rays.direction;
-  const VF longest = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
-  const VF per_direction = hn::Div(set(kDirectionSteps), longest), per_voxel = set(kPlaceSteps);
-  const auto steps = [](VF value, VF per) HWY_ATTR {
-    return hn::BitCast(kU, hn::Add(hn::Round(hn::Mul(value, per)), hn::Zero(kF)));  // 0 for -0
-  };
-  VU key = hash(steps(d.x, per_direction), instance);
-  for (const VU value :
-       {steps(d.y, per_direction), steps(d.z, per_direction), steps(rays.origin.x, per_voxel),
-        steps(rays.origin.y, per_voxel), steps(rays.origin.z, per_voxel)}) {
-    key = hash(hn::Xor(key, value), 1);
-  }
-  return hn::And(meets, hn::Ge(unit_float(key), passes));
+  return hn::And(meets, hn::Ge(unit_float(hash(packet.chance(), instance)), passes));
 }
 
 // Three times 10 bits: square roots, so that dark colours keep their steps.
@@ -113,7 +100,7 @@ void intersect_voxels(const RTCIntersectFunctionNArguments* args) {
     VoxelHits hits;
     MF meets = VoxelMarch(grid, rays).run<true>(valid, hits);
     if (hn::AllFalse(kF, meets)) continue;
-    meets = hn::And(valid, decide(rays, hits.passes, meets, instance));
+    meets = hn::And(valid, decide(packet, hits.passes, meets, instance));
     if (hn::AllFalse(kF, meets)) continue;
     packet.set_tfar(meets, hits.t);
     const auto face = [&](int axis, VF d) HWY_ATTR {
@@ -140,7 +127,7 @@ void occlude_voxels(const RTCOccludedFunctionNArguments* args) {
     VoxelHits hits;
     MF meets = VoxelMarch(grid, rays).run<false>(valid, hits);
     if (hn::AllFalse(kF, meets)) continue;
-    meets = hn::And(valid, decide(rays, hits.passes, meets, args->context->instID[0]));
+    meets = hn::And(valid, decide(packet, hits.passes, meets, args->context->instID[0]));
     packet.set_tfar(meets, hn::Neg(hn::Inf(kF)));
   }
 }

@@ -51,6 +51,8 @@ class PrimitiveCache {
     return entry->second;
   }
 
+  void finish() { materials_.warn_of_losses(); }
+
  private:
   std::optional<BuiltPrimitive> build(const GltfPrimitive& primitive, const std::string& name) {
     const std::vector<UvSource> sources = materials_.uv_sources(primitive.material, primitive);
@@ -242,6 +244,7 @@ GltfContent append(const std::filesystem::path& file, Scene& scene, const Playba
     }
   }
   builder.finish();
+  cache.finish();
   check_unshown_indices(model, cache);
   if (instances.empty() && content.lights.empty())
     scene.warnings.push_back(gltf_warning(model, "shows nothing: its scene has no triangles"));

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "scenes/gltf/file/gltf_limits.h"
-#include "scenes/gltf/material_losses.h"
 #include "sessions/camera/half_from_samples.h"
 #include "sessions/files/input_error.h"
 
@@ -161,7 +160,7 @@ Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSo
   add_textures(from, get, to);
   add_lobes(from, get, to);
   to.mirror = mirror_with_textures(from, to);
-  warn_of_losses(from, to);
+  note_losses(from, to);
   return to;
 }
 
@@ -229,7 +228,7 @@ float MaterialBuilder::mirror_with_textures(const GltfMaterial& from, const Mate
   return mirror_of(mean);
 }
 
-void MaterialBuilder::warn_of_losses(const GltfMaterial& from, const Material& to) {
+void MaterialBuilder::note_losses(const GltfMaterial& from, const Material& to) {
   if (to.transmission <= 0 && from.coat <= 0 && from.sheen_colour == glm::vec3(0.0f)) return;
   const auto mean = [&](float factor, int texture, const GltfTextureUse& use) {
     return texture < 0 ? factor : factor * channel_mean(use, 1);
@@ -238,7 +237,7 @@ void MaterialBuilder::warn_of_losses(const GltfMaterial& from, const Material& t
                                          from.coat_roughness_texture)};
   if (!from.has_glossiness && to.transmission > 0)
     rough.surface = mean(to.roughness, to.metallic_roughness_texture, from.metallic_roughness_texture);
-  for (const std::string& line : material_losses(from, rough)) warn(line);
+  losses_.add(from, rough);
 }
 
 // Mean of one channel of a texture, 0 ... 1; `decode`: from IEC 61966-2-1 to linear light.
@@ -338,6 +337,10 @@ std::int64_t MaterialBuilder::texture_bytes_left() const {
   for (const TextureImage& texture : scene_.textures)
     left -= texture_bytes({texture.width_px, texture.height_px});
   return left;
+}
+
+void MaterialBuilder::warn_of_losses() {
+  for (const std::string& line : losses_.lines()) warn(line);
 }
 
 void MaterialBuilder::warn(const std::string& text) {

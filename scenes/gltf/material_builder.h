@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scenes/gltf/file/gltf_model.h"
+#include "scenes/gltf/material_losses.h"
 #include "scenes/gltf/texture_decoder.h"
 #include "scenes/model/texture_pixels.h"
 
@@ -41,6 +42,8 @@ class MaterialBuilder {
   bool reads_tangents(int material) const;
   // Index in scene.materials, for a mesh that has `sources`; textures that read others are left out.
   std::uint32_t material(int material, const std::vector<UvSource>& sources);
+  // After the last one: what pictures do not show of them, as warnings of the scene.
+  void warn_of_losses();
 
  private:
   struct Key {
@@ -64,12 +67,13 @@ class MaterialBuilder {
   float channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode = false);
   EncodedImage encoded(int image) const;
   std::int64_t texture_bytes_left() const;
-  void warn_of_losses(const GltfMaterial& from, const Material& to);
+  void note_losses(const GltfMaterial& from, const Material& to);
   void warn(const std::string& text);
 
   const GltfModel& model_;
   Scene& scene_;
   TexturePixels pixels_;
+  MaterialLosses losses_;
   std::map<Key, std::uint32_t> materials_;
   std::map<std::array<int, 6>, int> textures_;  // image, values, wrap u, wrap v, nearest, factor's bits
   std::map<int, DecodedImage> decoded_;         // without pixels where a texture holds them

@@ -12,28 +12,45 @@ constexpr float kSharpest = 0.05f;
 // From here on a highlight is too wide for a mirror to stand for it (material_builder's kRoughest).
 constexpr float kDull = 0.35f;
 
+constexpr std::size_t kMostNames = 4;
+
 }  // namespace
 
-std::vector<std::string> material_losses(const GltfMaterial& from, const MeanRoughness& mean) {
+void MaterialLosses::say(const GltfMaterial& from, const std::string& text) {
+  auto loss = std::find_if(losses_.begin(), losses_.end(), [&](const Loss& l) { return l.text == text; });
+  if (loss == losses_.end()) loss = losses_.insert(loss, {text, {}});
+  const std::string name = "\"" + printable(from.name) + "\"";
+  if (std::find(loss->names.begin(), loss->names.end(), name) == loss->names.end())
+    loss->names.push_back(name);
+}
+
+std::vector<std::string> MaterialLosses::lines() const {
   std::vector<std::string> lines;
-  const auto say = [&](const std::string& text) {
-    lines.push_back("material \"" + printable(from.name) + "\" " + text);
-  };
-  if (from.unlit) return lines;
+  for (const Loss& loss : losses_) {
+    std::string line = "material " + loss.names.front() + " " + loss.text;
+    const std::size_t named = std::min(loss.names.size(), kMostNames);
+    for (std::size_t i = 1; i < named; ++i) line += (i == 1 ? "; so with " : ", ") + loss.names[i];
+    if (loss.names.size() > named) line += " and " + std::to_string(loss.names.size() - named) + " others";
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+void MaterialLosses::add(const GltfMaterial& from, const MeanRoughness& mean) {
+  if (from.unlit) return;
   if (from.transmission > 0 && from.refractive_index > 0) {
     if (!from.has_thickness && from.refractive_index != 1)
-      say("is glass without thickness, a thin wall: it is drawn as a solid body, which bends light");
+      say(from, "is glass without thickness, a thin wall: it is drawn as a solid body, which bends light");
     if (mean.surface > kSharpest)
-      say("is rough glass: what is seen through it is sharp, and should be blurred");
+      say(from, "is rough glass: what is seen through it is sharp, and should be blurred");
   }
   const bool coat = from.coat > 0, sheen = from.sheen_colour != glm::vec3(0.0f);
   if (coat && mean.coat < kDull)
-    say("has a smooth clear coat: it shows lamps, but mirrors nothing of what stands around it");
+    say(from, "has a smooth clear coat: it shows lamps, but mirrors nothing of what stands around it");
   if (coat || sheen) {
     const std::string layers = coat && sheen ? "clear coat and sheen" : coat ? "clear coat" : "sheen";
-    say("has " + layers + ", which light between surfaces (--probes) leaves out");
+    say(from, "has " + layers + ", which light between surfaces (--probes) leaves out");
   }
-  return lines;
 }
 
 }  // namespace herr

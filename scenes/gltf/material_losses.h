@@ -1,4 +1,4 @@
-// What a glTF material asks for and pictures do not show: said at load, with the material's name, so that
+// What glTF materials ask for and pictures do not show: said at load, with the materials' names, so that
 // nobody takes it for what its author meant. Before: material_builder. After: Scene::warnings, which
 // `inspect` prints.
 #pragma once
@@ -15,7 +15,21 @@ struct MeanRoughness {
   float surface = 0.0f, coat = 0.0f;
 };
 
-// One line for each loss; none for a material that shows as it should.
-std::vector<std::string> material_losses(const GltfMaterial& from, const MeanRoughness& mean);
+// Collects them over the materials of a file.
+class MaterialLosses {
+ public:
+  void add(const GltfMaterial& from, const MeanRoughness& mean);
+  // One line for each kind of loss, which names its materials: the first four, and how many others there are.
+  std::vector<std::string> lines() const;
+
+ private:
+  struct Loss {
+    std::string text;
+    std::vector<std::string> names;  // of materials, each once
+  };
+  void say(const GltfMaterial& from, const std::string& text);
+
+  std::vector<Loss> losses_;
+};
 
 }  // namespace herr

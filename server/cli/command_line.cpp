@@ -173,7 +173,8 @@ struct Parser {
     serve_command = app.add_subcommand("serve", "replay sessions in a loop behind HTTP");
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
     check_command = app.add_subcommand("check", "did frames become slower? a gate for CI");
-    study_command = app.add_subcommand("study", "error against run time, for every setting that trades them");
+    study_command = app.add_subcommand(
+        "study", "error against run time, for every setting that trades them; relations that must hold");
     inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
     look_command = app.add_subcommand("look", "a picture of a model, without a session");
     synth_command = app.add_subcommand("synth", "make a synthetic session");

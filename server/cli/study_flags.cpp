@@ -10,6 +10,7 @@
 #include "server/cli/setting_flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "server/study/relations/relation.h"
 
 namespace herr {
 namespace {
@@ -24,6 +25,59 @@ std::vector<std::string> names_in(const std::string& text) {
   return names;
 }
 
+std::string group_names() {
+  std::string names;
+  for (const RelationGroup& group : relation_groups()) {
+    names += (names.empty() ? "" : ",") + std::string(group.name);
+  }
+  return names;
+}
+
+// Flags of the sweeps alone.
+void add_sweep_flags(CLI::App& app, StudyOptions& options) {
+  const auto took = [&options](const char* flag) { options.sweep_flags.emplace_back(flag); };
+  value_flag(app, "--frames", "N",
+             "frames of the session, spread over head speed and gaze (default 3; --stability takes one)",
+             [&options, took](const std::string& text) {
+               options.frames = static_cast<int>(parse_whole_number("--frames", text, 1, 90));
+               took("--frames");
+             });
+  value_flag(app, "--minutes", "M",
+             "time for all of it, half of it at most for references; what it is not enough for is listed "
+             "(default 20)",
+             [&options, took](const std::string& text) {
+               options.minutes = parse_real_number("--minutes", text, 0.1, 10000);
+               took("--minutes");
+             });
+  file_flag(app, "--references", "folder of references that several studies share (default OUT/references)",
+            [&options, took](const std::string& text) {
+              options.references = text;
+              took("--references");
+            });
+  file_flag(app, "--export", "new folder for picture sequences of a clip, for video metrics elsewhere",
+            [&options, took](const std::string& text) {
+              options.export_to = text;
+              took("--export");
+            });
+  app.add_flag_callback(
+      "--resume",
+      [&options, took] {
+        options.resume = true;
+        took("--resume");
+      },
+      "go on with the study in that folder");
+}
+
+void check_stability_options(const StudyOptions& options) {
+  if (options.sweep_flags.empty()) return;
+  const std::string& flag = options.sweep_flags.front();
+  throw UsageError(flag + ": --stability " +
+                   (flag == "--frames"    ? "takes one frame with much to see; leave it out"
+                    : flag == "--minutes" ? "asks every relation; leave it out, or choose groups with --only"
+                    : flag == "--resume"  ? "asks all in one go; leave it out"
+                                          : "takes no references and no clip; leave it out"));
+}
+
 }  // namespace
 
 void add_study_flags(CLI::App& app, StudyOptions& options) {
@@ -32,35 +86,27 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
             [&](const std::string& text) { options.scene = text; });
   value_flag(app, "--profile", "NAME|FILE", "display profile: xr1, xr1-half or a file (default xr1-half)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
-  file_flag(app, "--out", "folder of study.csv, study.json and study.html (default study)",
+  file_flag(app, "--out",
+            "folder of study.csv, study.json and study.html (default study), or with --stability of "
+            "stability.json and stability.html (default stability)",
             [&](const std::string& text) { options.out = text; });
-  value_flag(app, "--frames", "N", "frames of the session, spread over head speed and gaze (default 3)",
-             [&](const std::string& text) {
-               options.frames = static_cast<int>(parse_whole_number("--frames", text, 1, 90));
-             });
-  value_flag(
-      app, "--minutes", "M",
-      "time for all of it, half of it at most for references; what it is not enough for is listed "
-      "(default 20)",
-      [&](const std::string& text) { options.minutes = parse_real_number("--minutes", text, 0.1, 10000); });
-  value_flag(app, "--only", "NAME,...",
-             "sweep these alone, by the name of their setting as in study.csv: polar,light_samples,filter",
-             [&](const std::string& text) { options.only = names_in(text); });
   app.add_flag_callback(
       "--stability", [&] { options.stability = true; },
-      "relations that must hold on stiff and extreme cases, in place of error against time");
-  file_flag(app, "--references", "folder of references that several studies share (default OUT/references)",
-            [&](const std::string& text) { options.references = text; });
-  file_flag(app, "--export", "new folder for picture sequences of a clip, for video metrics elsewhere",
-            [&](const std::string& text) { options.export_to = text; });
-  file_flag(app, "--report", "print the report of this study.json again instead; nothing is measured",
+      "relations that must hold on stiff and extreme cases, in place of error against time; ends with 1 when "
+      "one fails");
+  value_flag(app, "--only", "NAME,...",
+             "sweep these alone, by the name of their setting as in study.csv: polar,light_samples,filter; "
+             "with --stability groups of relations: " +
+                 group_names(),
+             [&](const std::string& text) { options.only = names_in(text); });
+  add_sweep_flags(app, options);
+  file_flag(app, "--report",
+            "print the report of this study.json or stability.json again instead; nothing is measured",
             [&](const std::string& text) { options.report = text; });
   file_flag(app, "--page", "with --report: where to write its page",
             [&](const std::string& text) { options.page = text; });
   app.add_flag_callback(
-      "--resume", [&] { options.resume = true; }, "go on with the study in that folder");
-  app.add_flag_callback(
-      "--overwrite", [&] { options.overwrite = true; }, "replace the study in that folder");
+      "--overwrite", [&] { options.overwrite = true; }, "replace what is in that folder of an earlier one");
   app.add_flag_callback(
       "--strict", [&] { options.reading.strict = true; }, "a stream that was cut off is an error");
   app.add_flag_callback(
@@ -80,7 +126,11 @@ void check_study_options(const StudyOptions& options) {
     }
     return;
   }
-  if (!options.page.empty()) throw UsageError("--page: is of --report only; a study writes OUT/study.html");
+  if (!options.page.empty()) {
+    throw UsageError(std::string("--page: is of --report only; a study writes OUT/") +
+                     (options.stability ? "stability.html" : "study.html"));
+  }
+  if (options.stability) check_stability_options(options);
   if (options.session.empty()) throw UsageError("SESSION: missing; give a session folder");
   if (options.resume && options.overwrite) {
     throw UsageError("--resume: conflicts with --overwrite; give one of them");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace herr {
 namespace {
@@ -13,8 +14,10 @@ constexpr double kLongestStep_s = 3600;
 
 // What is known fades with the time that went by; a clock that jumped back says nothing.
 double seconds_between(TimeNs before_ns, TimeNs now_ns) {
-  const double s = (static_cast<double>(now_ns) - static_cast<double>(before_ns)) * kSecondsPerNs;
-  return std::clamp(s, 0.0, kLongestStep_s);
+  if (now_ns <= before_ns) return 0;
+  // Unsigned: the difference of any two.
+  const auto gone_ns = static_cast<std::uint64_t>(now_ns) - static_cast<std::uint64_t>(before_ns);
+  return std::min(static_cast<double>(gone_ns) * kSecondsPerNs, kLongestStep_s);
 }
 
 double measured_ms(const FrameCost& cost) {

@@ -11,7 +11,9 @@ struct MotionConfig {
   double still_deg_s = 10;    // up to this speed a frame has everything: eyes can follow, and see sharply
   double fast_deg_s = 100;    // from this speed on it has the least; between the two by the speed's logarithm
   double narrow_share = 0.4;  // width while the head is fast, as a share of the full one
-  double seen_from_m = 2;     // metres moved count as the angle under which they are seen from here
+  // Metres moved count as the angle under which they are seen from here: of a person in a room, whatever the
+  // size of the scene.
+  double seen_from_m = 2;
 };
 
 // One number for how fast what is seen moves: the turn, and the way seen from a distance.

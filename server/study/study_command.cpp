@@ -20,24 +20,9 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {
-
-constexpr JsonLimits kStudyLimits{256 << 20, 64, 4'000'000};
-
-void print_study(const StudyRecord& record, bool json) {
-  print_result(json ? json_text(study_json(record)) : study_text(record));
-}
-
-int print_again(const StudyOptions& options) {
-  const nlohmann::json document = parse_json_file(options.report, kStudyLimits);
-  const StudyRecord record = read_study(document, options.report.string());
-  if (!options.page.empty()) write_whole_file(options.page, study_page(record));
-  print_study(record, options.json);
-  return kExitDone;
-}
 
 // Before minutes are spent.
 void prepare_folders(const StudyOptions& options) {
@@ -56,14 +41,13 @@ void prepare_folders(const StudyOptions& options) {
 }  // namespace
 
 int run_study(const StudyOptions& options) {
-  if (!options.report.empty()) return print_again(options);
   check_render_settings(options.render);
   prepare_folders(options);
   StudySubject subject(options);
   StudySweeps sweeps = sweeps_of(subject.defaults(),
                                  [&](const RenderSettings& settings) { return subject.plan_of(settings); });
   keep_only(options.only, sweeps);
-  const StudyFolder folder(options.out);
+  const StudyFolder folder(options.out_folder());
   const FolderLock lock = folder.prepare(options.overwrite, options.resume);
   StudyRun run(options, subject, std::move(sweeps), folder);
   if (!run.measure()) {
@@ -75,7 +59,7 @@ int run_study(const StudyOptions& options) {
   write_whole_file(folder.page(), study_page(record));
   sync_folder(folder.path());
   if (!options.export_to.empty()) export_sequences(options, subject, run);
-  print_study(record, options.json);
+  print_result(options.json ? json_text(study_json(record)) : study_text(record));
   print_message("report: " + printable(folder.page().string()));
   return kExitDone;
 }

@@ -16,17 +16,22 @@ struct StudyOptions {
   std::string profile = "xr1-half";  // built-in name or file
   RenderSettings render;             // the default, around which everything is swept
   SessionOptions reading;
-  std::filesystem::path out = "study";
+  std::filesystem::path out;         // empty: out_folder()'s
   std::filesystem::path references;  // folder of references that studies share; empty: OUT/references
   std::filesystem::path export_to;   // new folder of picture sequences; empty: none
   std::filesystem::path page;        // with `report`: where its page is written; empty: nowhere
-  std::filesystem::path report;      // a study.json to print again; nothing is measured
-  std::vector<std::string> only;     // sweeps, by the name of their setting; empty: all
+  std::filesystem::path report;      // a study.json or stability.json to print again; nothing is measured
+  std::vector<std::string> only;     // sweeps by their setting, groups of relations; empty: all
   int frames = 3;
   double minutes = 20;
   bool stability = false;  // relations that must hold, in place of error against time
   bool overwrite = false, resume = false;
   bool json = false;
+  std::vector<std::string> sweep_flags;  // flags given that mean nothing to `stability`
+
+  std::filesystem::path out_folder() const {
+    return !out.empty() ? out : std::filesystem::path(stability ? "stability" : "study");
+  }
 };
 
 }  // namespace herr

@@ -13,7 +13,7 @@
 #include "server/study/findings/study_points.h"
 #include "server/study/reference/reference_spec.h"
 #include "server/study/report/difference_picture.h"
-#include "server/text/number_text.h"
+#include "server/study/study_command_line.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -22,34 +22,6 @@ namespace {
 constexpr double kPictureGain = 8;
 constexpr int kPanelPx = 300;
 constexpr std::size_t kMostPictured = 6;
-
-// As a shell takes it.
-std::string shell_word(const std::string& word) {
-  const bool plain =
-      !word.empty() &&
-      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%") ==
-          std::string::npos;
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-std::string only_flag(const StudyOptions& options) {
-  std::string text;
-  for (const std::string& name : options.only) text += (text.empty() ? " --only " : ",") + name;
-  return text;
-}
-
-std::string command_line_of(const StudyOptions& options, const RenderSettings& defaults) {
-  std::string text = "herr study " + shell_word(options.session.string());
-  if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
-  text += " --profile " + shell_word(options.profile);
-  const std::string flags = flags_text(changes_between(RenderSettings{}, defaults));
-  return text + (flags.empty() ? "" : " " + flags) + " --frames " + std::to_string(options.frames) +
-         " --minutes " + shortest_text(options.minutes) + only_flag(options) +
-         (options.reading.strict ? " --strict" : "");
-}
 
 // One of each name, over its frames; the first is the picture of endless effort.
 std::vector<StudyReference> references_of(const StudyState& state, const StudySubject& subject) {
@@ -155,7 +127,7 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   const SessionReport& report = subject.report();
   StudyRecord record;
   record.program = program_with_version();
-  record.command_line = command_line_of(options, options.render);
+  record.command_line = study_command_line(options);
   record.session = report.header.name;
   record.scene = report.scene_name;
   record.profile = report.profile.name;

@@ -12,7 +12,9 @@ ROOMS = {
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
                "study/diagrams", "study/report", "study/plan", "study/reference", "study/measure",
-               "study/findings", "study/relations", "study", "study/stability", "cli"),
+               "study/findings", "study/relations", "study/relations/light", "study/relations/place",
+               "study/relations/gaze", "study/relations/triangles", "study/stability/report", "study",
+               "study/stability", "cli"),
 }
 
 # Modules whose root holds public headers, which every room may include, and what those headers alone need.
@@ -56,7 +58,8 @@ FACE = {
         "scenes/document/parse_change.h",
         "scenes/environment/environment_image.h",
         "scenes/model/exposure.h",
-        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/transform_checks.h",
+        "scenes/model/material_textures.h", "scenes/model/scene.h", "scenes/model/similar_scene.h",
+        "scenes/model/transform_checks.h",
         "scenes/model/voxel_grid.h",
     ),
     "renderer": (

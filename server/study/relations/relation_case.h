@@ -3,12 +3,14 @@
 // session. After: groups of relations.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "renderer/renderer.h"
 #include "server/study/error/linear_picture.h"
+#include "sessions/streams/session_options.h"
 
 namespace herr {
 
@@ -16,9 +18,11 @@ struct RelationCase {
   Scene scene;  // nothing in it moves by itself any more: instances and lights are where they were
   SceneState state;
   FrameSample sample;
-  DisplayProfile profile;   // a quarter of the pixels per axis or fewer: many pictures are made
-  RenderSettings settings;  // of the run, with polar buffers as much smaller
-  bool camera = false;      // the session's feed is shown; then `sample` holds its image
+  DisplayProfile profile;         // a quarter of the pixels per axis or fewer: many pictures are made
+  RenderSettings settings;        // of the run, with polar buffers as much smaller
+  bool camera = false;            // the session's feed is shown; then `sample` holds its image
+  std::filesystem::path session;  // where it was read from
+  SessionOptions reading;         // and how
 };
 
 FramePlan plan_of(const RelationCase& subject);

@@ -35,6 +35,7 @@ svg.plot { display: block; width: 100%; height: auto; max-width: 42rem }
 .legend li { display: flex; align-items: center; gap: .3rem; min-width: 0 }
 .legend svg { flex: none }
 img { display: block; max-width: 100%; height: auto }
+.pixels img { image-rendering: pixelated }
 .wide { overflow-x: auto; margin: .5rem 0 }
 table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums }
 caption { text-align: left; font-weight: 600; font-size: 1rem; padding: .3rem 0 }

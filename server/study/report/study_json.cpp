@@ -53,14 +53,6 @@ Json flicker_json(const Flicker& flicker) {
   return json;
 }
 
-Json frame_json(const StudyFrame& frame) {
-  Json json{{"number", frame.number}};
-  put_number(json, "time_s", frame.time_s);
-  put_number(json, "head_deg_per_s", frame.head_deg_per_s);
-  put_number(json, "gaze_deg", frame.gaze_deg);
-  return json;
-}
-
 Json reference_json(const StudyReference& reference) {
   Json json;
   put_text(json, "name", reference.name);
@@ -151,16 +143,6 @@ Json remark_json(const StudyRemark& remark) {
   return json;
 }
 
-Json picture_json(const StudyPicture& picture) {
-  Json json;
-  put_text(json, "title", picture.title);
-  put_text(json, "caption", picture.caption);
-  json["width_px"] = picture.width_px;
-  json["height_px"] = picture.height_px;
-  json["png"] = base64_text(std::as_bytes(std::span(picture.png)));
-  return json;
-}
-
 template <typename Row, typename Write>
 Json array_json(const std::vector<Row>& rows, const Write& write) {
   Json json = Json::array();
@@ -197,7 +179,25 @@ Json definitions_json() {
 
 }  // namespace
 
-Json study_json(const StudyRecord& record) {
+nlohmann::ordered_json study_frame_json(const StudyFrame& frame) {
+  Json json{{"number", frame.number}};
+  put_number(json, "time_s", frame.time_s);
+  put_number(json, "head_deg_per_s", frame.head_deg_per_s);
+  put_number(json, "gaze_deg", frame.gaze_deg);
+  return json;
+}
+
+nlohmann::ordered_json study_picture_json(const StudyPicture& picture) {
+  Json json;
+  put_text(json, "title", picture.title);
+  put_text(json, "caption", picture.caption);
+  json["width_px"] = picture.width_px;
+  json["height_px"] = picture.height_px;
+  json["png"] = base64_text(std::as_bytes(std::span(picture.png)));
+  return json;
+}
+
+nlohmann::ordered_json study_json(const StudyRecord& record) {
   const auto text = [](const std::string& line) { return Json(clean_text(line)); };
   Json json{{"study_version", kStudyVersion}};
   put_text(json, "program", record.program);
@@ -214,8 +214,8 @@ Json study_json(const StudyRecord& record) {
   put_text(json, "default_settings", record.default_settings);
   json["aims"] = array_json(record.aims, aim_json);
   json["advice"] = array_json(record.advice, advice_json);
-  json["frames"] = array_json(record.frames, frame_json);
-  json["clip"] = array_json(record.clip, frame_json);
+  json["frames"] = array_json(record.frames, study_frame_json);
+  json["clip"] = array_json(record.clip, study_frame_json);
   json["references"] = array_json(record.references, reference_json);
   json["points"] = array_json(record.points, point_json);
   json["fits"] = array_json(record.fits, fit_json);
@@ -223,7 +223,7 @@ Json study_json(const StudyRecord& record) {
   json["left_out"] = array_json(record.left_out, text);
   json["dropped"] = array_json(record.dropped, text);
   json["warnings"] = array_json(record.warnings, text);
-  json["pictures"] = array_json(record.pictures, picture_json);
+  json["pictures"] = array_json(record.pictures, study_picture_json);
   json["definitions"] = definitions_json();
   return json;
 }

@@ -2,47 +2,18 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "server/study/diagrams/html_text.h"
 #include "server/study/report/figure_text.h"
-#include "server/study/report/page_style.h"
+#include "server/study/report/page_parts.h"
 #include "server/study/report/report_table.h"
 #include "server/study/report/study_plots.h"
 #include "server/study/report/study_tables.h"
-#include "server/text/base64.h"
 
 namespace herr {
 namespace {
-
-// Nothing without content.
-std::string page_section(const std::string& id, const std::string& title, const std::string& content) {
-  if (content.empty()) return {};
-  return html_element("section", "id=\"" + id + "\"", html_element("h2", "", title) + "\n" + content) + "\n";
-}
-
-std::string page_table(const ReportTable& table, bool caption = true) {
-  return table.rows.empty() ? "" : table_html(table, caption);
-}
-
-std::string page_list(const std::vector<std::string>& lines) {
-  std::string items;
-  for (const std::string& line : lines) items += html_element("li", "", html_text(line)) + "\n";
-  return items.empty() ? "" : html_element("ul", "class=\"lines\"", items) + "\n";
-}
-
-// Broken between its words, as far as they fit into a line: not at hyphens.
-std::string page_code(const std::string& text) {
-  std::string words;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    words += (at > 0 ? " " : "") + html_element("span", "", html_text(text.substr(at, end - at)));
-    at = end + 1;
-  }
-  return html_element("code", "", words);
-}
 
 std::string head_facts(const StudyRecord& record) {
   std::string facts;
@@ -117,25 +88,6 @@ std::string knobs_part(const StudyRecord& record) {
   return figures.empty() ? "" : html_element("div", "class=\"grid\"", "\n" + figures) + "\n";
 }
 
-std::string pictures_part(const StudyRecord& record) {
-  std::string figures;
-  for (const StudyPicture& picture : record.pictures) {
-    if (picture.png.empty()) continue;
-    const std::string title = html_text(picture.title);
-    figures += html_element("figure", "",
-                            "<img width=\"" + std::to_string(picture.width_px) + "\" height=\"" +
-                                std::to_string(picture.height_px) + "\" alt=\"" + title +
-                                "\" src=\"data:image/png;base64," +
-                                base64_text(std::as_bytes(std::span(picture.png))) + "\">\n" +
-                                html_element("figcaption", "",
-                                             html_element("p", "",
-                                                          html_element("b", "", title) + ". " +
-                                                              html_text(picture.caption)))) +
-               "\n";
-  }
-  return figures;
-}
-
 std::string points_part(const StudyRecord& record) {
   std::string tables;
   for (const ReportTable& table : point_tables(record)) tables += page_table(table);
@@ -164,7 +116,7 @@ std::string page_body(const StudyRecord& record) {
          page_section("advice", "Recommendation", advice_part(record)) +
          page_section("overview", "Error against time", overview_part(record)) +
          page_section("knobs", "Each knob by itself", knobs_part(record)) +
-         page_section("pictures", "What the errors look like", pictures_part(record)) +
+         page_section("pictures", "What the errors look like", page_pictures(record.pictures)) +
          page_section("points", "All settings", points_part(record)) +
          page_section("bands", "Default and front in detail",
                       page_table(band_table(record)) + page_table(metric_table(record))) +
@@ -185,11 +137,7 @@ std::string page_body(const StudyRecord& record) {
 }  // namespace
 
 std::string study_page(const StudyRecord& record) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-         html_element("title", "", "Error against time: " + html_text(record.session)) + "\n" +
-         html_element("style", "", kPageStyle) + "\n</head>\n<body>\n" + page_body(record) +
-         "</body>\n</html>\n";
+  return page_document("Error against time: " + record.session, page_body(record));
 }
 
 }  // namespace herr

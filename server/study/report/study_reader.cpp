@@ -57,20 +57,6 @@ std::vector<Row> read_rows(const JsonObject& object, const char* key, const Read
   return rows;
 }
 
-std::vector<std::string> read_lines(const JsonObject& object, const char* key) {
-  const nlohmann::json& found = object.value(key);
-  if (!found.is_array() || found.size() > kMostRows) {
-    object.fail(key, "is not an array of at most 10000 texts", "write [\"...\", ...]");
-  }
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::string element = std::string(key) + "[" + std::to_string(i) + "]";
-    const nlohmann::json line = {{element, found[i]}};  // so that the error names the field
-    lines.push_back(bounded_text(JsonObject(line, object.file(), object.where()), element.c_str()));
-  }
-  return lines;
-}
-
 // The place of a name in a list of rows with names; throws for one that is not there.
 template <typename Rows>
 std::size_t place_of(const Rows& rows, const std::string& name, const JsonObject& object, const char* key) {
@@ -117,12 +103,6 @@ Flicker read_flicker(const JsonObject& object, const char* key) {
     flicker.excess[place] = number_of(values, "excess");
   }
   return flicker;
-}
-
-StudyFrame read_frame(const JsonObject& object) {
-  object.allow_only({"number", "time_s", "head_deg_per_s", "gaze_deg"});
-  return {object.integer("number", 0, std::numeric_limits<std::int64_t>::max()), number_of(object, "time_s"),
-          number_of(object, "head_deg_per_s"), number_of(object, "gaze_deg")};
 }
 
 StudyReference read_reference(const JsonObject& object) {
@@ -209,23 +189,6 @@ StudyAim read_aim(const JsonObject& object) {
           truth_of(object, "at_least"), truth_of(object, "met"),           bounded_text(object, "sentence")};
 }
 
-StudyPicture read_picture(const JsonObject& object) {
-  constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  object.allow_only({"title", "caption", "width_px", "height_px", "png"});
-  StudyPicture picture{bounded_text(object, "title"),
-                       bounded_text(object, "caption"),
-                       count_of(object, "width_px", kMostPicturePixels),
-                       count_of(object, "height_px", kMostPicturePixels),
-                       {}};
-  const auto bytes = bytes_from_base64(object.text("png"));
-  if (!bytes) object.fail("png", "is not base64", "write the study again");
-  for (const std::byte byte : *bytes) picture.png.push_back(std::to_integer<std::uint8_t>(byte));
-  const bool whole = picture.png.size() >= kPngSignature.size() &&
-                     std::equal(kPngSignature.begin(), kPngSignature.end(), picture.png.begin());
-  if (!picture.png.empty() && !whole) object.fail("png", "is no PNG file", "write the study again");
-  return picture;
-}
-
 void check_study_version(const JsonObject& object) {
   const std::int64_t version = object.integer("study_version", 0, kMostCount);
   if (version == kStudyVersion) return;
@@ -250,6 +213,43 @@ void read_subject(const JsonObject& object, StudyRecord& record) {
 }
 
 }  // namespace
+
+std::vector<std::string> read_study_lines(const JsonObject& object, const char* key) {
+  const nlohmann::json& found = object.value(key);
+  if (!found.is_array() || found.size() > kMostRows) {
+    object.fail(key, "is not an array of at most 10000 texts", "write [\"...\", ...]");
+  }
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::string element = std::string(key) + "[" + std::to_string(i) + "]";
+    const nlohmann::json line = {{element, found[i]}};  // so that the error names the field
+    lines.push_back(bounded_text(JsonObject(line, object.file(), object.where()), element.c_str()));
+  }
+  return lines;
+}
+
+StudyFrame read_study_frame(const JsonObject& object) {
+  object.allow_only({"number", "time_s", "head_deg_per_s", "gaze_deg"});
+  return {object.integer("number", 0, std::numeric_limits<std::int64_t>::max()), number_of(object, "time_s"),
+          number_of(object, "head_deg_per_s"), number_of(object, "gaze_deg")};
+}
+
+StudyPicture read_study_picture(const JsonObject& object) {
+  constexpr std::array<std::uint8_t, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  object.allow_only({"title", "caption", "width_px", "height_px", "png"});
+  StudyPicture picture{bounded_text(object, "title"),
+                       bounded_text(object, "caption"),
+                       count_of(object, "width_px", kMostPicturePixels),
+                       count_of(object, "height_px", kMostPicturePixels),
+                       {}};
+  const auto bytes = bytes_from_base64(object.text("png"));
+  if (!bytes) object.fail("png", "is not base64", "write the report again");
+  for (const std::byte byte : *bytes) picture.png.push_back(std::to_integer<std::uint8_t>(byte));
+  const bool whole = picture.png.size() >= kPngSignature.size() &&
+                     std::equal(kPngSignature.begin(), kPngSignature.end(), picture.png.begin());
+  if (!picture.png.empty() && !whole) object.fail("png", "is no PNG file", "write the report again");
+  return picture;
+}
 
 StudyRecord read_study(const nlohmann::json& document, const std::string& source) {
   const JsonObject object(document, source, "");
@@ -282,18 +282,18 @@ StudyRecord read_study(const nlohmann::json& document, const std::string& source
                      "definitions"});
   StudyRecord record;
   read_subject(object, record);
-  record.frames = read_rows<StudyFrame>(object, "frames", read_frame);
-  record.clip = read_rows<StudyFrame>(object, "clip", read_frame);
+  record.frames = read_rows<StudyFrame>(object, "frames", read_study_frame);
+  record.clip = read_rows<StudyFrame>(object, "clip", read_study_frame);
   record.references = read_rows<StudyReference>(object, "references", read_reference);
   record.points = read_rows<StudyPoint>(object, "points", read_point);
   record.fits = read_rows<StudyFit>(object, "fits", read_fit);
   record.advice = read_rows<StudyAdvice>(object, "advice", read_advice);
   record.aims = read_rows<StudyAim>(object, "aims", read_aim);
   record.remarks = read_rows<StudyRemark>(object, "remarks", read_remark);
-  record.left_out = read_lines(object, "left_out");
-  record.dropped = read_lines(object, "dropped");
-  record.warnings = read_lines(object, "warnings");
-  record.pictures = read_rows<StudyPicture>(object, "pictures", read_picture, kMostPictures);
+  record.left_out = read_study_lines(object, "left_out");
+  record.dropped = read_study_lines(object, "dropped");
+  record.warnings = read_study_lines(object, "warnings");
+  record.pictures = read_rows<StudyPicture>(object, "pictures", read_study_picture, kMostPictures);
   return record;
 }
 

@@ -2,6 +2,9 @@
 // After: relation_groups.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "server/study/relations/relation_case.h"
 #include "server/study/study_options.h"
 #include "server/study/study_subject.h"
@@ -17,6 +20,8 @@ class StabilityCase {
 
   const RelationCase& relations() const { return case_; }
   const SessionReport& report() const { return subject_.report(); }
+  // Of session and scene; and where the frame shows one colour everywhere, of which most relations hold.
+  std::vector<std::string> warnings() const;
   const StudyFrame& frame() const { return subject_.frames().frames.front(); }
 
  private:

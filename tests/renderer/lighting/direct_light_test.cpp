@@ -259,7 +259,7 @@ TEST(LightRecordsTest, LightsThatDoNotShineAreLeftOut) {
   std::vector<LightRecord> records;
   const std::vector<AreaLight> lights{test::light_at({0, 1, 0}, glm::vec3{0.0f}),
                                       test::light_at({17, 1, 0}, {1, 0, 0}, {2, 0, 4})};
-  light_records(lights, {16, 0, 0}, {16, 16}, 10.0, records);
+  light_records(lights, {16, 0, 0}, {16, 16}, {10.0, 0.0}, records);
   ASSERT_EQ(records.size(), 1u);
   EXPECT_EQ(records[0].centre[0], 1.0f);
   EXPECT_EQ(records[0].lower[2], -2.0f);

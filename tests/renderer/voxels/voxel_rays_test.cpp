@@ -27,6 +27,11 @@ struct TestHit {
   glm::vec3 normal{0.0f}, colour{0.0f};
 };
 
+// A number of [0, 1) for each ray: its random bits.
+float chance(std::size_t ray) {
+  return static_cast<float>(std::mt19937(static_cast<unsigned>(ray))() >> 8) * 0x1p-24f;
+}
+
 // Packets of 16, as rays of any renderer; narrower devices take them in parts.
 class VoxelRayTest : public testing::TestWithParam<Isa> {
  protected:
@@ -49,7 +54,8 @@ class VoxelRayTest : public testing::TestWithParam<Isa> {
         packet.ray.org_x[i] = ray.origin.x, packet.ray.org_y[i] = ray.origin.y,
         packet.ray.org_z[i] = ray.origin.z;
         packet.ray.dir_x[i] = ray.direction.x, packet.ray.dir_y[i] = ray.direction.y;
-        packet.ray.dir_z[i] = ray.direction.z, packet.ray.tnear[i] = packet.ray.time[i] = 0;
+        packet.ray.dir_z[i] = ray.direction.z, packet.ray.tnear[i] = 0;
+        packet.ray.time[i] = chance(first + i);
         packet.ray.tfar[i] = ray.end, packet.ray.mask[i] = kAllMask,
         packet.ray.flags[i] = packet.ray.id[i] = 0;
         packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scenes/gltf/material_losses.h"
 #include "scenes/load_scene.h"
 #include "tests/scenes/scene_files.h"
 
@@ -58,6 +59,21 @@ TEST(MaterialLosses, ThinAndRoughGlassIsNamedAndClearBodiesAreNot) {
   const auto rough = warnings_of(glass(0.5, 1), kOutwards);
   ASSERT_EQ(rough.size(), 1u);
   EXPECT_TRUE(contains(rough[0], "material \"surface\" is rough glass"));
+}
+
+// Names are those of the materials, in the order in which meshes show them; the fourth is the last.
+TEST(MaterialLosses, OneLineNamesAllMaterialsOfALoss) {
+  MaterialLosses losses;
+  for (const char* name : {"a", "b", "a", "c", "d", "e", "f"}) {
+    GltfMaterial material;
+    material.name = name;
+    material.sheen_colour = glm::vec3(1.0f);
+    losses.add(material, {});
+    EXPECT_TRUE(losses.lines().front().starts_with("material \"a\" has sheen"));
+  }
+  const std::vector<std::string> lines = losses.lines();
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].ends_with("; so with \"b\", \"c\", \"d\" and 2 others")) << lines[0];
 }
 
 TEST(MaterialLosses, AnOpenBodyThatAbsorbsIsNamed) {

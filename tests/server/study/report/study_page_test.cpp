@@ -10,47 +10,11 @@
 
 #include "server/study/diagrams/html_text.h"
 #include "server/text/base64.h"
+#include "tests/server/study/report/page_checks.h"
 #include "tests/server/study/report/study_records.h"
 
 namespace herr {
 namespace {
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
-// What is wrong with the tags: each one closed by its like, attributes in quotes. Empty: nothing.
-std::string tag_problem(const std::string& html) {
-  std::vector<std::string> open;
-  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at)) {
-    if (html.compare(at, 9, "<!DOCTYPE") == 0) {
-      ++at;
-      continue;
-    }
-    const bool closes = html[at + 1] == '/';
-    std::size_t end = at + (closes ? 2 : 1);
-    const std::size_t name_at = end;
-    while (end < html.size() && std::isalnum(static_cast<unsigned char>(html[end]))) ++end;
-    const std::string name = html.substr(name_at, end - name_at);
-    if (name.empty()) return "a < that is no tag: " + html.substr(at, 40);
-    bool quoted = false;
-    while (end < html.size() && (quoted || html[end] != '>')) {
-      if (html[end] == '"') quoted = !quoted;
-      if (html[end] == '<') return "a < within a tag: " + html.substr(at, 60);
-      ++end;
-    }
-    if (closes) {
-      if (open.empty() || open.back() != name) return "</" + name + "> closes nothing";
-      open.pop_back();
-    } else if (html[end - 1] != '/' && name != "meta" && name != "img") {
-      open.push_back(name);
-    }
-    at = end;
-  }
-  return open.empty() ? "" : "<" + open.back() + "> is not closed";
-}
 
 // Words of the page outside of letters: "nan" within "finance" is none.
 bool has_word(const std::string& text, const std::string& word) {
@@ -80,8 +44,8 @@ TEST(StudyPage, NeverWritesWhatIsNoNumber) {
 
 TEST(StudyPage, ShowsNamesAsTextAndNotAsMarkup) {
   const std::string page = study_page(test::hostile_record());
-  EXPECT_EQ(count_of(page, "<script"), 0u);
-  EXPECT_GT(count_of(page, "&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;&quot;&amp;"), 10u);
+  EXPECT_EQ(times_in(page, "<script"), 0u);
+  EXPECT_GT(times_in(page, "&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;&quot;&amp;"), 10u);
   for (const char c : page) {
     ASSERT_TRUE(c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F)) << int(c);
   }
@@ -90,12 +54,12 @@ TEST(StudyPage, ShowsNamesAsTextAndNotAsMarkup) {
 TEST(StudyPage, LoadsNothingAndRunsNothing) {
   const std::string page = study_page(test::rich_record());
   for (const char* part : {"http:", "https:", "<script", "<link", "<iframe", "@import", "url("}) {
-    EXPECT_EQ(count_of(page, part), 0u) << part;
+    EXPECT_EQ(times_in(page, part), 0u) << part;
   }
   for (std::size_t at = page.find(" on"); at != std::string::npos; at = page.find(" on", at + 1)) {
     EXPECT_NE(page[page.find_first_not_of("abcdefghijklmnopqrstuvwxyz", at + 3)], '=') << page.substr(at, 30);
   }
-  EXPECT_EQ(count_of(page, "src="), count_of(page, "src=\"data:image/png;base64,"));
+  EXPECT_EQ(times_in(page, "src="), times_in(page, "src=\"data:image/png;base64,"));
 }
 
 TEST(StudyPage, EachIdStandsOnce) {
@@ -145,11 +109,11 @@ TEST(StudyPage, TellsWhatTheRecordHolds) {
 
 TEST(StudyPage, ARecordOfNextToNothingHasNoEmptyParts) {
   const std::string page = study_page(test::minimal_record());
-  EXPECT_EQ(count_of(page, "<svg"), 0u);
-  EXPECT_EQ(count_of(page, "<section"), count_of(page, "<h2"));
-  EXPECT_EQ(count_of(page, "<ul"), 0u);
-  EXPECT_EQ(count_of(page, "<dd></dd>"), 0u);
-  EXPECT_EQ(count_of(page, "id=\"aims\""), 0u);
+  EXPECT_EQ(times_in(page, "<svg"), 0u);
+  EXPECT_EQ(times_in(page, "<section"), times_in(page, "<h2"));
+  EXPECT_EQ(times_in(page, "<ul"), 0u);
+  EXPECT_EQ(times_in(page, "<dd></dd>"), 0u);
+  EXPECT_EQ(times_in(page, "id=\"aims\""), 0u);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#include "server/study/stability/stability_record_of.h"
+
+#include <utility>
+
+#include "server/bench/bench_subject.h"
+#include "server/process/version.h"
+#include "server/results/settings_report.h"
+#include "server/study/stability/report/stability_pictures.h"
+#include "server/study/study_command_line.h"
+
+namespace herr {
+namespace {
+
+std::string sizes_of(const DisplayProfile& profile) {
+  std::string text;
+  for (const Viewport& viewport : profile.viewports) {
+    text += (text.empty() ? "" : ", ") + viewport.name + " " + std::to_string(viewport.width_px) + "x" +
+            std::to_string(viewport.height_px);
+  }
+  return text;
+}
+
+}  // namespace
+
+StabilityRecord stability_record_of(const StudyOptions& options, const StabilityCase& subject,
+                                    std::vector<RelationResult> results, double seconds) {
+  const SessionReport& report = subject.report();
+  const RelationCase& asked = subject.relations();
+  StabilityRecord record;
+  record.program = program_with_version();
+  record.command_line = study_command_line(options);
+  record.session = report.header.name;
+  record.scene = report.scene_name;
+  record.profile = report.profile.name;
+  record.cpu = cpu_name();
+  record.isa = name_of(report.settings.isa);
+  record.triangles = report.scene_triangles;
+  record.threads = report.settings.threads;
+  record.settings = settings_text(asked.settings);
+  record.viewports = sizes_of(asked.profile);
+  record.frame = subject.frame();
+  record.seconds = seconds;
+  record.warnings = subject.warnings();
+  record.pictures = worst_shown(results);
+  record.results = std::move(results);
+  for (RelationResult& result : record.results) result.pictures.reset();
+  return record;
+}
+
+}  // namespace herr

@@ -1,0 +1,42 @@
+#include "server/study/study_command_line.h"
+
+#include "server/study/plan/study_setting.h"
+#include "server/text/number_text.h"
+
+namespace herr {
+namespace {
+
+// As a shell takes it.
+std::string shell_word(const std::string& word) {
+  const bool plain =
+      !word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%") ==
+          std::string::npos;
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string only_flag(const StudyOptions& options) {
+  std::string text;
+  for (const std::string& name : options.only) text += (text.empty() ? " --only " : ",") + name;
+  return text;
+}
+
+}  // namespace
+
+std::string study_command_line(const StudyOptions& options) {
+  std::string text = "herr study " + std::string(options.stability ? "--stability " : "") +
+                     shell_word(options.session.string());
+  if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
+  text += " --profile " + shell_word(options.profile);
+  const std::string flags = flags_text(changes_between(RenderSettings{}, options.render));
+  if (!flags.empty()) text += " " + flags;
+  if (!options.stability) {
+    text += " --frames " + std::to_string(options.frames) + " --minutes " + shortest_text(options.minutes);
+  }
+  return text + only_flag(options) + (options.reading.strict ? " --strict" : "");
+}
+
+}  // namespace herr
