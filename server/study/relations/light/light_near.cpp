@@ -14,6 +14,7 @@
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
+#include "server/study/report/figure_text.h"
 
 namespace herr {
 namespace {
@@ -186,8 +187,8 @@ void measure_light_near(const RelationCase& subject, RelationLog& log) {
   relation.holds =
       "a light inside, on, 1e-3 of its radius above and in the plane of a white surface: nothing is brighter "
       "than 1 / pi * I / r^2, r half its longest edge, with 1 and 16 samples";
-  relation.bound = 1 + 0x1p-10;
-  relation.unit = "of I / (pi r^2)";
+  relation.bound = 0x1p-10;
+  relation.unit = "of I / (pi r^2), beyond it";
   relation.bound_from =
       "E = (I / N) sum V cos / max(d^2, r^2) <= I / r^2; sample and pixel are rounded to half floats";
   RelationCase white = white_world(subject);
@@ -207,12 +208,12 @@ void measure_light_near(const RelationCase& subject, RelationLog& log) {
       if (largest <= brightest) continue;
       brightest = largest;
       const PictureDistance beyond = largest_relative(got, wanted, 1, white.profile);
-      where = std::string(near.name) + ", " + std::to_string(samples) + " samples" +
-              (beyond.where.empty() ? "" : ": " + beyond.where);
+      where = std::string(near.name) + ", " + std::to_string(samples) + " samples: " + figure(brightest) +
+              " of I / (pi r^2)" + (beyond.where.empty() ? "" : ", " + beyond.where);
       pictures = worst_pictures(beyond, got, wanted, "got | limited to I / (pi r^2) | difference");
     }
   }
-  log.measured(relation, brightest, where, std::move(pictures));
+  log.measured(relation, std::max(0.0, brightest - 1), where, std::move(pictures));
 }
 
 }  // namespace herr
