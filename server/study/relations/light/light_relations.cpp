@@ -110,14 +110,12 @@ void measure_over_feed(const RelationCase& subject, RelationCase lit, RelationLo
                worst_pictures(apart, pictures[2], wanted, "light times 4 | from times 1 and 2 | difference"));
 }
 
-// Which of `parts` parts a light belongs to; the others are off.
-RelationCase only_part(RelationCase subject, std::size_t part, std::size_t parts) {
-  for (std::vector<AreaLight>* lights : {&subject.scene.lights, &subject.state.lights}) {
-    for (std::size_t i = 0; i < lights->size(); ++i) {
-      if (i % parts != part) (*lights)[i].intensity_w_sr = glm::vec3(0.0f);
-    }
+// Those lights of which every `parts`-th from `part` on shines; none where there are not as many parts.
+std::vector<AreaLight> only_part(std::vector<AreaLight> lights, std::size_t part, std::size_t parts) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (i % parts != part) lights[i].intensity_w_sr = glm::vec3(0.0f);
   }
-  return subject;
+  return lights;
 }
 
 // Beside itself, and shining from elsewhere if it is a sun.
@@ -152,17 +150,22 @@ void measure_sum(RelationCase lit, RelationLog& log) {
   // weak to be seen is asked of all lights together.
   take_catchers_away(lit.scene);
   lit.settings.refraction = false;
-  if (moderate_light(lit) == 0) return log.not_applicable(relation, "no light reaches what is seen");
   const std::size_t parts = std::min(kMostParts, lit.state.lights.size());
-  const std::vector<LinearPicture> got = picture_of(lit);
-  RelationCase dark = lit;
-  switch_lights_off(dark);
-  const std::vector<LinearPicture> none = picture_of(dark);
+  const auto renderer = renderer_of(lit);
+  const std::vector<LinearPicture> got = next_picture(*renderer, lit);
+  if (largest_value(got) == 0) return log.not_applicable(relation, "no light reaches what is seen");
+  const auto with_lights = [&](const std::vector<AreaLight>& lights) {
+    RelationCase moment;  // lights are part of the state alone, from frame to frame
+    moment.state = lit.state, moment.state.lights = lights;
+    moment.sample = lit.sample;
+    return next_picture(*renderer, moment);
+  };
+  const std::vector<LinearPicture> none = with_lights(only_part(lit.state.lights, parts, parts));
   const double less = static_cast<double>(parts) - 1;
   std::vector<LinearPicture> wanted = times(none, -less), all = times(none, less);
   add_times(all, 1, got);
   for (std::size_t part = 0; part < parts; ++part) {
-    const std::vector<LinearPicture> alone = picture_of(only_part(lit, part, parts));
+    const std::vector<LinearPicture> alone = with_lights(only_part(lit.state.lights, part, parts));
     add_times(wanted, 1, alone);
     add_times(all, 1, alone);
   }

@@ -7,7 +7,7 @@ namespace herr {
 namespace {
 
 constexpr int kFewProbeRays = 16;
-constexpr int kMostTries = 8;
+constexpr int kMostTries = 8, kMostDarkTries = 2;
 constexpr int kBrightestExponent = -3;
 constexpr double kNearLargestHalf = 60000;
 constexpr float kOutOfTheDark = 0x1p20f;
@@ -97,8 +97,9 @@ double largest_value(const std::vector<LinearPicture>& pictures) {
 
 double moderate_light(RelationCase& subject) {
   double largest = 0;
-  for (int tries = 0; tries < kMostTries; ++tries) {
+  for (int tries = 0, dark = 0; tries < kMostTries && dark < kMostDarkTries; ++tries) {
     largest = largest_value(picture_of(subject));
+    dark += largest > 0 ? 0 : 1;
     const int exponent = largest > 0 ? std::ilogb(largest) : 0;
     if (exponent == kBrightestExponent && largest > 0) return largest;
     const float factor = largest > 0 ? std::ldexp(1.0f, kBrightestExponent - exponent) : kOutOfTheDark;

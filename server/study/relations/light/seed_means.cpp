@@ -70,11 +70,11 @@ double local_difference(const SeedRows& rows, double allowed) {
     }
   }
   const double variance = std::max(between2 / pairs - (between / pairs) * (between / pairs), 0.0);
-  const double z = over_standard_error(mean - allowed, std::sqrt(2 * variance / pairs));
-  if (variance == 0) return z;
+  const double scatter = own / (count - 1), excess = mean - allowed;
+  if (variance == 0) return over_standard_error(excess, 0);
   // As many independent values of equal scatter would scatter like these.
-  const double degrees = std::max(1.0, own / (count - 1) * own / (count - 1) / variance);
-  return normal_from_chi_square(z, degrees);
+  const double degrees = std::max(1.0, scatter * scatter / variance);
+  return std::max(0.0, normal_from_f(1 + count * excess / scatter, degrees, (count - 1) * degrees));
 }
 
 }  // namespace
@@ -141,10 +141,9 @@ SeedNoise seed_noise(const SeedRows& rows) {
   return out;
 }
 
-double normal_from_chi_square(double z, double degrees) {
-  const double ratio = std::max(0.0, 1 + z * std::sqrt(2 / degrees));
-  const double spread = 2 / (9 * degrees);
-  return (std::cbrt(ratio) - (1 - spread)) / std::sqrt(spread);
+double normal_from_f(double f, double degrees, double degrees_below) {
+  const double root = std::cbrt(std::max(f, 0.0)), a = 2 / (9 * degrees), b = 2 / (9 * degrees_below);
+  return ((1 - b) * root - (1 - a)) / std::sqrt(a + root * root * b);
 }
 
 double normal_from_t(double t, double degrees) {

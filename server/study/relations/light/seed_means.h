@@ -35,9 +35,9 @@ SeedNoise seed_noise(const SeedRows& rows);
 
 double mean_of(const SeedRows& rows);
 
-// The normal deviate that is as likely to be exceeded as chi^2 of `degrees` is to exceed degrees + z sqrt(2
-// degrees) (Wilson & Hilferty 1931), and as |t| of `degrees` (Wallace 1959).
-double normal_from_chi_square(double z, double degrees);
+// The normal deviate that is as likely to be exceeded as F of so many degrees of freedom (Paulson 1942), and
+// as |t| (Wallace 1959).
+double normal_from_f(double f, double degrees, double degrees_below);
 double normal_from_t(double t, double degrees);
 
 }  // namespace herr

@@ -258,6 +258,7 @@ void measure_furnace(const RelationCase& subject, RelationLog& log) {
   furnace.scene.environment = glm::vec3(1.0f);
   furnace.scene.ambient = glm::vec3(0.0f);
   furnace.settings.occlusion_rays = 0;
+  furnace.settings.camera = true;  // without a feed: what lies outside is shown
   trace_few_probe_rays(furnace.settings);
   std::vector<LinearPicture> picture;
   const double no_numbers = values_without_number(furnace, picture);
