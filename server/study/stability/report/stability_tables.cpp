@@ -76,7 +76,7 @@ bool all_alike(const Results& results, const Value& value) {
 // What names leave to units, of about 118 columns; names are cut only where they leave less than this.
 std::size_t room_for_units(const Results& results, bool one_kind) {
   constexpr std::size_t kLeastUnit = 24;
-  const std::size_t names_and_units = one_kind ? 77 : 64;
+  const std::size_t names_and_units = one_kind ? 74 : 61;
   std::size_t longest = 0;
   for (const RelationResult* result : results) longest = std::max(longest, result->relation.name.size());
   return names_and_units - std::min(longest, names_and_units - kLeastUnit);
