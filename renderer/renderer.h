@@ -47,7 +47,7 @@ struct RenderedFrame {
 // What a frame leaves behind for the next one, beyond buffers that are filled anew: with it a replay goes on
 // in the middle as if it had come from the start. Stages that carry state keep it here.
 struct RendererState {
-  std::optional<glm::dvec3> anchor;  // metres, multiples of 16; none before the first frame
+  std::optional<glm::dvec3> anchor;  // metres, on steps of 16 m or less; none before the first frame
   std::vector<std::byte> probes;     // what probes have gathered; empty without probes
   std::vector<std::byte> details;    // which form of each mesh is shown; empty without coarser forms
 };

@@ -9,6 +9,7 @@ namespace herr {
 void Renderer::Impl::measure_reach() {
   const Bounds& all = boxes.all();
   const double diagonal_m = all.upper.x >= all.lower.x ? glm::length(all.upper - all.lower) : 0.0;
+  geometry->fit_anchor(diagonal_m);
   beyond_scene_m = diagonal_m > 0 ? 2.0 * diagonal_m : 1.0;
   double farthest_m = diagonal_m > 0 ? std::max(glm::length(all.lower), glm::length(all.upper)) : 0.0;
   for (const AreaLight& light : scene.lights) {

@@ -39,7 +39,7 @@ auto timed(StageTimes& times, Stage stage, Work&& work) {
 }
 
 void require_usable(const Pose& pose) {
-  constexpr double kFarthest_m = 1e9;
+  constexpr double kFarthest_m = 1e9;  // as rows of a session are checked
   const glm::dvec3& p = pose.position;
   const glm::dquat& q = pose.orientation;
   const bool usable = std::abs(p.x) < kFarthest_m && std::abs(p.y) < kFarthest_m &&

@@ -12,11 +12,16 @@
 namespace herr {
 namespace {
 
-constexpr double kAnchorGrid_m = 16.0;
+constexpr double kLargestAnchorStep_m = 16.0, kAnchorStepPerExtent = 16.0;
 constexpr double kShortestAxisShare = 1e-17;
 constexpr double kLargestCoordinate_m = 1e15;  // Embree asserts below 1.8e18; leaves room for rays' ends
 
 }  // namespace
+
+double anchor_step_m(double extent_m) {
+  if (!(extent_m > 0) || kAnchorStepPerExtent * extent_m >= kLargestAnchorStep_m) return kLargestAnchorStep_m;
+  return kAnchorStepPerExtent * std::exp2(std::floor(std::log2(extent_m)));
+}
 
 void check_transform(const glm::dmat4x3& m, const std::string& name) {
   const double reach = glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]) + glm::length(m[3]);
@@ -121,8 +126,8 @@ void EmbreeScene::place_instances() {
 }
 
 void EmbreeScene::follow(const glm::dvec3& head_position) {
-  if (placed_ && glm::distance(head_position, anchor_) <= kAnchorReach_m) return;
-  anchor_ = glm::round(head_position / kAnchorGrid_m) * kAnchorGrid_m;
+  if (placed_ && glm::distance(head_position, anchor_) <= kAnchorReach * anchor_step_m_) return;
+  anchor_ = glm::round(head_position / anchor_step_m_) * anchor_step_m_;
   place_instances();
 }
 

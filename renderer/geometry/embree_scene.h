@@ -29,7 +29,10 @@ namespace herr {
 // Throws std::invalid_argument unless the matrix is one that Embree can take: finite, and no axis collapsed.
 void check_transform(const glm::dmat4x3& matrix, const std::string& name);
 
-inline constexpr double kAnchorReach_m = 24.0;  // how far from the anchor a head may be
+// How far apart the places are on which the anchor may stand, along each axis: 16 m, and in a scene smaller
+// than a metre a power of two that is 8 to 16 times its extent. Floats then round to 2e-6 of the scene.
+double anchor_step_m(double extent_m);
+inline constexpr double kAnchorReach = 1.5;  // steps that a head may be away from the anchor
 
 // The matrix with axes lengthened that are so short that rays, turned into object space, would leave the
 // range that Embree takes: those below 1e-17 of how far rays start and lead, which no float of that size
@@ -67,8 +70,10 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  // Moves the anchor when the head is more than 24 m from it. Takes effect with commit_changes(), as do
-  // apply() and show_mesh().
+  // How large what is there is. The next anchor stands on a step that fits.
+  void fit_anchor(double extent_m) { anchor_step_m_ = anchor_step_m(extent_m); }
+  // Moves the anchor when the head is more than 1.5 of its steps from it. Takes effect with commit_changes(),
+  // as do apply() and show_mesh().
   void follow(const glm::dvec3& head_position);
   // Takes up what the state says has changed since the last call (the first: since this was built), and looks
   // at nothing else of the scene. Allocates only for instances beyond the most that were ever there.
@@ -86,7 +91,7 @@ class EmbreeScene {
   void place_at(const glm::dvec3& anchor);
   // The next follow() places everything anew.
   void leave_anchor() { placed_ = false; }
-  // A multiple of 16 m per axis; float coordinates are relative to it.
+  // A multiple of anchor_step_m() per axis; float coordinates are relative to it.
   const glm::dvec3& anchor() const { return anchor_; }
   bool placed() const { return placed_; }  // false until the first follow() or place_at()
 
@@ -129,6 +134,7 @@ class EmbreeScene {
   std::vector<std::unique_ptr<DetailRecord>> details_;  // per instance, null where it has none
   InstanceTable table_;                                 // what hit filters look into
   glm::dvec3 anchor_{0.0};
+  double anchor_step_m_ = anchor_step_m(1);
   double rays_reach_m_ = 0;
   bool placed_ = false;
   bool changed_ = false;  // since the last commit

@@ -33,8 +33,9 @@ void EmbreeScene::show_instance(std::size_t slot) {
 }
 
 void EmbreeScene::place_instance(std::size_t slot) {
-  glm::dmat4x3 m = keep_rays_traceable(scene_.instances[slot].world_from_object,
-                                       rays_reach_m_ + glm::length(anchor_) + 2 * kAnchorReach_m);
+  glm::dmat4x3 m =
+      keep_rays_traceable(scene_.instances[slot].world_from_object,
+                          rays_reach_m_ + glm::length(anchor_) + 2 * kAnchorReach * anchor_step_m_);
   if constexpr (kFault == Fault::dropped_anchor) m[3] = glm::dvec3(glm::vec3(m[3]));
   m[3] -= anchor_;
   float columns[12];

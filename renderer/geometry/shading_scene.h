@@ -121,12 +121,12 @@ struct LightRecord {
   float inverse_range2 = 0;               // 1 / (distance where the light ends)^2; 0: it never ends
   float direction[3] = {};                // in which a spot or sun shines, unit
   float cone_scale = 0, cone_offset = 1;  // of a spot: brightness clamp(scale cos + offset)^2
-  float reach = 0;                        // of a sun: metres that leave the scene from anywhere in it
-  std::uint32_t key = 0;                  // random numbers: which light
-  int samples = 1;                        // the product of the strata
-  int first_samples = 1;                  // of these, traced for every hit (LightSampling::first)
-  int strata[3] = {1, 1, 1};              // per axis
-  bool stratified = true;                 // false: every sample lies anywhere on the light
+  float reach = 0;            // metres that leave the scene from anywhere in it: twice its diagonal
+  std::uint32_t key = 0;      // random numbers: which light
+  int samples = 1;            // the product of the strata
+  int first_samples = 1;      // of these, traced for every hit (LightSampling::first)
+  int strata[3] = {1, 1, 1};  // per axis
+  bool stratified = true;     // false: every sample lies anywhere on the light
   // Which stratum each sample takes, and its inverse; in use where samples <= kMostOrderedSamples. A sample
   // comes after those strata around it that lie on a coarser lattice.
   std::array<std::uint16_t, kMostOrderedSamples> stratum_of{}, sample_of{};

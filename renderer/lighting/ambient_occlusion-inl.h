@@ -12,11 +12,15 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
+// Where the frame of normals turns over. At 0, where Duff et al. have it, rounding would choose between two
+// frames of every upright wall; few surfaces are tilted by just this much.
+constexpr float kTurnsOver = -0.3104f;
+
 // A vector in the frame of each normal (Duff et al., "Building an Orthonormal Basis,
 // Revisited", 2017); z = along it.
 HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
   const VF one = set(1.0f);
-  const VF sign = hn::CopySign(one, n.z);
+  const VF sign = hn::IfThenElse(hn::Gt(n.z, set(kTurnsOver)), one, set(-1.0f));
   const VF a = hn::Div(set(-1.0f), hn::Add(sign, n.z));
   const VF b = hn::Mul(hn::Mul(n.x, n.y), a);
   const V3 right{hn::MulAdd(hn::Mul(sign, hn::Mul(n.x, n.x)), a, one), hn::Mul(sign, b),

@@ -12,10 +12,12 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// A glint of less radiance than this, in what is seen, is none: a quarter of an 8-bit step of white.
-constexpr float kLeastGlint = 1.0f / 1024.0f;
+// A glint of less than this, in what is seen, is none: of the radiance of a white surface that faces the
+// lights from the far end of the scene, which other surfaces outshine. Where that is a fortieth of the
+// picture's white, as in a room lit from its middle, this is less than a quarter of an 8-bit step.
+constexpr float kLeastGlint = 1.0f / 64.0f;
 
-// Hits at which some light, unshadowed, may send `weight` times kLeastGlint or more into the ray. The half
+// Hits at which some light, unshadowed, may send a glint of `weight` into the ray that is seen. The half
 // vector turns by half of what the light's places turn about its centre: GGX is taken that much nearer to its
 // peak. Its joint visibility times n.l is 1 / (4 n.v) at most, but for its roughness.
 HWY_INLINE MF may_glint(const ShadingInputs& shading, const HitBatch& hits, int slot, VF weight) {
@@ -24,6 +26,7 @@ HWY_INLINE MF may_glint(const ShadingInputs& shading, const HitBatch& hits, int 
   const VF brightest = largest(load3(hits.f0, slot)), alpha2 = load(&hits.alpha2[slot]);
   const VF n_v = hn::Max(dot(n, v), set(0.02f));
   VF most = zero;
+  float far_white = 0;
   for (const LightRecord& light : shading.lights) {
     const bool sun = light.kind == LightKind::sun;
     const V3 to_light = sun ? scale(set3(light.direction), set(-1.0f)) : sub(set3(light.centre), p);
@@ -43,12 +46,15 @@ HWY_INLINE MF may_glint(const ShadingInputs& shading, const HitBatch& hits, int 
     const VF lobe = hn::Div(hn::Mul(wide2, set(kInvPi)), hn::Mul(spread, spread));
     const VF reflects = hn::MulAdd(schlick_weight(hn::Sub(l_h, turn)), hn::Sub(one, brightest), brightest);
     // Within a light its falloff is what it is at its floor.
+    const float intensity = std::max({light.intensity[0], light.intensity[1], light.intensity[2]});
+    const float across = 0.5f * light.reach;  // the scene
+    far_white += kInvPi * (sun ? intensity : intensity / across / across);
     const VF bright =
-        hn::Mul(set(std::max({light.intensity[0], light.intensity[1], light.intensity[2]})),
+        hn::Mul(set(intensity),
                 sun ? one : hn::Div(one, hn::Max(hn::Mul(distance2, set(0.25f)), set(light.min_distance2))));
     most = hn::MulAdd(hn::Mul(bright, lobe), hn::Div(reflects, n_v), most);
   }
-  return hn::Gt(hn::Mul(weight, hn::Mul(set(0.25f), most)), set(kLeastGlint));
+  return hn::Gt(hn::Mul(weight, hn::Mul(set(0.25f), most)), set(kLeastGlint * far_white));
 }
 
 }  // namespace HWY_NAMESPACE

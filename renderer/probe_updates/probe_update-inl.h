@@ -84,6 +84,11 @@ HWY_INLINE RayStatistics ray_statistics(const ProbeJob& job, const ProbeGroup& g
   return {hn::Mul(now.mean, share), hn::Mul(now.square, share)};
 }
 
+// Less cannot be seen.
+HWY_INLINE float dark_radiance(const ProbeJob& job) {
+  return kDarkShare * job.tile.shading->shown_white;
+}
+
 // How large the change is, and the share that a probe keeps: less where it is large and beyond what the
 // rays' scatter explains.
 struct Reaction {
@@ -93,7 +98,7 @@ struct Reaction {
 HWY_INLINE Reaction reaction(const ProbeJob& job, const ProbeGroup& group, const RayStatistics& now, VF mean,
                              VF square) {
   const VF difference = hn::Abs(hn::Sub(now.mean, mean));
-  const VF change = hn::Div(difference, hn::Max(hn::Max(now.mean, mean), set(kDarkRadiance)));
+  const VF change = hn::Div(difference, hn::Max(hn::Max(now.mean, mean), set(dark_radiance(job))));
   const MF known = hn::Gt(group.kept, hn::Zero(kF));
   Reaction out{hn::IfThenElseZero(hn::And(known, group.lanes), change), group.kept, first_lanes(0)};
   if (!job.volume->settings.react) return out;
@@ -147,12 +152,13 @@ HWY_INLINE void note_statistics(const ProbeJob& job, const ProbeGroup& group, co
   hn::Store(square, kF, squares);
   hn::Store(hn::Max(mean, now.mean), kF, brightest);
   const auto probes = job.volume->job_probes(job.job);
+  const float darkest = dark_radiance(job);
   for (int i = 0; i < group.count; ++i) {
     const auto probe = static_cast<std::size_t>(probes[static_cast<std::size_t>(group.first + i)]);
     set_of.mean[probe] = means[i];
     set_of.square[probe] = squares[i];
     std::uint8_t& dark = set_of.dark_updates[probe];
-    if (brightest[i] > kDarkRadiance) {
+    if (brightest[i] > darkest) {
       dark = 0;
     } else if (dark < kUpdatesToSleep) {
       ++dark;

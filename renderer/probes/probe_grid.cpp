@@ -10,7 +10,7 @@ namespace herr {
 namespace {
 
 constexpr double kThinnestShare = 1.0 / 16.0;  // of the longest edge
-constexpr double kPointExtent_m = 1e-3;        // of a scene that is a single point
+constexpr double kPointExtent_m = 1e-3;  // of a scene that is a single point, and so has no length of its own
 
 // The cells of a grid along one axis: one before the first probe, those between two, one after the last. Cell
 // i ends at probe i. In the outer ones look-ups take the outermost probes alone.

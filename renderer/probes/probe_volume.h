@@ -26,8 +26,8 @@ inline constexpr int kProbeLanes = 16;    // probes of one job
 inline constexpr int kLightChannel = 80;  // floats from one channel to the next: directions, padded
 inline constexpr int kLightFloats = 3 * kLightChannel;  // of one probe
 inline constexpr std::int64_t kNeverUpdated = std::numeric_limits<std::int64_t>::min();
-inline constexpr float kDarkRadiance = 1e-9f;  // a 500,000th of an 8-bit step of white
-inline constexpr int kUpdatesToSleep = 16;     // dark ones in a row: light needs as many bounces to come in
+inline constexpr float kDarkShare = 1e-9f;  // of the white that is shown: a 500,000th of an 8-bit step
+inline constexpr int kUpdatesToSleep = 16;  // dark ones in a row: light needs as many bounces to come in
 
 // One world that probes look at: everything, or the catchers alone (DESIGN: differential rendering).
 struct ProbeSet {

@@ -53,11 +53,6 @@ RendererState read_renderer_state(const JsonObject& document) {
   state.details = read_bytes(document, "details");
   if (!document.has("anchor_m")) return state;
   state.anchor = document.vec3("anchor_m", -kFarthestAnchor_m, kFarthestAnchor_m);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::fmod((*state.anchor)[axis], 16.0) != 0) {
-      document.fail("anchor_m", "is not a multiple of 16 m", kRemedy);
-    }
-  }
   return state;
 }
 

@@ -12,8 +12,9 @@ ROOMS = {
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
                "study/diagrams", "study/report", "study/plan", "study/reference", "study/measure",
-               "study/findings", "study/relations", "study/relations/place", "study/relations/gaze",
-               "study/relations/triangles", "study", "study/stability", "cli"),
+               "study/findings", "study/relations", "study/relations/light", "study/relations/place",
+               "study/relations/gaze", "study/relations/triangles", "study/stability/report", "study",
+               "study/stability", "cli"),
 }
 
 # Modules whose root holds public headers, which every room may include, and what those headers alone need.

@@ -2,6 +2,7 @@
 // off. Before: scenes of tests/renderer. After: a test for each row, and the page MEASURED.md.
 #pragma once
 
+#include <ostream>
 #include <span>
 
 namespace herr::test {
@@ -14,6 +15,11 @@ struct ExactAnswer {
   const char* unit;        // of error and bound
   const char* bound_from;  // one sentence: why the bound is this
 };
+
+// In messages of a test that fails.
+inline void PrintTo(const ExactAnswer& answer, std::ostream* out) {
+  *out << answer.asks;
+}
 
 std::span<const ExactAnswer> furnace_answers();  // one .cpp for each
 std::span<const ExactAnswer> light_answers();

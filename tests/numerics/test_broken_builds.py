@@ -26,7 +26,7 @@ class Expected:
 
 FAULTS = {
     "singular_falloff": Expected("light", "light near a surface stays below I / r^2"),
-    "dropped_anchor": Expected("place", "moved by 1e+06 m"),
+    "dropped_anchor": Expected("place", "moved by 1e6 m, hard light"),
     "biased_adaptive_samples": Expected("samples", "mean with adaptive light samples", worse=1.5),
     "euler_hysteresis": Expected("probes", "memory of probes does not depend on the step"),
     "samples_keyed_by_thread": Expected("threads", "the same bytes by any number of threads"),

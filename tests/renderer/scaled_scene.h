@@ -1,7 +1,11 @@
-// A scene and what looks at it, grown or shrunk as a whole. Light keeps its radiance: intensities grow with
-// the square, irradiance of suns stays. Before: test_scenes.h. After: pictures that must not differ.
+// A scene (scenes/model/similar_scene.h) and what looks at it, grown or shrunk as a whole. Before:
+// test_scenes.h. After: pictures that must not differ.
 #pragma once
 
+#include <utility>
+#include <vector>
+
+#include "scenes/model/similar_scene.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace herr::test {
@@ -10,26 +14,20 @@ namespace herr::test {
 enum class Growth : std::uint8_t { by_nodes, by_vertices };
 
 inline Scene scaled_scene(Scene scene, double factor, Growth growth) {
-  const bool vertices = growth == Growth::by_vertices;
+  Similarity similarity;
+  similarity.scale = factor;
+  if (growth == Growth::by_nodes) return similar_scene(std::move(scene), similarity);
+  std::vector<glm::dmat4x3> before;
+  for (const Instance& instance : scene.instances) before.push_back(instance.world_from_object);
+  scene = similar_scene(std::move(scene), similarity);
   for (TriangleMesh& mesh : scene.meshes) {
-    for (glm::vec3& p : mesh.positions) p = vertices ? glm::vec3(factor * glm::dvec3(p)) : p;
-    for (CoarserMesh& form : mesh.coarser)
-      form.error_m = static_cast<float>(vertices ? factor * double{form.error_m} : double{form.error_m});
+    for (glm::vec3& p : mesh.positions) p = glm::vec3(factor * glm::dvec3(p));
+    for (CoarserMesh& form : mesh.coarser) form.error_m = static_cast<float>(factor * double{form.error_m});
   }
-  for (Instance& instance : scene.instances) {
-    glm::dmat4x3& m = instance.world_from_object;
-    const bool in_vertices = vertices && instance.kind == ShapeKind::mesh;
-    for (int axis = 0; axis < 3; ++axis) m[axis] *= in_vertices ? 1.0 : factor;
-    m[3] *= factor;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (scene.instances[i].kind != ShapeKind::mesh) continue;
+    for (int axis = 0; axis < 3; ++axis) scene.instances[i].world_from_object[axis] = before[i][axis];
   }
-  for (AreaLight& light : scene.lights) {
-    light.centre *= factor;
-    light.size *= static_cast<float>(factor);
-    light.range_m *= factor;
-    if (light.kind != LightKind::sun) light.intensity_w_sr *= static_cast<float>(factor * factor);
-  }
-  if (scene.probes.box)
-    scene.probes.box = Bounds{factor * scene.probes.box->lower, factor * scene.probes.box->upper};
   return scene;
 }
 

@@ -128,6 +128,24 @@ PictureDistance largest_relative(const std::vector<LinearPicture>& got,
   return farthest.told(farthest.largest(), got, &wanted, profile);
 }
 
+PictureDistance largest_of_sum(const std::vector<LinearPicture>& got,
+                               const std::vector<LinearPicture>& wanted,
+                               const std::vector<LinearPicture>& sum, double least,
+                               const DisplayProfile& profile) {
+  require_same_sizes(got, wanted);
+  require_same_sizes(got, sum);
+  Farthest farthest;
+  for (std::size_t v = 0; v < got.size(); ++v) {
+    for (std::size_t i = 0; i < got[v].pixels(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double apart = distance_apart(double{got[v].plane[c][i]}, double{wanted[v].plane[c][i]});
+        farthest.offer(v, i, apart / (double{sum[v].plane[c][i]} + least));
+      }
+    }
+  }
+  return farthest.told(farthest.largest(), got, &wanted, profile);
+}
+
 PictureDistance differing_values(const std::vector<LinearPicture>& got,
                                  const std::vector<LinearPicture>& wanted, const DisplayProfile& profile) {
   Farthest farthest;

@@ -27,6 +27,11 @@ PictureDistance share_beyond_one_step(const std::vector<LinearPicture>& got,
 PictureDistance largest_relative(const std::vector<LinearPicture>& got,
                                  const std::vector<LinearPicture>& wanted, double floor_share,
                                  const DisplayProfile& profile);
+// Largest |got - wanted| / (sum + least): of pictures that are sums, `sum` of the sizes of what is added.
+PictureDistance largest_of_sum(const std::vector<LinearPicture>& got,
+                               const std::vector<LinearPicture>& wanted,
+                               const std::vector<LinearPicture>& sum, double least,
+                               const DisplayProfile& profile);
 // Number of values that differ in any bit, +0 and -0 apart.
 PictureDistance differing_values(const std::vector<LinearPicture>& got,
                                  const std::vector<LinearPicture>& wanted, const DisplayProfile& profile);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "server/study/relations/relation.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 

@@ -5,7 +5,7 @@
 #include "server/bench/bench_subject.h"
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
-#include "server/study/stability/stability_pictures.h"
+#include "server/study/stability/report/stability_pictures.h"
 #include "server/study/study_command_line.h"
 
 namespace herr {

@@ -1,8 +1,8 @@
 // What was measured as a record. Before: measure_groups. After: every report.
 #pragma once
 
+#include "server/study/stability/report/stability_record.h"
 #include "server/study/stability/stability_case.h"
-#include "server/study/stability/stability_record.h"
 
 namespace herr {
 

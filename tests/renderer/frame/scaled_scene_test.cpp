@@ -177,6 +177,21 @@ TEST(ScaledSceneTest, DirectLightMirrorsGlassShapesAndVoxelsLookTheSameAtEverySi
   expect_the_same_at_every_size(furnished(), everything(Foveation::off));
 }
 
+// A kilometre from the origin floats lie 6e-5 m apart, which is more than half of a scene of 1e-4 m.
+TEST(ScaledSceneTest, WhatIsSmallLooksTheSameFarFromTheOrigin) {
+  const RenderSettings settings = everything(Foveation::off);
+  const RenderedFrame as_it_is = frame_of(furnished(), settings, two_eyes(), 1);
+  for (const double factor : {1e-2, 1e-4, 1e-5}) {
+    Similarity similarity;
+    similarity.scale = factor;
+    similarity.move = {801.3, 267.1, -534.7};
+    const RenderedFrame other =
+        frame_of(similar_scene(furnished(), similarity), test::scaled_settings(settings, factor),
+                 test::scaled_sample(two_eyes(), factor), 1);
+    EXPECT_GE(test::share_alike(as_it_is, other), kAlike) << "factor " << factor;
+  }
+}
+
 TEST(ScaledSceneTest, AdaptiveLightSamplesTakeTheSameDecisionsAtEverySize) {
   RenderSettings settings = everything(Foveation::off);
   settings.light_samples = 16;

@@ -82,6 +82,34 @@ TEST(AmbientOcclusionTest, AnOpenFloorStaysAsItIsBitForBit) {
                          test::render(scene, profile, settings_with(0), test::looking_down({0, 2, 0})));
 }
 
+// Rays of an upright wall must not depend on how its normal, (1, 0, 0), rounds. Turned by 1e-7 either way,
+// the wall and all that its rays meet move by 5e-7 m at most: only rays that pass an edge as closely can
+// change. Were the wall's frame another one, every second ray would be.
+TEST(AmbientOcclusionTest, RoundingOfAnUprightWallsNormalDoesNotChooseItsRays) {
+  Scene scene = floor_beside_wall();
+  scene.ambient = glm::vec3{1.0f};
+  const FrameSample sample = test::sample_from({1, 0.2, 0}, test::gaze_deg(0, 0));
+  const DisplayProfile profile = test::single_view(64, 64, 60, 30);
+  const auto turned_by = [&](double angle_rad) {
+    Scene turned = scene;
+    glm::dmat4x3& m = turned.instances[1].world_from_object;
+    m[0] = {std::cos(angle_rad), 0, -std::sin(angle_rad)};
+    m[2] = {std::sin(angle_rad), 0, std::cos(angle_rad)};
+    FrameSample to_the_left = sample;
+    to_the_left.head.world_from_head.orientation =
+        glm::angleAxis(glm::half_pi<double>(), glm::dvec3(0, 1, 0));
+    return test::render(turned, profile, settings_with(1), to_the_left);
+  };
+  const RenderedFrame one = turned_by(1e-7), other = turned_by(-1e-7);
+  int differ = 0, dark = 0;
+  test::for_each_pixel(one.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    differ += std::abs(pixel[0] - test::pixel_at(other.viewports[0], x, y)[0]) > 0.01f ? 1 : 0;
+    dark += pixel[0] < 0.1f ? 1 : 0;
+  });
+  EXPECT_GT(dark, 100) << "some rays meet the other surface";
+  EXPECT_LE(differ, 4);
+}
+
 TEST(AmbientOcclusionTest, DirectLightIsNotOccluded) {
   Scene scene = floor_beside_wall();
   scene.lights = {test::light_at({0.5, 3, 0}, glm::vec3{2.0f})};

@@ -171,6 +171,33 @@ TEST(ProbeVolumeTest, FarFromTheOriginNothingChanges) {
   test::expect_same_bits(here.frame, there.frame);
 }
 
+// Up to the last legal stamp: doubles lie 512 ns apart there, and the share that probes keep would waver.
+TEST(ProbeVolumeTest, LateStampsGatherTheSameLight) {
+  const DisplayProfile view = test::single_view(32, 32, 40, 40);
+  test::ProbeRun early(room(), view, test::probe_settings(), test::sample_from({0, 0, 1}));
+  test::ProbeRun late(room(), view, test::probe_settings(), test::sample_from({0, 0, 1}));
+  early.sample.t_ns = early.sample.start_ns = 0;
+  late.sample.t_ns = late.sample.start_ns = 4'000'000'000'000'000'000 - 1'000'000'007;
+  early.run(12);
+  late.run(12);
+  EXPECT_EQ(early.volume().sets[0].gathered, late.volume().sets[0].gathered);
+  test::expect_same_bits(early.frame, late.frame);
+}
+
+// A room of radiance 1e-6 to 1e-5. At -15 EV white is 32768, and 1e-9 of it 3.3e-5.
+TEST(ProbeVolumeTest, ProbesSleepByTheWhiteThatIsShown) {
+  Scene dim = room();
+  dim.lights[0].intensity_w_sr *= 1e-5f;
+  RenderSettings settings = test::probe_settings();
+  test::ProbeRun bright(dim, test::single_view(8, 8, 40, 40), settings, test::sample_from({0, 0, 1}));
+  settings.exposure_ev = -15;
+  test::ProbeRun dark(dim, test::single_view(8, 8, 40, 40), settings, test::sample_from({0, 0, 1}));
+  bright.run(20);
+  dark.run(20);
+  EXPECT_GT(bright.frame.probes.active, 0);
+  EXPECT_EQ(dark.frame.probes.active, 0);
+}
+
 TEST(ProbeVolumeTest, AnAnchorThatMovesLeavesTheProbesAlone) {
   const DisplayProfile view = test::single_view(32, 32, 40, 40);
   test::ProbeRun run(room(), view, test::probe_settings(), test::sample_from({0, 0, 1}));

@@ -1,12 +1,16 @@
 // Where a scene stands, which way it faces and how large it is changes nothing: moved, turned and scaled it
 // gives the same picture.
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "server/study/relations/light/plain_scene.h"
+#include "server/study/relations/light/seed_means.h"
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/place/similar_case.h"
 #include "server/study/relations/relation.h"
@@ -18,6 +22,8 @@ namespace {
 
 // Of pixels, which rounding may take across an edge.
 constexpr double kMovedShare = 1e-3, kScaledShare = 1e-2;
+constexpr std::uint32_t kTurnedSeeds = 16;
+constexpr double kStandardErrors = 4, kHalfRounding = 0x1p-9;
 constexpr double kProbeDensity = 0.5;  // an eighth of the probes: many pictures are made
 
 using Pictures = std::vector<LinearPicture>;
@@ -120,6 +126,76 @@ void measure_scaled(const RelationCase& subject, const Pictures& here, const std
   }
 }
 
+// Far from the origin too: what is small stands where it is small against its place.
+void measure_small_and_far(const RelationCase& subject, const Pictures& here, RelationLog& log) {
+  const Relation relation = of_pixels(
+      "scaled by 1e-4, 1e3 m away, hard light",
+      "a scene of a ten-thousandth of the size, a kilometre from the origin, gives the same picture",
+      kScaledShare,
+      "the anchor stands within 24 extents of a scene that is smaller than a metre: places round to "
+      "2e-6 of its size, a hundredth of a pixel");
+  Similarity similarity;
+  similarity.scale = 1e-4;
+  similarity.move = way_of(1e3);
+  measure_likeness(subject, here, similarity, relation, log);
+}
+
+// Pictures by seeds from `first` on, limited to white, as rows of values. Rays pass anywhere through their
+// pixels, so that edges are chance too.
+SeedRows rows_of(const RelationCase& subject, std::uint32_t first) {
+  const auto renderer = renderer_of(subject);
+  SeedRows rows(kTurnedSeeds);
+  RenderedFrame frame;
+  LinearPicture picture;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    PixelPass pass;
+    pass.seed = pass.sequence = first + static_cast<std::uint32_t>(i);
+    pass.jitter = true;
+    renderer->render_pass(subject.sample, subject.state, pass, frame);
+    for (const ViewportImage& viewport : frame.viewports) {
+      read_viewport(viewport, picture);
+      limit_to_white(picture);
+      for (const auto& plane : picture.plane) rows[i].insert(rows[i].end(), plane.begin(), plane.end());
+    }
+  }
+  return rows;
+}
+
+// Of matte surfaces: highlights depend on how a light is cut into strata, which goes by its axes in order.
+RelationCase matte_case(const RelationCase& subject) {
+  RelationCase soft = by_pixels(soft_light(subject, 4));
+  soft.settings.occlusion_rays = 1;
+  make_matte(soft.scene);
+  for (Viewport& viewport : soft.profile.viewports) {
+    viewport.width_px = std::max(1, viewport.width_px / 2);
+    viewport.height_px = std::max(1, viewport.height_px / 2);
+  }
+  return soft;
+}
+
+// About up and then ahead; about up alone where nothing else is possible.
+void measure_turned_by_chance(const RelationCase& subject, RelationLog& log) {
+  const RelationCase soft = matte_case(subject);
+  Similarity similarity;
+  similarity.turn = quarter_turn(2) * quarter_turn(1);
+  if (!why_not_similar(soft, similarity).empty()) similarity.turn = quarter_turn(1);
+  Relation relation;
+  relation.name = "turned by 90 degrees, soft light";
+  relation.holds =
+      "scene and head turned as one give the same picture in the mean, of matte surfaces in soft light with "
+      "ambient occlusion";
+  relation.kind = RelationKind::statistical;
+  relation.bound = kStandardErrors;
+  relation.unit = "standard errors";
+  relation.bound_from =
+      "the mean over 16 seeds; values may differ by 2^-9 of themselves, which rounding to half floats "
+      "explains";
+  const std::string why = why_not_similar(soft, similarity);
+  if (!why.empty()) return log.not_applicable(relation, why);
+  const SeedRows turned = rows_of(similar_case(soft, similarity), kTurnedSeeds);
+  log.measured(relation, mean_difference(turned, rows_of(soft, 0), kHalfRounding).worst());
+}
+
 }  // namespace
 
 void measure_place(const RelationCase& subject, RelationLog& log) {
@@ -132,8 +208,10 @@ void measure_place(const RelationCase& subject, RelationLog& log) {
   measure_moved(lit_rays, picture_of(lit_rays), std::span(kWays).subspan(1), "all light", log);
   measure_moved_by_steps(lit, all, log);
   measure_turned(hard_rays, hard, log);
+  measure_turned_by_chance(subject, log);
   measure_scaled(hard_rays, hard, "hard light", log);
   measure_scaled(lit, all, "all light", log);
+  measure_small_and_far(hard_rays, hard, log);
 }
 
 }  // namespace herr

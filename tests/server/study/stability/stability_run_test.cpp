@@ -10,7 +10,7 @@
 #include "server/process/exit_code.h"
 #include "server/study/relations/relation_case.h"
 #include "server/study/stability/stability_folder.h"
-#include "tests/server/study/stability/stability_records.h"
+#include "tests/server/study/stability/report/stability_records.h"
 #include "tests/temporary_folder.h"
 
 namespace herr {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "server/study/stability/stability_record.h"
+#include "server/study/stability/report/stability_record.h"
 
 namespace herr {
 

@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_text.h"
+#include "server/study/stability/report/stability_text.h"
 
 #include <vector>
 
 #include "server/study/report/figure_text.h"
 #include "server/study/report/report_table.h"
-#include "server/study/stability/stability_tables.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_tables.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {
@@ -30,7 +30,7 @@ std::string stability_text(const StabilityRecord& record) {
   std::string text;
   for (const auto& [name, value] : stability_facts(record)) text += report_line(name + ": " + value);
   text += "\n" + report_list("Does not hold", failure_lines(record));
-  for (const ReportTable& table : group_tables(record)) text += table_text(table, kReportColumns) + "\n";
+  for (const ReportTable& table : terminal_tables(record)) text += table_text(table, kReportColumns) + "\n";
   text +=
       report_list("Not applicable", not_applicable_lines(record)) + report_list("Warnings", record.warnings);
   return text + report_line("Closest to its limit: " + closest_text(record.results)) +

@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_pictures.h"
+#include "server/study/stability/report/stability_pictures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "server/study/report/difference_picture.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_verdict.h"
 #include "server/text/number_text.h"
 
 namespace herr {

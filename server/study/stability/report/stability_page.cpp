@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_page.h"
+#include "server/study/stability/report/stability_page.h"
 
 #include <vector>
 
 #include "server/study/diagrams/html_text.h"
 #include "server/study/report/page_parts.h"
-#include "server/study/stability/stability_tables.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_tables.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {
@@ -42,8 +42,17 @@ std::string verdict_part(const StabilityRecord& record) {
 
 std::string groups_part(const StabilityRecord& record) {
   std::string tables;
-  for (const ReportTable& table : group_tables(record)) tables += page_table(table);
+  for (const ReportTable& table : page_tables(record)) tables += page_table(table);
   return tables;
+}
+
+std::string sentences_part(const StabilityRecord& record) {
+  std::string items;
+  for (const RelationSentence& one : relation_sentences(record)) {
+    items +=
+        html_element("dt", "", html_text(one.names)) + html_element("dd", "", html_text(one.sentence)) + "\n";
+  }
+  return items.empty() ? "" : html_element("dl", "class=\"metrics\"", items) + "\n";
 }
 
 std::string stability_body(const StabilityRecord& record) {
@@ -52,6 +61,7 @@ std::string stability_body(const StabilityRecord& record) {
          page_section("relations", "Relations", groups_part(record)) +
          page_section("pictures", "What the worst look like", page_pictures(record.pictures, kShownWidthPx)) +
          page_section("not-applicable", "Not applicable", page_list(not_applicable_lines(record))) +
+         page_section("sentences", "What must hold, and where bounds are from", sentences_part(record)) +
          page_section("warnings", "Warnings", page_list(record.warnings));
 }
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "server/study/stability/stability_record.h"
+#include "server/study/stability/report/stability_record.h"
 
 namespace herr {
 

@@ -1,11 +1,11 @@
-#include "server/study/stability/stability_json.h"
+#include "server/study/stability/report/stability_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "server/study/diagrams/html_text.h"
 #include "server/study/report/study_json.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
 namespace {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "server/study/report/study_json.h"
-#include "server/study/stability/stability_json.h"
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_json.h"
+#include "server/study/stability/report/stability_verdict.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {

@@ -5,11 +5,11 @@
 #include <sstream>
 #include <string>
 
-#include "server/study/stability/stability_page.h"
-#include "server/study/stability/stability_pictures.h"
-#include "server/study/stability/stability_text.h"
+#include "server/study/stability/report/stability_page.h"
+#include "server/study/stability/report/stability_pictures.h"
+#include "server/study/stability/report/stability_text.h"
 #include "tests/server/study/report/page_checks.h"
-#include "tests/server/study/stability/stability_records.h"
+#include "tests/server/study/stability/report/stability_records.h"
 
 namespace herr {
 namespace {
@@ -34,7 +34,7 @@ TEST(StabilityText, SaysWhatFailsWhereWhatWasNotAskedAndTheVerdictLast) {
 
 TEST(StabilityText, WithinAGroupTheOneThatFailsStandsFirst) {
   const std::string text = stability_text(test::rich_stability());
-  EXPECT_LT(text.find("\ntoo large "), text.find("\nquiet "));
+  EXPECT_LT(text.find("FAILS    too large"), text.find("holds    quiet"));
 }
 
 TEST(StabilityText, LinesFitATerminalAndHoldNoControlCharacters) {

@@ -1,5 +1,5 @@
 // What results say together: which decide, which is closest to its limit, which are worst.
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "server/process/exit_code.h"
-#include "tests/server/study/stability/stability_records.h"
+#include "tests/server/study/stability/report/stability_records.h"
 
 namespace herr {
 namespace {

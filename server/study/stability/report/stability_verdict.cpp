@@ -1,4 +1,4 @@
-#include "server/study/stability/stability_verdict.h"
+#include "server/study/stability/report/stability_verdict.h"
 
 #include <algorithm>
 #include <cmath>

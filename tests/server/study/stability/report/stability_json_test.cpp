@@ -1,5 +1,5 @@
 // stability.json: nothing is lost on the way, and what is broken is refused by the name of its field.
-#include "server/study/stability/stability_json.h"
+#include "server/study/stability/report/stability_json.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include <string>
 
 #include "server/results/summary_json.h"
-#include "server/study/stability/stability_page.h"
-#include "server/study/stability/stability_text.h"
+#include "server/study/stability/report/stability_page.h"
+#include "server/study/stability/report/stability_text.h"
 #include "sessions/files/input_error.h"
-#include "tests/server/study/stability/stability_records.h"
+#include "tests/server/study/stability/report/stability_records.h"
 
 namespace herr {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "server/study/stability/stability_record.h"
+#include "server/study/stability/report/stability_record.h"
 
 namespace herr::test {
 
