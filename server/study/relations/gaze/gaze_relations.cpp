@@ -32,6 +32,12 @@ class GazeRelations {
       : draw_(draw), subject_(subject), log_(log) {}
 
   void measure() {
+    const std::string why = why_left_out(plan_of(subject_), "log-polar rays");
+    if (!why.empty()) {
+      Relation relation = data_relation("any gaze and width");
+      log_.not_applicable(std::move(relation), why);
+      return;
+    }
     measure_data();
     measure_coverage();
     measure_no_direction();
@@ -103,7 +109,7 @@ class GazeRelations {
     }
   }
 
-  void tell_data(const std::string& what, const WorstFrame& worst) {
+  static Relation data_relation(const std::string& what) {
     Relation relation;
     relation.name = "every pixel has data: " + what;
     relation.holds =
@@ -113,7 +119,10 @@ class GazeRelations {
     relation.unit = "largest distance from 1";
     relation.bound_from =
         "equal samples blend to their own value, and a sample of 1 is rounded to a half float once: 2^-11";
-    log_.measured(relation, worst.distance.error, worst.where());
+    return relation;
+  }
+  void tell_data(const std::string& what, const WorstFrame& worst) {
+    log_.measured(data_relation(what), worst.distance.error, worst.where());
   }
 
   void measure_coverage() {

@@ -1,15 +1,17 @@
 // Odd triangles and voxels change nothing: duplicates, triangles without area, needles, corners far away,
 // huge floors; voxels of 1e-4 m and of 1e4 m.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
+#include "renderer/frame_plan.h"
 #include "server/study/relations/picture_distance.h"
+#include "server/study/relations/place/similar_case.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
 #include "server/study/relations/triangles/odd_triangles.h"
-#include "server/text/number_text.h"
 
 namespace herr {
 namespace {
@@ -43,6 +45,7 @@ class TriangleRelations {
     if (any) wanted_ = draw_(subject_);
     measure_added(relation_of_needles(), any, divide_into_needles);
     measure_floors();
+    measure_voxels();
   }
 
  private:
@@ -134,6 +137,7 @@ class TriangleRelations {
   }
 
   void measure_floors();
+  void measure_voxels();
 
   const DrawPicture& draw_;
   RelationCase subject_;
@@ -183,9 +187,9 @@ void TriangleRelations::measure_floors() {
     return draw_(on_floor);
   };
   const std::vector<LinearPicture> wanted = with_floor(1e3);
-  for (const double radii : {1e6, 1e8}) {
+  for (const auto& [radii, text] : {std::pair{1e6, "1e6"}, {1e8, "1e8"}}) {
     Relation relation;
-    relation.name = "a floor " + shortest_text(radii) + " times as wide as the scene";
+    relation.name = std::string("a floor ") + text + " times as wide";
     relation.holds =
         "a floor of two huge triangles just above the scene's lowest point looks as one 1e3 times as wide "
         "as the scene where a ray meets both, and is lit the same";
@@ -196,6 +200,39 @@ void TriangleRelations::measure_floors() {
     std::vector<LinearPicture> got = with_floor(radii);
     hide_horizon(by_pixel, {middle.y, 100 * radius_m}, wanted, got);
     tell(relation, got, wanted);
+  }
+}
+
+// Metres; of the first grid that is there.
+double voxel_edge_m(const Scene& scene) {
+  const auto grid = std::find_if(
+      scene.instances.begin(), scene.instances.end(),
+      [](const Instance& instance) { return instance.present && instance.kind == ShapeKind::voxels; });
+  return glm::length(grid->world_from_object[0]);
+}
+
+void TriangleRelations::measure_voxels() {
+  RelationCase by_pixel = subject_;
+  by_pixel.settings.foveation = Foveation::off;
+  by_pixel.settings.scale = 1;
+  const std::string why = why_left_out(plan_of(by_pixel), "voxels");
+  const std::vector<LinearPicture> wanted = why.empty() ? draw_(by_pixel) : std::vector<LinearPicture>{};
+  for (const auto& [edge_m, text] : {std::pair{1e-4, "1e-4"}, {1e4, "1e4"}}) {
+    Relation relation;
+    relation.name = std::string("voxels of ") + text + " m";
+    relation.holds =
+        "with every length of the scene scaled until voxels have this edge the picture is the same";
+    relation.bound = 1e-2;
+    relation.unit = "share of pixels beyond one 8-bit step";
+    relation.bound_from =
+        "no power of two: every number rounds anew, and a few rays that pass edges change sides";
+    if (!why.empty()) {
+      log_.not_applicable(std::move(relation), why);
+      continue;
+    }
+    Similarity similarity;
+    similarity.scale = edge_m / voxel_edge_m(by_pixel.scene);
+    tell(relation, draw_(similar_case(by_pixel, similarity)), wanted);
   }
 }
 

@@ -104,16 +104,16 @@ std::vector<TimeNs> ages(TimeNs step_ns, bool last) {
 void measure_steady_turn(const RelationCase& subject, TimeNs step_ns, RelationLog& log) {
   constexpr int kSamples = 12;
   const double step_s = static_cast<double>(step_ns) * kSecondsPerNs;
-  const std::string apart = shortest_text(step_s * 1000) + " ms";
+  const std::string apart = step_s < 1 ? shortest_text(step_s * 1000) + " ms" : shortest_text(step_s) + " s";
   const bool too_far = step_ns > kMaxPoseGapNs, half_turn = 180 * kSecond_ns < kTurn_deg_s * step_ns;
   Relation relation;
-  relation.name = "prediction at 2,000 degrees/s, samples " + apart + " apart";
+  relation.name = "prediction at 2,000 degrees/s, every " + apart;
   relation.holds = too_far ? "the head is held: samples more than a second apart have no velocity"
                    : half_turn
                        ? "the exact solution of the short way between two samples, held from the cap on: "
                          "their turn of more than a half is taken for a smaller one the other way"
                        : "the exact solution q exp(omega dt), held from the cap of 0.1 s on";
-  relation.unit = "radians, or share of the head's distance";
+  relation.unit = "radians, or share of distance";
   relation.bound = 48 * kRounding * (1 + SessionOptions{}.predict_cap_s / step_s);
   relation.bound_from =
       "both samples are off by 16 roundings (2^-53) of their parts, and their turn is prolonged so many "
