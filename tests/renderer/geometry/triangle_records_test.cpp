@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -116,6 +117,39 @@ TEST(TriangleRecordsTest, FlatTrianglesAndSliversDoNotSeemCurved) {
   EXPECT_LT(sliver, 1.01 * 1e-3 / 0.5);
   // No extent at all.
   EXPECT_EQ(shading_curvature({up, up, up}, {up, noisy, noisy}), 0.0f);
+}
+
+TEST(TriangleRecordsTest, ATriangleIsRoundedAsItsCornersAlongItsNormal) {
+  // Level, y up: of corners and edges only heights count, 2 and none.
+  for (const float half : {1.0f, 1e4f, 5e8f}) {
+    const std::array<glm::vec3, 3> level{glm::vec3{-half, 2, half}, {half, 2, half}, {half, 2, -half}};
+    EXPECT_EQ(rounded_length(level), 2.0f);
+    // Of any direction: (2 half, 2, 2 half) and edges of (2 half, 0, 2 half).
+    EXPECT_FLOAT_EQ(most_rounded_length(level), static_cast<float>(std::sqrt(18.0 * half * half + 4)));
+  }
+  // The plane x + y = 3 between (3, 0) and (0, 3): normal (1, 1, 0) / sqrt 2, largest coordinates and
+  // edges 3.
+  EXPECT_FLOAT_EQ(rounded_length({glm::vec3{3, 0, 0}, {0, 3, 0}, {0, 3, 9}}),
+                  static_cast<float>(12 / std::sqrt(2.0)));
+  // No area: a point, a line.
+  EXPECT_EQ(rounded_length({glm::vec3{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), 0.0f);
+  EXPECT_EQ(rounded_length({glm::vec3{0, 2, 3}, {1, 2, 3}, {1e8f, 2, 3}}), 0.0f);
+}
+
+TEST(TriangleRecordsTest, ARoundedLengthIsKeptAsTheNextPowerOfTwo) {
+  for (const float length : {1e-30f, 0.3f, 1.0f, 1.1f, 5e8f, 1e30f}) {
+    for (const float curvature : {0.0f, 1e-5f, 0.7f, 1e30f}) {
+      const std::uint32_t word = curvature_and_rounding(curvature, length);
+      const double kept = std::ldexp(1.0, static_cast<int>(word & 0xffu) - 127);
+      EXPECT_GE(kept, double{length});
+      EXPECT_LT(kept, 2 * double{length});
+      // 24 significant bits less 8.
+      EXPECT_NEAR(std::bit_cast<float>(word & ~0xffu), curvature, 0x1p-15 * double{curvature});
+    }
+  }
+  EXPECT_EQ(curvature_and_rounding(0, 0), 0u);
+  // By a power of two both grow bit for bit.
+  EXPECT_EQ(curvature_and_rounding(0.7f / 8, 1.1f * 8), curvature_and_rounding(0.7f, 1.1f) - (3u << 23) + 3);
 }
 
 }  // namespace

@@ -266,6 +266,17 @@ TEST(LightRecordsTest, LightsThatDoNotShineAreLeftOut) {
   EXPECT_EQ(records[0].min_distance2, 4.0f);
 }
 
+TEST(LightRecordsTest, WhatLiesFarAwayDoesNotDimAPointOfLight) {
+  // Places near a light 1 m from the anchor, met by rays from 3 m, are rounded by 2^-24 of 2 x 4 m; in a
+  // scene of 0.5 m, by no more than 2^-24 of that.
+  const std::vector<AreaLight> lights{test::light_at({17, 0, 0}, {1, 1, 1})};
+  std::vector<LightRecord> records;
+  for (const auto& [beyond_m, nearest_m] : {std::pair{1e9, 8.0}, {100.0, 8.0}, {0.5, 0.5}}) {
+    light_records(lights, {16, 0, 0}, {1, 1}, {beyond_m, 3.0}, records);
+    EXPECT_FLOAT_EQ(std::sqrt(records[0].min_distance2), static_cast<float>(0x1p-24 * nearest_m)) << beyond_m;
+  }
+}
+
 TEST(LightRecordsTest, TheFarthestIrradianceIsThatOfTheBoxesFarthestPoint) {
   const std::vector<AreaLight> lights{test::light_at({0, 3, 0}, {9, 18, 0}),
                                       test::light_at({5, 0, 0}, {4, 0, 8}, {2, 2, 2})};

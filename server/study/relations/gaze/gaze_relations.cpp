@@ -269,11 +269,14 @@ class GazeRelations {
     relation.holds =
         "polar samples nearer to one another than pixels differ from one ray per pixel by less than "
         "neighbouring pixels do from one another";
-    relation.bound = std::sqrt(2.0);
+    relation.bound = std::sqrt(2.0 / 3);
     relation.unit = "ratio of root mean squares";
     relation.bound_from =
-        "a pixel is a mean of samples at most a pixel away along each axis, and the square of a sum of two "
-        "steps is at most twice the sum of their squares";
+        "a pixel is a mean of samples a third of a pixel away along each axis, which lie beyond an edge a "
+        "third "
+        "as often as the neighbour, and the square of two steps is at most twice the sum of their squares; "
+        "in "
+        "mere noise a sample is off by half of what two neighbours are";
     const PictureDistance farthest = largest_relative(got, wanted, 1, own.profile);
     log_.measured(relation, error / std::max(apart, kHalfRounding),
                   std::to_string(size.width) + " x " + std::to_string(size.height) + " samples, RMS " +
