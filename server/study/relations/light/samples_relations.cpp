@@ -183,6 +183,12 @@ Relation less_noise() {
   return relation;
 }
 
+// Whether something beside lights is left to chance, as which voxels of a distant block rays meet.
+bool other_chance(const Rows& rows, const RelationCase& soft) {
+  const Measured hard = measure(rows, sampled(soft, 1, LightSampler::jittered), 1, 2);
+  return hard.rows[0] != hard.rows[1];
+}
+
 double noise_beyond_half(const SeedRows& few, const SeedRows& many) {
   const SeedNoise noise = seed_noise(few), quarter = seed_noise(many);
   const double rounding = 0x1p-10 * mean_of(many);
@@ -229,8 +235,12 @@ void measure_light_samples(const RelationCase& subject, RelationLog& log) {
     tested[samples] = measure(rows, sampled(soft, samples, LightSampler::jittered), 1);
     log_difference(same_mean(samples), rows, tested[samples], reference, log);
   }
-  log.measured(less_noise(), std::max(noise_beyond_half(tested[4].rows, tested[16].rows),
-                                      noise_beyond_half(tested[16].rows, tested[64].rows)));
+  if (other_chance(rows, soft)) {
+    log.not_applicable(less_noise(), "with one sample, the light's centre, pictures scatter too");
+  } else {
+    log.measured(less_noise(), std::max(noise_beyond_half(tested[4].rows, tested[16].rows),
+                                        noise_beyond_half(tested[16].rows, tested[64].rows)));
+  }
   measure_adaptive(subject, soft, rows, tested[kReferenceSamples], log);
 }
 
