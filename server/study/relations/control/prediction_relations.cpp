@@ -1,6 +1,4 @@
 // Heads that turn fast and eyes that jump, between samples that are close together or far apart.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,12 +6,11 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "server/study/relations/recording_folder.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_case.h"
 #include "server/study/relations/relation_groups.h"
 #include "server/text/number_text.h"
-#include "sessions/files/folders.h"
-#include "sessions/files/write_error.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/session.h"
 #include "sessions/streams/gaze_sampler.h"
@@ -27,22 +24,6 @@ constexpr TimeNs kMs_ns = 1'000'000, kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kTurn_deg_s = 2000;
 constexpr double kSpeed_m_s = 3;       // of the head, along x
 constexpr double kRounding = 0x1p-53;  // of a double
-
-// A folder for a recording, gone at the end.
-class RecordingFolder {
- public:
-  RecordingFolder()
-      : path_(std::filesystem::temp_directory_path() / ("herr-relations.tmp." + std::to_string(::getpid()))) {
-    if (const std::error_code failed = make_folder(path_)) throw WriteError(path_, "make", failed.value());
-  }
-  ~RecordingFolder() { remove_tree(path_); }
-  RecordingFolder(const RecordingFolder&) = delete;
-  RecordingFolder& operator=(const RecordingFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 void write_turn_header(const RelationCase& subject, SessionRecorder& recorder) {
   SessionHeader header;
