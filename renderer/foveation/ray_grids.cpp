@@ -43,7 +43,8 @@ std::uint32_t mixed(std::uint64_t h) {
 }  // namespace
 
 std::uint32_t frame_key(TimeNs since_start_ns, int eye, std::uint32_t seed) {
-  return mixed(static_cast<std::uint64_t>(since_start_ns) * 2 + static_cast<std::uint64_t>(eye) + seed * kGolden);
+  return mixed(static_cast<std::uint64_t>(since_start_ns) * 2 + static_cast<std::uint64_t>(eye) +
+               seed * kGolden);
 }
 
 void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,

@@ -42,6 +42,8 @@ HWY_NOINLINE inline void take_pending(TileScratch& scratch, int rays) {
   take(pending.direction, scratch.queue.direction);
   take(pending.weight, second.weight);
   take(pending.medium, second.medium);
+  std::memcpy(second.hits.cone_width.data(), pending.width.data() + from,
+              sizeof(float) * static_cast<std::size_t>(rays));
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays); ++i) {
     second.path[i] = pending.path[from + i];
     second.sender[i] = sender_of(second.path[i]);

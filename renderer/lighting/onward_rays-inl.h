@@ -63,7 +63,7 @@ HWY_INLINE Onward onward_from(const FramePlan& plan, const HitBatch& hits, int s
 
 // Appends rays of `lanes` to the queue.
 HWY_INLINE void push_pending(PendingRays& pending, const V3& origin, const V3& direction, const V3& weight,
-                             const V3& medium, VI path, MF lanes) {
+                             const V3& medium, VF width, VI path, MF lanes) {
   const int at = pending.end;
   const auto put = [&](const V3& value, PendingRays::Queue3& to) HWY_ATTR {
     hn::StoreU(hn::Compress(value.x, lanes), kF, to.x.data() + at);
@@ -74,6 +74,7 @@ HWY_INLINE void push_pending(PendingRays& pending, const V3& origin, const V3& d
   put(direction, pending.direction);
   put(weight, pending.weight);
   put(medium, pending.medium);
+  hn::StoreU(hn::Compress(width, lanes), kF, pending.width.data() + at);
   hn::StoreU(hn::Compress(path, hn::RebindMask(kI, lanes)), kI, pending.path.data() + at);
   pending.end += static_cast<int>(hn::CountTrue(kF, lanes));
 }
@@ -88,6 +89,7 @@ HWY_INLINE void make_room(PendingRays& pending, int rays) {
       std::memmove(lane->data(), lane->data() + from, count * sizeof(float));
     }
   }
+  std::memmove(pending.width.data(), pending.width.data() + from, count * sizeof(float));
   std::memmove(pending.path.data(), pending.path.data() + from, count * sizeof(std::int32_t));
   pending.begin = 0;
   pending.end = static_cast<int>(count);
@@ -100,7 +102,8 @@ HWY_INLINE void push_through(PendingRays& pending, const HitBatch& hits, int slo
   const V3 origin = mul_add(hn::Neg(load(&hits.offset[slot])), load3(hits.geometric_normal, slot),
                             load3(hits.position, slot));
   const V3 medium = only(hn::Not(onward.at.inside), load3(hits.absorption, slot));
-  push_pending(pending, origin, onward.at.through, onward.through, medium, path_through(path), lanes);
+  push_pending(pending, origin, onward.at.through, onward.through, medium, load(&hits.cone_width[slot]),
+               path_through(path), lanes);
 }
 
 // The mirrored rays of `lanes`, in the medium that the light came through.
@@ -109,7 +112,7 @@ HWY_INLINE void push_back(PendingRays& pending, const HitBatch& hits, int slot, 
   if (hn::AllFalse(kF, lanes)) return;
   const VI opaque = hn::IfThenZeroElse(hn::RebindMask(kI, onward.clear), hn::Set(kI, kMirroredPath));
   push_pending(pending, ray_origin(hits, slot), onward.at.back, onward.back, medium,
-               hn::Or(path_back(path), opaque), lanes);
+               load(&hits.cone_width[slot]), hn::Or(path_back(path), opaque), lanes);
 }
 
 // Light from outside along `direction` for hits of `lanes`: by the probes around them, where there are any.

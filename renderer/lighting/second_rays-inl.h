@@ -68,7 +68,9 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
     const VI sender = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::LoadU(kI, &second.sender[start]));
     const auto sent_by = [&](const Lane<float>& from)
                              HWY_ATTR { return hn::GatherIndex(kF, from.data(), sender); };
-    const VF width = sent_by(scratch.first.cone_width);
+    // What follows glass is as wide where it starts as the ray before was there.
+    const VF width = glass ? hn::IfThenElseZero(used, load(&second.hits.cone_width[start]))
+                           : sent_by(scratch.first.cone_width);
     VF spread = sent_by(scratch.first.cone_spread);
     // Thin glass and flat mirrors widen nothing. Over the ray's width a curved mirror's normal turns by width
     // x curvature, and what it reflects by twice that.

@@ -137,6 +137,7 @@ struct alignas(64) PendingRays {
   Queue3 origin, direction;
   Queue3 weight;             // share of what they bring that is seen
   Queue3 medium;             // what light loses per metre on their way
+  Queue<float> width;        // of their cones where they start
   Queue<std::int32_t> path;  // as SecondRays::path
   int begin = 0, end = 0;    // those that wait
   int budget = 0;            // how many more of them may be traced

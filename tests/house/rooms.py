@@ -13,7 +13,7 @@ ROOMS = {
                "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
                "study/diagrams", "study/report", "study/plan", "study/reference", "study/measure",
                "study/findings", "study/relations", "study/relations/light", "study/relations/place",
-               "study/relations/gaze", "study/relations/triangles", "study/stability/report", "study",
+               "study/relations/gaze", "study/relations/triangles", "study/relations/probes", "study/relations/control", "study/stability/report", "study",
                "study/stability", "cli"),
 }
 

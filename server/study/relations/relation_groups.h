@@ -24,13 +24,14 @@ void measure_samples(const RelationCase& subject, RelationLog& log);    // light
 void measure_surfaces(const RelationCase& subject, RelationLog& log);   // light/surfaces_relations.cpp
 void measure_gaze(const RelationCase& subject, RelationLog& log);       // gaze_relations.cpp
 void measure_triangles(const RelationCase& subject, RelationLog& log);  // triangles_relations.cpp
-void measure_probes(const RelationCase& subject, RelationLog& log);     // probes_relations.cpp
-void measure_control(const RelationCase& subject, RelationLog& log);    // control_relations.cpp
+void measure_probes(const RelationCase& subject, RelationLog& log);     // probes/probes_relations.cpp
+void measure_control(const RelationCase& subject, RelationLog& log);    // control/control_relations.cpp
 void measure_threads(const RelationCase& subject, RelationLog& log);    // threads_relations.cpp
-void measure_prediction(const RelationCase& subject,
-                        RelationLog& log);  // part of control: prediction_relations.cpp
 
 // Of the group light: a light inside, on and just above a surface (light/light_near.cpp).
 void measure_light_near(const RelationCase& subject, RelationLog& log);
+
+// Of the group control: heads that turn and eyes that jump (control/prediction_relations.cpp).
+void measure_prediction(const RelationCase& subject, RelationLog& log);
 
 }  // namespace herr

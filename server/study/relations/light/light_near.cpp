@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
+#include "server/study/report/figure_text.h"
 
 namespace herr {
 namespace {
@@ -81,25 +83,40 @@ void meet_shape(ShapeKind kind, const SearchRay& ray, SeenSpot& spot, glm::dvec3
   spot.distance_m = *t, normal = glm::dvec3(0), normal[axis] = 1;
 }
 
-// The first thing along the ray; none where that may be a grid of voxels.
+// By small steps: some voxel, and the face through which the ray came to it.
+void meet_voxels(const VoxelGrid& grid, const SearchRay& ray, SeenSpot& spot, glm::dvec3& normal) {
+  constexpr double kStepsPerVoxel = 8;
+  int axis = 0;
+  const auto enters = enters_box(ray, {glm::dvec3(0), glm::dvec3(grid.counts)}, axis);
+  if (!enters) return;
+  const double step = 1 / (kStepsPerVoxel * glm::length(ray.direction));
+  for (double t = std::max(*enters, 0.0) + 0.5 * step; t < spot.distance_m; t += step) {
+    const glm::ivec3 voxel(glm::floor(ray.origin + t * ray.direction));
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, grid.counts)))
+      return;
+    if (grid.at(voxel) == 0) continue;
+    const auto face = enters_box(ray, {glm::dvec3(voxel), glm::dvec3(voxel + 1)}, axis);
+    spot.distance_m = face && *face > 0 ? *face : t;
+    normal = glm::dvec3(0), normal[axis] = 1;
+    return;
+  }
+}
+
+// The first thing along the ray.
 std::optional<SeenSpot> spot_along(const Scene& scene, const SearchRay& ray) {
   SeenSpot spot;
-  double voxels_m = std::numeric_limits<double>::infinity();
   for (const Instance& instance : scene.instances) {
-    if (!instance.present) continue;
     int axis = 0;
     const auto enters = enters_box(ray, instance_bounds(scene, instance), axis);
-    if (!enters || *enters > spot.distance_m) continue;
-    if (instance.kind == ShapeKind::voxels) {
-      voxels_m = std::min(voxels_m, *enters);
-      continue;
-    }
+    if (!instance.present || !enters || *enters > spot.distance_m) continue;
     const glm::dmat4 back = glm::inverse(glm::dmat4(instance.world_from_object));
     const SearchRay local{glm::dvec3(back * glm::dvec4(ray.origin, 1)),
                           glm::dvec3(back * glm::dvec4(ray.direction, 0))};
     glm::dvec3 normal(0);
     if (instance.kind == ShapeKind::mesh) {
       meet_triangles(scene.meshes[instance.mesh], local, spot, normal);
+    } else if (instance.kind == ShapeKind::voxels) {
+      meet_voxels(scene.voxel_grids[instance.grid], local, spot, normal);
     } else {
       meet_shape(instance.kind, local, spot, normal);
     }
@@ -107,7 +124,7 @@ std::optional<SeenSpot> spot_along(const Scene& scene, const SearchRay& ray) {
     spot.normal = glm::normalize(glm::dvec3(glm::transpose(back) * glm::dvec4(normal, 0)));
     if (glm::dot(spot.normal, ray.direction) > 0) spot.normal = -spot.normal;
   }
-  if (!std::isfinite(spot.distance_m) || voxels_m < spot.distance_m) return std::nullopt;
+  if (!std::isfinite(spot.distance_m)) return std::nullopt;
   spot.place = ray.origin + spot.distance_m * ray.direction;
   return spot;
 }
@@ -186,13 +203,13 @@ void measure_light_near(const RelationCase& subject, RelationLog& log) {
   relation.holds =
       "a light inside, on, 1e-3 of its radius above and in the plane of a white surface: nothing is brighter "
       "than 1 / pi * I / r^2, r half its longest edge, with 1 and 16 samples";
-  relation.bound = 1 + 0x1p-10;
-  relation.unit = "of I / (pi r^2)";
+  relation.bound = 0x1p-10;
+  relation.unit = "of I / (pi r^2), beyond it";
   relation.bound_from =
       "E = (I / N) sum V cos / max(d^2, r^2) <= I / r^2; sample and pixel are rounded to half floats";
   RelationCase white = white_world(subject);
   const auto spot = seen_spot(white);
-  if (!spot) return log.not_applicable(relation, "no triangle, sphere or box is seen around the gaze");
+  if (!spot) return log.not_applicable(relation, "no surface is seen around the gaze");
   double brightest = -1;
   std::string where;
   std::optional<RelationPictures> pictures;
@@ -207,12 +224,13 @@ void measure_light_near(const RelationCase& subject, RelationLog& log) {
       if (largest <= brightest) continue;
       brightest = largest;
       const PictureDistance beyond = largest_relative(got, wanted, 1, white.profile);
-      where = std::string(near.name) + ", " + std::to_string(samples) + " samples" +
-              (beyond.where.empty() ? "" : ": " + beyond.where);
+      where = std::string(near.name) + ", " + std::to_string(samples) +
+              (samples == 1 ? " sample: " : " samples: ") + figure(brightest) + " of I / (pi r^2)" +
+              (beyond.where.empty() ? "" : ", " + beyond.where);
       pictures = worst_pictures(beyond, got, wanted, "got | limited to I / (pi r^2) | difference");
     }
   }
-  log.measured(relation, brightest, where, std::move(pictures));
+  log.measured(relation, std::max(0.0, brightest - 1), where, std::move(pictures));
 }
 
 }  // namespace herr

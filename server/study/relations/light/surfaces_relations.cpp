@@ -13,6 +13,7 @@
 namespace herr {
 namespace {
 
+constexpr float kGlow = 0.75f;
 constexpr const char* kNoSurface = "no surface to light";
 
 bool has_surfaces(const RelationCase& subject) {
@@ -168,8 +169,8 @@ void measure_index_of_ten(const RelationCase& subject, RelationLog& log) {
   Relation relation;
   relation.name = "index of refraction 10";
   relation.holds = "glass of index 10 is finite, and no brighter than the brightest thing that it can show";
-  relation.bound = 1 + 0x1p-9;
-  relation.unit = "of the brightest source";
+  relation.bound = 0x1p-9;
+  relation.unit = "of the brightest source, beyond it";
   relation.bound_from =
       "reflected and refracted shares sum to 1, so glass shows a mean; sample and pixel are rounded to half "
       "floats";
@@ -178,9 +179,9 @@ void measure_index_of_ten(const RelationCase& subject, RelationLog& log) {
   if (!why.empty()) return log.not_applicable(relation, why);
   std::vector<LinearPicture> picture;
   const double no_numbers = values_without_number(glass, picture);
-  log.measured(relation,
-               no_numbers > 0 ? std::nan("") : largest_value(picture) / brightest_source(glass.scene),
-               no_numbers > 0 ? "values that are no numbers" : "");
+  const double share = largest_value(picture) / brightest_source(glass.scene);
+  log.measured(relation, no_numbers > 0 ? std::nan("") : std::max(0.0, share - 1),
+               no_numbers > 0 ? "values that are no numbers" : figure(share) + " of the brightest source");
 }
 
 // Surfaces of one albedo that nothing but light from outside reaches.
@@ -244,16 +245,16 @@ void measure_furnace(const RelationCase& subject, RelationLog& log) {
   relation.holds =
       "matte surfaces of albedo 1/4 that send out 3/4, with probes and white light from outside: nothing is "
       "brighter than white, nor darker than what it sends out";
-  relation.bound = 1 + 0x1p-7;
-  relation.unit = "of white, or of its inverse";
+  relation.bound = 0x1p-7;
+  relation.unit = "of white, beyond what may be";
   relation.bound_from =
       "3/4 + 1/4 of white is white, and look-ups are means of what was gathered; each of 64 updates rounds "
       "it "
       "up by 2^-14 at most";
   if (!has_surfaces(subject)) return log.not_applicable(relation, kNoSurface);
-  RelationCase furnace = painted(all_light(subject), 0.25f);
+  RelationCase furnace = painted(all_light(subject), 1 - kGlow);
   switch_lights_off(furnace);
-  for (Material& material : furnace.scene.materials) material.emission = glm::vec3(0.75f);
+  for (Material& material : furnace.scene.materials) material.emission = glm::vec3(kGlow);
   make_environment_black(furnace.scene);
   furnace.scene.environment = glm::vec3(1.0f);
   furnace.scene.ambient = glm::vec3(0.0f);
@@ -262,9 +263,10 @@ void measure_furnace(const RelationCase& subject, RelationLog& log) {
   trace_few_probe_rays(furnace.settings);
   std::vector<LinearPicture> picture;
   const double no_numbers = values_without_number(furnace, picture);
-  const double darkest = std::max(smallest_value(picture), 1e-9);
-  log.measured(relation, no_numbers > 0 ? std::nan("") : std::max(largest_value(picture), 0.75 / darkest),
-               "between " + figure(darkest) + " and " + figure(largest_value(picture)));
+  const double darkest = smallest_value(picture), brightest = largest_value(picture);
+  log.measured(relation,
+               no_numbers > 0 ? std::nan("") : std::max({0.0, brightest - 1, double{kGlow} - darkest}),
+               "from " + figure(darkest) + " to " + figure(brightest));
 }
 
 }  // namespace

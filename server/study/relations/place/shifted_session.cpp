@@ -1,9 +1,6 @@
 #include "server/study/relations/place/shifted_session.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -122,17 +119,6 @@ void copy_session(const std::filesystem::path& session, Stamps& stamps, const Ta
   if (is_file(session / kEventFile)) take(kEventFile, shifted_events(session / kEventFile, stamps));
 }
 
-std::filesystem::path new_folder() {
-  static std::atomic<int> number{0};
-  std::error_code error;
-  const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-  const std::filesystem::path folder =
-      parent / ("herr-stamps-" + std::to_string(getpid()) + "-" + std::to_string(++number));
-  if (!error) error = make_folder(folder);
-  if (error) throw WriteError(folder, "make the folder", error.value());
-  return folder;
-}
-
 }  // namespace
 
 StampSpan stamps_of(const std::filesystem::path& session) {
@@ -141,24 +127,14 @@ StampSpan stamps_of(const std::filesystem::path& session) {
   return stamps.span();
 }
 
-ShiftedSession::ShiftedSession(const std::filesystem::path& session, TimeNs shift_ns)
-    : folder_(new_folder()) {
-  try {
-    Stamps stamps(shift_ns);
-    copy_session(session, stamps, [this](const char* name, const std::string& text) {
-      const std::filesystem::path file = folder_ / name;
-      if (const std::error_code error = make_folders(file.parent_path()))
-        throw WriteError(file.parent_path(), "make the folder", error.value());
-      write_whole_file(file, text);
-    });
-  } catch (...) {
-    remove_tree(folder_);
-    throw;
-  }
-}
-
-ShiftedSession::~ShiftedSession() {
-  remove_tree(folder_);
+ShiftedSession::ShiftedSession(const std::filesystem::path& session, TimeNs shift_ns) {
+  Stamps stamps(shift_ns);
+  copy_session(session, stamps, [this](const char* name, const std::string& text) {
+    const std::filesystem::path file = folder() / name;
+    if (const std::error_code error = make_folders(file.parent_path()))
+      throw WriteError(file.parent_path(), "make the folder", error.value());
+    write_whole_file(file, text);
+  });
 }
 
 }  // namespace herr

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "server/study/relations/recording_folder.h"
 #include "sessions/format/pose.h"
 
 namespace herr {
@@ -23,14 +24,11 @@ class ShiftedSession {
  public:
   // Stamps plus `shift_ns` must be legal. Throws InputError and WriteError.
   ShiftedSession(const std::filesystem::path& session, TimeNs shift_ns);
-  ~ShiftedSession();
-  ShiftedSession(const ShiftedSession&) = delete;
-  ShiftedSession& operator=(const ShiftedSession&) = delete;
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
-  std::filesystem::path folder_;
+  RecordingFolder folder_;
 };
 
 }  // namespace herr

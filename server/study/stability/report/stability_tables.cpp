@@ -39,23 +39,22 @@ std::vector<Results> grouped(const StabilityRecord& record) {
 
 ReportTable page_table_of(const Results& results) {
   ReportTable table{group_title(results.front()->group),
-                    {{"relation", true},
+                    {{"verdict", true},
+                     {"relation", true},
                      {"kind", true},
                      {"error"},
                      {"bound"},
                      {"of bound"},
-                     {"unit", true},
-                     {"verdict", true},
-                     {"s"}},
+                     {"s"},
+                     {"unit", true}},
                     {},
                     ""};
   for (const RelationResult* result : results) {
     const Relation& relation = result->relation;
-    table.rows.push_back(
-        {relation.name, name_of(relation.kind), result->asked() ? error_figure(result->error) : kNoFigure,
-         bound_figure(relation.bound), share_text(*result), relation.unit, verdict_text(*result),
-         fixed_figure(result->seconds, 1), relation.holds + ". Bound: " + relation.bound_from,
-         result->asked() ? result->where : result->not_applicable});
+    table.rows.push_back({verdict_text(*result), relation.name, name_of(relation.kind),
+                          result->asked() ? error_figure(result->error) : kNoFigure,
+                          bound_figure(relation.bound), share_text(*result), fixed_figure(result->seconds, 1),
+                          relation.unit});
   }
   return table;
 }
@@ -74,8 +73,16 @@ bool all_alike(const Results& results, const Value& value) {
                      [&](const RelationResult* result) { return value(*result) == value(*results.front()); });
 }
 
+// What names leave to units, of about 118 columns; names are cut only where they leave less than this.
+std::size_t room_for_units(const Results& results, bool one_kind) {
+  constexpr std::size_t kLeastUnit = 24;
+  const std::size_t names_and_units = one_kind ? 74 : 61;
+  std::size_t longest = 0;
+  for (const RelationResult* result : results) longest = std::max(longest, result->relation.name.size());
+  return names_and_units - std::min(longest, names_and_units - kLeastUnit);
+}
+
 ReportTable terminal_table_of(const Results& results) {
-  constexpr std::size_t kLongestUnit = 24;
   const Relation& first = results.front()->relation;
   const bool one_kind = all_alike(results, [](const RelationResult& result) { return result.relation.kind; });
   const bool one_unit = all_alike(results, [](const RelationResult& result) { return result.relation.unit; });
@@ -95,7 +102,7 @@ ReportTable terminal_table_of(const Results& results) {
                           relation.name, error_figure(result->error), bound_figure(relation.bound),
                           share_text(*result)});
     if (!one_kind) table.rows.back().push_back(name_of(relation.kind));
-    if (!one_unit) table.rows.back().push_back(short_unit(relation.unit, kLongestUnit));
+    if (!one_unit) table.rows.back().push_back(short_unit(relation.unit, room_for_units(results, one_kind)));
   }
   return table;
 }

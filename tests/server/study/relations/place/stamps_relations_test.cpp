@@ -12,6 +12,7 @@
 #include "sessions/session.h"
 #include "tests/server/small_session.h"
 #include "tests/server/study/relations/light/lit_case.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
@@ -19,9 +20,6 @@ namespace {
 class StampsRelationsTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "stamps_relations_test";
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     write_small_session(folder_ / "session", 0.5);
     // Columns in any order; further ones are ignored.
     write_text(folder_ / "session/gaze/data.csv",
@@ -31,9 +29,8 @@ class StampsRelationsTest : public testing::Test {
     write_text(folder_ / "session/events.jsonl",
                "{\"t_ns\": 1200000000, \"op\": \"remove\", \"name\": \"triangle\"}\n");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_;
+  const TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 std::string text_of(const std::filesystem::path& file) {

@@ -171,10 +171,11 @@ void measure_any_times(const DeadlineConfig& config, RelationLog& log) {
   constexpr double kForever = std::numeric_limits<double>::infinity(),
                    kNone = std::numeric_limits<double>::quiet_NaN();
   Relation relation;
-  relation.name = "frames that never end, frames of no time, clocks that jump";
+  relation.name = "frames that never end, clocks that jump";
   relation.holds =
-      "width, samples and probes stay in their ranges and all forecasts finite, and frames are in time again "
-      "50 frames later";
+      "after frames that never end or take no time, and clocks that jump, quality stays in its ranges, "
+      "forecasts "
+      "are finite, and 50 frames later all are in time";
   relation.unit = "decisions";
   relation.bound_from = "none may leave its range";
   CountedMachine machine(config);

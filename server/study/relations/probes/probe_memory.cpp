@@ -1,4 +1,4 @@
-#include "server/study/relations/probe_memory.h"
+#include "server/study/relations/probes/probe_memory.h"
 
 #include <algorithm>
 #include <cmath>

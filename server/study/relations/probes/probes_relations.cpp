@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "server/study/relations/picture_distance.h"
-#include "server/study/relations/probe_memory.h"
+#include "server/study/relations/probes/probe_memory.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
 #include "server/study/report/figure_text.h"
@@ -113,8 +113,7 @@ void measure_white_rooms(const RelationCase& own, RelationLog& log) {
   ProbeMemory nearly_all(with(tau_s, false));
   measure_white({"memory of 0.999 a frame, albedo 0.99", 0.999, false, false}, nearly_all, first, log);
   ProbeMemory reacting(with(own.settings.probes.hysteresis_tau_s, true));
-  measure_white({"lights switched each frame, albedo 0.99, reaction on", 0, true, true}, reacting, first,
-                log);
+  measure_white({"switched lights, albedo 0.99, reaction on", 0, true, true}, reacting, first, log);
 }
 
 enum class Switching : std::uint8_t { on, off, switched };

@@ -1,6 +1,4 @@
 // Heads that turn fast and eyes that jump, between samples that are close together or far apart.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,12 +6,11 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "server/study/relations/recording_folder.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_case.h"
 #include "server/study/relations/relation_groups.h"
 #include "server/text/number_text.h"
-#include "sessions/files/folders.h"
-#include "sessions/files/write_error.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/session.h"
 #include "sessions/streams/gaze_sampler.h"
@@ -27,22 +24,6 @@ constexpr TimeNs kMs_ns = 1'000'000, kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kTurn_deg_s = 2000;
 constexpr double kSpeed_m_s = 3;       // of the head, along x
 constexpr double kRounding = 0x1p-53;  // of a double
-
-// A folder for a recording, gone at the end.
-class RecordingFolder {
- public:
-  RecordingFolder()
-      : path_(std::filesystem::temp_directory_path() / ("herr-relations.tmp." + std::to_string(::getpid()))) {
-    if (const std::error_code failed = make_folder(path_)) throw WriteError(path_, "make", failed.value());
-  }
-  ~RecordingFolder() { remove_tree(path_); }
-  RecordingFolder(const RecordingFolder&) = delete;
-  RecordingFolder& operator=(const RecordingFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 void write_turn_header(const RelationCase& subject, SessionRecorder& recorder) {
   SessionHeader header;
@@ -104,16 +85,16 @@ std::vector<TimeNs> ages(TimeNs step_ns, bool last) {
 void measure_steady_turn(const RelationCase& subject, TimeNs step_ns, RelationLog& log) {
   constexpr int kSamples = 12;
   const double step_s = static_cast<double>(step_ns) * kSecondsPerNs;
-  const std::string apart = shortest_text(step_s * 1000) + " ms";
+  const std::string apart = step_s < 1 ? shortest_text(step_s * 1000) + " ms" : shortest_text(step_s) + " s";
   const bool too_far = step_ns > kMaxPoseGapNs, half_turn = 180 * kSecond_ns < kTurn_deg_s * step_ns;
   Relation relation;
-  relation.name = "prediction at 2,000 degrees/s, samples " + apart + " apart";
+  relation.name = "prediction at 2,000 degrees/s, every " + apart;
   relation.holds = too_far ? "the head is held: samples more than a second apart have no velocity"
                    : half_turn
                        ? "the exact solution of the short way between two samples, held from the cap on: "
                          "their turn of more than a half is taken for a smaller one the other way"
                        : "the exact solution q exp(omega dt), held from the cap of 0.1 s on";
-  relation.unit = "radians, or share of the head's distance";
+  relation.unit = "radians, or share of distance";
   relation.bound = 48 * kRounding * (1 + SessionOptions{}.predict_cap_s / step_s);
   relation.bound_from =
       "both samples are off by 16 roundings (2^-53) of their parts, and their turn is prolonged so many "
