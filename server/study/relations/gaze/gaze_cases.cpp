@@ -121,6 +121,19 @@ std::vector<NamedGaze> gazes_at_limits(const RelationCase& subject) {
       {"lost", lost}};
 }
 
+std::vector<SampledGaze> gazes_around(const FrameSample& sample) {
+  constexpr int kGazes = 16;
+  const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
+  std::vector<SampledGaze> gazes(kGazes, sample.gaze);
+  for (int i = 0; i < kGazes; ++i) {
+    const double off = glm::radians(10.0) * std::sqrt((i + 0.5) / kGazes), about = golden_angle * i;
+    const glm::dquat turn = glm::angleAxis(off, glm::dvec3(std::cos(about), std::sin(about), 0));
+    for (glm::dvec3& direction : gazes[static_cast<std::size_t>(i)].head_direction)
+      direction = turn * direction;
+  }
+  return gazes;
+}
+
 std::vector<SampledGaze> gazes_of_no_direction() {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(),
                    kInfinity = std::numeric_limits<double>::infinity();

@@ -18,6 +18,8 @@ struct NamedGaze {
 
 // In the middle of the first viewport of each eye, at its corner, 80 degrees off, behind the head, and lost.
 std::vector<NamedGaze> gazes_at_limits(const RelationCase& subject);
+// 16 of them, spread evenly within 10 degrees of the sample's.
+std::vector<SampledGaze> gazes_around(const FrameSample& sample);
 // Of no direction: not a number, infinite, of no length.
 std::vector<SampledGaze> gazes_of_no_direction();
 // Straight ahead of each eye.
