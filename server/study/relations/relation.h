@@ -19,8 +19,10 @@ struct FramePlan;
 struct RelationCase;  // relation_case.h
 
 // exact: no chance is involved, the bound is derived. statistical: means over at least 16 seeds, held to 4
-// standard errors.
-enum class RelationKind : std::uint8_t { exact, statistical };
+// standard errors. measured: exact, but in this scene rounding alone changes more than the derived bound
+// (glass behind glass, surfaces that coincide): held to a multiple of what it was measured to change, with a
+// ceiling.
+enum class RelationKind : std::uint8_t { exact, statistical, measured };
 
 struct Relation {
   std::string name;   // unique, of the user's words: "moved by 1e6 m"

@@ -55,6 +55,7 @@ Json stability_definitions() {
   return {{"error", "what was measured, in the unit; held to the bound; null with a text: no finite number"},
           {"exact", "no chance is involved, and the bound is derived"},
           {"statistical", "means over at least 16 seeds, held to 4 standard errors"},
+          {"measured", "exact, but rounding alone changes more here: held to a multiple of what it changes"},
           {"option", "what must be switched on for the relation to decide; empty: it decides in every run"},
           {"not_applicable", "why the relation was not asked; empty: it was"},
           {"counts, verdict", "follow from the results; not read again"},

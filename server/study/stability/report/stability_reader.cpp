@@ -27,10 +27,10 @@ double any_number(const JsonObject& object, const std::string& key) {
 
 RelationKind kind_of(const JsonObject& object) {
   const std::string text = object.text("kind");
-  for (const RelationKind kind : {RelationKind::exact, RelationKind::statistical}) {
+  for (const RelationKind kind : {RelationKind::exact, RelationKind::statistical, RelationKind::measured}) {
     if (text == name_of(kind)) return kind;
   }
-  object.fail("kind", "is neither exact nor statistical", "write one of them");
+  object.fail("kind", "is none of exact, statistical and measured", "write one of them");
 }
 
 RelationResult read_result(const JsonObject& object) {

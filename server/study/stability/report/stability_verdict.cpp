@@ -51,7 +51,15 @@ RelationCounts counts_of(std::span<const RelationResult> results) {
 }
 
 const char* name_of(RelationKind kind) {
-  return kind == RelationKind::exact ? "exact" : "statistical";
+  switch (kind) {
+    case RelationKind::exact:
+      return "exact";
+    case RelationKind::statistical:
+      return "statistical";
+    case RelationKind::measured:
+      return "measured";
+  }
+  return "";
 }
 
 std::string counts_text(const RelationCounts& counts) {
