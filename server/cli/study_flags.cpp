@@ -19,7 +19,8 @@ std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
-    names.push_back(non_empty("--only", text.substr(at, end - at)));
+    names.push_back(text.substr(at, end - at));
+    if (names.back().empty()) throw UsageError("--only: a name is empty; separate names by single commas");
     at = end + 1;
   }
   return names;

@@ -14,9 +14,10 @@ namespace herr {
 RecordingFolder::RecordingFolder() {
   std::error_code error;
   const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-  if (error) throw WriteError(parent, "find the folder of temporary files", error.value());
+  if (error) throw WriteError("TMPDIR", "find the folder that it names", error.value());
   std::string pattern = (parent / "herr-relations-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw WriteError(parent, "make a folder in it", errno);
+  if (::mkdtemp(pattern.data()) == nullptr)
+    throw WriteError(parent, "make a folder for recordings in it (TMPDIR names another)", errno);
   path_ = pattern;
 }
 

@@ -12,6 +12,7 @@
 #include "server/process/terminal.h"
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
+#include "server/study/relations/recording_folder.h"
 #include "server/study/stability/report/stability_json.h"
 #include "server/study/stability/report/stability_page.h"
 #include "server/study/stability/report/stability_text.h"
@@ -44,6 +45,7 @@ std::optional<std::vector<RelationResult>> ask(const std::vector<RelationGroup>&
 int run_stability(const StudyOptions& options) {
   const std::vector<RelationGroup> groups = wanted_groups(options.only);
   check_render_settings(options.render);
+  { const RecordingFolder relations_can_make_recordings; }  // before minutes are spent
   const TimeNs start_ns = steady_now_ns();
   const StabilityCase subject(options);
   const StabilityFolder folder(options.out_folder());

@@ -46,6 +46,8 @@ TEST(CommandLine, APathFromAVariableThatWasNotSetIsNamed) {
   EXPECT_NE(complaint({"serve", ""}).find("SESSION: the path is empty"), std::string::npos);
   EXPECT_NE(complaint({"replay", "walk", "--profile", ""}).find("--profile: the path is empty"),
             std::string::npos);
+  EXPECT_NE(complaint({"study", "walk", "--only", "place,"}).find("--only: a name is empty"),
+            std::string::npos);
   EXPECT_NE(complaint({"bench", "--profile", ""}).find("--profile: the path is empty"), std::string::npos);
 }
 
