@@ -29,6 +29,7 @@ constexpr int kNearLightSamples = 16;
 constexpr double kRadiusOfDistance = 0.125;
 constexpr double kAlongAxis = 1 - 1e-9;  // a plane that leaves an axis by 4e-5 is none of it
 constexpr double kLeastLit = 0.1;
+constexpr double kAboutSpot = 0.25;  // of r, as the eye sees it: 1.8 degrees, which a pixel meets
 
 // A white world without light, and the eye in it.
 struct NearScene {
@@ -174,8 +175,8 @@ double least_lit(const NearScene& near, const SeenSpot& spot, const glm::dvec3& 
   const double r = radius_at(spot);
   double least = 1;
   for (int turn = 0; turn < 9; ++turn) {
-    const auto point =
-        near.beside((spot.place - near.eye) / spot.distance_m, turn < 8 ? 0.5 * kRadiusOfDistance : 0, turn);
+    const auto point = near.beside((spot.place - near.eye) / spot.distance_m,
+                                   turn < 8 ? kAboutSpot * kRadiusOfDistance : 0, turn);
     if (!point || !point->shaded_as_it_lies || !near.search.is_open(*point, centre)) return 0;
     const glm::dvec3 way = centre - point->place;
     const double square = glm::dot(way, way), cosine = glm::dot(point->normal, way) / std::sqrt(square);
@@ -192,9 +193,8 @@ void measure_lit(const NearScene& near, CountedPictures& counted, RelationLog& l
   relation.bound = 0.5;
   relation.unit = "of what the surface sends back, missing";
   relation.bound_from =
-      "the darkest of 9 points within r / 2 of the spot, none in shadow, by E = I cos / max(d^2, r^2); "
-      "pixels "
-      "that mix samples keep half of it";
+      "the darkest of 9 points within 1.8 degrees, none in shadow, by E = I cos / max(d^2, r^2); pixels that "
+      "mix samples keep half of it";
   const auto centre_of = [](const SeenSpot& spot) { return spot.place + radius_at(spot) * spot.normal; };
   const auto spot = seen_spot(near, [&](const SeenSpot& candidate) {
     return least_lit(near, candidate, centre_of(candidate)) > kLeastLit;
