@@ -1,17 +1,19 @@
 // A light inside a body, on a surface, just above it and in its plane: E = (I / N) sum V cos / max(d^2, r^2),
-// r half its longest edge, so that whatever the distance nothing reflects more than albedo / pi * I / r^2.
+// r half its longest edge, so that whatever the distance nothing reflects more than albedo / pi * I / r^2;
+// and one that lies r above a surface lights it.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vector_relational.hpp>
-#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "server/study/relations/light/counted_pictures.h"
 #include "server/study/relations/light/plain_scene.h"
+#include "server/study/relations/light/surface_search.h"
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
@@ -25,127 +27,45 @@ constexpr int kNearLightSamples = 16;
 // So wide that several rays fall where an unlimited falloff would be too bright: within (1e-3)^(1/3) r = 0.1
 // r of a light that lies 1e-3 r above a surface.
 constexpr double kRadiusOfDistance = 0.125;
+constexpr double kAlongAxis = 1 - 1e-9;  // a plane that leaves an axis by 4e-5 is none of it
+constexpr double kLeastLit = 0.1;
+constexpr double kAboutSpot = 0.25;  // of r, as the eye sees it: 1.8 degrees, which a pixel meets
 
-struct SeenSpot {
-  double distance_m = std::numeric_limits<double>::infinity();
-  glm::dvec3 place{0}, normal{0};  // the normal looks to the eye
+// A white world without light, and the eye in it.
+struct NearScene {
+  RelationCase white;
+  SurfaceSearch search;
+  glm::dvec3 eye, gaze, right, up;
+
+  explicit NearScene(RelationCase world) : white(std::move(world)), search(white.scene) {
+    const Pose world_from_eye =
+        white.scene.world_from_session * white.sample.head.world_from_head * white.sample.head_from_eye[0];
+    eye = world_from_eye.position;
+    gaze = white.scene.world_from_session.orientation *
+           (white.sample.head.world_from_head.orientation * white.sample.gaze.head_direction[0]);
+    right = world_from_eye.orientation * glm::dvec3(1, 0, 0);
+    up = world_from_eye.orientation * glm::dvec3(0, 1, 0);
+  }
+
+  NearScene(const NearScene&) = delete;  // the search is one of `white`
+  NearScene& operator=(const NearScene&) = delete;
+
+  std::optional<SeenSpot> beside(const glm::dvec3& way, double tangent, int turn) const {
+    const double angle = kPi / 4 * turn;
+    return search.first_along(
+        {eye, glm::normalize(way + tangent * (std::cos(angle) * right + std::sin(angle) * up))});
+  }
 };
-
-// A ray in some space; its parameter is the distance in the world.
-struct SearchRay {
-  glm::dvec3 origin, direction;
-};
-
-// Where the ray meets [-1, 1]^3 or another box, from outside.
-std::optional<double> enters_box(const SearchRay& ray, const Bounds& box, int& axis_entered) {
-  double near = -std::numeric_limits<double>::infinity(), far = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (box.lower[axis] - ray.origin[axis]) / ray.direction[axis],
-                 b = (box.upper[axis] - ray.origin[axis]) / ray.direction[axis];
-    if (std::min(a, b) > near) near = std::min(a, b), axis_entered = axis;
-    far = std::min(far, std::max(a, b));
-  }
-  if (!(near <= far) || far < 0) return std::nullopt;
-  return near;
-}
-
-void meet_triangles(const TriangleMesh& mesh, const SearchRay& ray, SeenSpot& spot, glm::dvec3& normal) {
-  for (const auto& corners : mesh.triangles) {
-    const glm::dvec3 a(mesh.positions[corners[0]]);
-    const glm::dvec3 u = glm::dvec3(mesh.positions[corners[1]]) - a,
-                     v = glm::dvec3(mesh.positions[corners[2]]) - a;
-    const glm::dvec3 n = glm::cross(u, v);
-    const double facing = glm::dot(n, ray.direction);
-    if (facing == 0) continue;
-    const double t = glm::dot(n, a - ray.origin) / facing;
-    if (!(t > 0 && t < spot.distance_m)) continue;
-    // Barycentric coordinates by areas.
-    const glm::dvec3 w = ray.origin + t * ray.direction - a;
-    const double area2 = glm::dot(n, n);
-    const double s = glm::dot(glm::cross(w, v), n) / area2, r = glm::dot(glm::cross(u, w), n) / area2;
-    if (s < 0 || r < 0 || s + r > 1) continue;
-    spot.distance_m = t, normal = n;
-  }
-}
-
-void meet_shape(ShapeKind kind, const SearchRay& ray, SeenSpot& spot, glm::dvec3& normal) {
-  if (kind == ShapeKind::sphere) {
-    const double a = glm::dot(ray.direction, ray.direction), b = glm::dot(ray.origin, ray.direction),
-                 c = glm::dot(ray.origin, ray.origin) - 1, square = b * b - a * c;
-    if (square < 0) return;
-    const double t = (-b - std::sqrt(square)) / a;
-    if (t > 0 && t < spot.distance_m) spot.distance_m = t, normal = ray.origin + t * ray.direction;
-    return;
-  }
-  int axis = 0;
-  const auto t = enters_box(ray, {glm::dvec3(-1), glm::dvec3(1)}, axis);
-  if (!t || !(*t > 0 && *t < spot.distance_m)) return;
-  spot.distance_m = *t, normal = glm::dvec3(0), normal[axis] = 1;
-}
-
-// By small steps: some voxel, and the face through which the ray came to it.
-void meet_voxels(const VoxelGrid& grid, const SearchRay& ray, SeenSpot& spot, glm::dvec3& normal) {
-  constexpr double kStepsPerVoxel = 8;
-  int axis = 0;
-  const auto enters = enters_box(ray, {glm::dvec3(0), glm::dvec3(grid.counts)}, axis);
-  if (!enters) return;
-  const double step = 1 / (kStepsPerVoxel * glm::length(ray.direction));
-  for (double t = std::max(*enters, 0.0) + 0.5 * step; t < spot.distance_m; t += step) {
-    const glm::ivec3 voxel(glm::floor(ray.origin + t * ray.direction));
-    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, grid.counts)))
-      return;
-    if (grid.at(voxel) == 0) continue;
-    const auto face = enters_box(ray, {glm::dvec3(voxel), glm::dvec3(voxel + 1)}, axis);
-    spot.distance_m = face && *face > 0 ? *face : t;
-    normal = glm::dvec3(0), normal[axis] = 1;
-    return;
-  }
-}
-
-// The first thing along the ray.
-std::optional<SeenSpot> spot_along(const Scene& scene, const SearchRay& ray) {
-  SeenSpot spot;
-  for (const Instance& instance : scene.instances) {
-    int axis = 0;
-    const auto enters = enters_box(ray, instance_bounds(scene, instance), axis);
-    if (!instance.present || !enters || *enters > spot.distance_m) continue;
-    const glm::dmat4 back = glm::inverse(glm::dmat4(instance.world_from_object));
-    const SearchRay local{glm::dvec3(back * glm::dvec4(ray.origin, 1)),
-                          glm::dvec3(back * glm::dvec4(ray.direction, 0))};
-    glm::dvec3 normal(0);
-    if (instance.kind == ShapeKind::mesh) {
-      meet_triangles(scene.meshes[instance.mesh], local, spot, normal);
-    } else if (instance.kind == ShapeKind::voxels) {
-      meet_voxels(scene.voxel_grids[instance.grid], local, spot, normal);
-    } else {
-      meet_shape(instance.kind, local, spot, normal);
-    }
-    if (normal == glm::dvec3(0)) continue;
-    spot.normal = glm::normalize(glm::dvec3(glm::transpose(back) * glm::dvec4(normal, 0)));
-    if (glm::dot(spot.normal, ray.direction) > 0) spot.normal = -spot.normal;
-  }
-  if (!std::isfinite(spot.distance_m)) return std::nullopt;
-  spot.place = ray.origin + spot.distance_m * ray.direction;
-  return spot;
-}
 
 // Looks where the left eye's gaze goes, then farther and farther around it, for a surface that is not seen
-// at a grazing angle.
-std::optional<SeenSpot> seen_spot(const RelationCase& subject) {
-  const Pose world_from_eye = subject.scene.world_from_session * subject.sample.head.world_from_head *
-                              subject.sample.head_from_eye[0];
-  const glm::dvec3 gaze =
-      subject.scene.world_from_session.orientation *
-      (subject.sample.head.world_from_head.orientation * subject.sample.gaze.head_direction[0]);
-  const glm::dvec3 right = world_from_eye.orientation * glm::dvec3(1, 0, 0);
-  const glm::dvec3 up = world_from_eye.orientation * glm::dvec3(0, 1, 0);
+// at a grazing angle and that will do.
+std::optional<SeenSpot> seen_spot(const NearScene& near,
+                                  const std::function<bool(const SeenSpot&)>& will_do) {
   for (const double tangent : {0.0, 0.05, 0.1, 0.2, 0.35, 0.5}) {
     for (int turn = 0; turn < (tangent > 0 ? 8 : 1); ++turn) {
-      const double angle = kPi / 4 * turn;
-      const glm::dvec3 way =
-          glm::normalize(gaze + tangent * (std::cos(angle) * right + std::sin(angle) * up));
-      const auto spot = spot_along(subject.scene, {world_from_eye.position, way});
-      if (spot && glm::dot(spot->normal, way) < -0.3) return spot;
+      const auto spot = near.beside(near.gaze, tangent, turn);
+      if (!spot || !(glm::dot(spot->normal, glm::normalize(spot->place - near.eye)) < -0.3)) continue;
+      if (will_do(*spot)) return spot;
     }
   }
   return std::nullopt;
@@ -166,16 +86,31 @@ struct NearPlace {
   const char* name;
   AreaLight light;
 };
-std::array<NearPlace, 4> near_places(const SeenSpot& spot) {
-  const double r = kRadiusOfDistance * spot.distance_m;
+
+double radius_at(const SeenSpot& spot) {
+  return kRadiusOfDistance * spot.distance_m;
+}
+
+std::vector<NearPlace> near_places(const SeenSpot& spot) {
+  const double r = radius_at(spot);
   const glm::vec3 cube(static_cast<float>(2 * r));
-  glm::vec3 flat = cube;
-  const glm::dvec3 n = glm::abs(spot.normal);
-  flat[n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2] = 0;
-  return {{{"just above a surface", light_at(spot.place + 1e-3 * r * spot.normal, cube)},
-           {"on a surface", light_at(spot.place, cube)},
-           {"inside a body", light_at(spot.place - r * spot.normal, cube)},
-           {"in the plane of a surface", light_at(spot.place, flat)}}};
+  return {{"just above a surface", light_at(spot.place + 1e-3 * r * spot.normal, cube)},
+          {"on a surface", light_at(spot.place, cube)},
+          {"inside a body", light_at(spot.place - r * spot.normal, cube)}};
+}
+
+// The axis of the world along which a normal lies; lights have no thickness along an axis alone.
+std::optional<int> axis_along(const glm::dvec3& normal) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) > kAlongAxis) return axis;
+  }
+  return std::nullopt;
+}
+
+std::vector<NearPlace> place_in_plane(const SeenSpot& spot) {
+  glm::vec3 flat(static_cast<float>(2 * radius_at(spot)));
+  flat[axis_along(spot.normal).value()] = 0;
+  return {{"in the plane of a surface", light_at(spot.place, flat)}};
 }
 
 // One light in a white world.
@@ -195,31 +130,32 @@ std::vector<LinearPicture> at_most_one(std::vector<LinearPicture> pictures) {
   return pictures;
 }
 
-}  // namespace
-
-void measure_light_near(const RelationCase& subject, RelationLog& log) {
+Relation stays_below(std::string name, const std::string& light) {
   Relation relation;
-  relation.name = "light near a surface stays below I / r^2";
+  relation.name = std::move(name);
   relation.holds =
-      "a light inside, on, 1e-3 of its radius above and in the plane of a white surface: nothing is brighter "
-      "than 1 / pi * I / r^2, r half its longest edge, with 1 and 16 samples";
+      "a light " + light +
+      " a white surface: nothing is brighter than 1 / pi * I / r^2, r half its longest edge, with "
+      "1 and 16 samples";
   relation.bound = 0x1p-10;
   relation.unit = "of I / (pi r^2), beyond it";
   relation.bound_from =
       "E = (I / N) sum V cos / max(d^2, r^2) <= I / r^2; sample and pixel are rounded to half floats";
-  RelationCase white = white_world(subject);
-  const auto spot = seen_spot(white);
-  if (!spot) return log.not_applicable(relation, "no surface is seen around the gaze");
+  return relation;
+}
+
+void measure_below(const Relation& relation, RelationCase white, std::span<const NearPlace> places,
+                   CountedPictures& counted, RelationLog& log) {
   double brightest = -1;
   std::string where;
   std::optional<RelationPictures> pictures;
   for (const int samples : {1, kNearLightSamples}) {
     white.settings.light_samples = samples;
-    white.scene.lights = white.state.lights = {light_at(spot->place, glm::vec3(1))};
+    white.scene.lights = {places[0].light};
     const auto renderer = renderer_of(white);
-    for (const NearPlace& near : near_places(*spot)) {
+    for (const NearPlace& near : places) {
       white.state.lights = {near.light};
-      const std::vector<LinearPicture> got = next_picture(*renderer, white), wanted = at_most_one(got);
+      const std::vector<LinearPicture> got = counted.next(*renderer, white), wanted = at_most_one(got);
       const double largest = largest_value(got);
       if (largest <= brightest) continue;
       brightest = largest;
@@ -231,6 +167,76 @@ void measure_light_near(const RelationCase& subject, RelationLog& log) {
     }
   }
   log.measured(relation, std::max(0.0, brightest - 1), where, std::move(pictures));
+}
+
+// What the darkest of 9 points about a spot sends back of a light at `centre`, in I / (pi r^2): 0 where one
+// of them is in shadow, or is shaded by another normal than it lies.
+double least_lit(const NearScene& near, const SeenSpot& spot, const glm::dvec3& centre) {
+  const double r = radius_at(spot);
+  double least = 1;
+  for (int turn = 0; turn < 9; ++turn) {
+    const auto point = near.beside((spot.place - near.eye) / spot.distance_m,
+                                   turn < 8 ? kAboutSpot * kRadiusOfDistance : 0, turn);
+    if (!point || !point->shaded_as_it_lies || !near.search.is_open(*point, centre)) return 0;
+    const glm::dvec3 way = centre - point->place;
+    const double square = glm::dot(way, way), cosine = glm::dot(point->normal, way) / std::sqrt(square);
+    least = std::min(least, cosine * r * r / std::max(square, r * r));
+  }
+  return std::max(least, 0.0);
+}
+
+// The light of one sample, so that it is all at its centre.
+void measure_lit(const NearScene& near, CountedPictures& counted, RelationLog& log) {
+  Relation relation;
+  relation.name = "light above a surface lights it";
+  relation.holds = "a light half its edge above an open white surface is seen on it";
+  relation.bound = 0.5;
+  relation.unit = "of what the surface sends back, missing";
+  relation.bound_from =
+      "the darkest of 9 points within 1.8 degrees, none in shadow, by E = I cos / max(d^2, r^2); pixels that "
+      "mix samples keep half of it";
+  const auto centre_of = [](const SeenSpot& spot) { return spot.place + radius_at(spot) * spot.normal; };
+  const auto spot = seen_spot(near, [&](const SeenSpot& candidate) {
+    return least_lit(near, candidate, centre_of(candidate)) > kLeastLit;
+  });
+  if (!spot) return log.not_applicable(relation, "no open surface is seen around the gaze");
+  const double wanted = least_lit(near, *spot, centre_of(*spot));
+  RelationCase white = near.white;
+  white.state.lights =
+      white.scene.lights = {light_at(centre_of(*spot), glm::vec3(static_cast<float>(2 * radius_at(*spot))))};
+  const double brightest = largest_value(counted.of(white));
+  log.measured(relation, std::max(0.0, 1 - brightest / wanted),
+               figure(brightest) + " of I / (pi r^2), of " + figure(wanted) + " or more");
+}
+
+}  // namespace
+
+void measure_light_near(const RelationCase& subject, RelationLog& log) {
+  const Relation anywhere = stays_below("light near a surface stays below I / r^2",
+                                        "inside, on and 1e-3 of its radius above"),
+                 in_plane = stays_below("light in the plane of a surface stays below I / r^2",
+                                        "without thickness in the plane of"),
+                 numbers = only_numbers("light near a surface gives numbers",
+                                        "lights inside, on, above and in the plane of a surface give finite "
+                                        "values and rays");
+  const NearScene near(white_world(subject));
+  CountedPictures counted;
+  const auto any = seen_spot(near, [](const SeenSpot&) { return true; });
+  if (any) {
+    measure_below(anywhere, near.white, near_places(*any), counted, log);
+  } else {
+    log.not_applicable(anywhere, "no surface is seen around the gaze");
+  }
+  const auto along =
+      seen_spot(near, [](const SeenSpot& spot) { return axis_along(spot.normal).has_value(); });
+  if (along) {
+    measure_below(in_plane, near.white, place_in_plane(*along), counted, log);
+  } else {
+    log.not_applicable(in_plane, "no surface seen around the gaze lies along the axes that lights have");
+  }
+  measure_lit(near, counted, log);
+  if (any) return log.measured(numbers, counted.no_numbers());
+  log.not_applicable(numbers, "no surface is seen around the gaze");
 }
 
 }  // namespace herr

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "server/study/relations/light/counted_pictures.h"
 #include "server/study/relations/light/plain_scene.h"
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/relation.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kBrightnesses[] = {4, 0.25, 10};
 constexpr const char* kNoLight = "nothing shines: no light, ambient light, emission or environment";
+constexpr const char* kNothingSeenLit = "nothing lit is seen";
 constexpr std::size_t kMostParts = 4;
 
 std::vector<LinearPicture> times(std::vector<LinearPicture> pictures, double factor) {
@@ -23,6 +25,16 @@ std::vector<LinearPicture> times(std::vector<LinearPicture> pictures, double fac
     }
   }
   return pictures;
+}
+
+bool shines(const RelationCase& subject) {
+  const auto is_light = [](const AreaLight& light) { return light.intensity_w_sr != glm::vec3(0.0f); };
+  const auto glows = [](const Material& material) { return material.emission != glm::vec3(0.0f); };
+  const Scene& scene = subject.scene;
+  return std::any_of(subject.state.lights.begin(), subject.state.lights.end(), is_light) ||
+         std::any_of(scene.materials.begin(), scene.materials.end(), glows) ||
+         scene.ambient != glm::vec3(0.0f) || scene.environment != glm::vec3(0.0f) ||
+         !scene.environment_map.rgba.empty();
 }
 
 // `to` += factor * `from`.
@@ -59,18 +71,19 @@ RelationCase steady(RelationCase subject) {
   return subject;
 }
 
-void measure_brighter(const char* light, const RelationCase& bright, bool probes, RelationLog& log) {
-  const std::vector<LinearPicture> once = picture_of(bright);
+void measure_brighter(const char* light, const RelationCase& bright, bool probes, CountedPictures& counted,
+                      RelationLog& log) {
+  const std::vector<LinearPicture> once = counted.of(bright);
   const double largest = largest_value(once);
   for (const double k : kBrightnesses) {
     const Relation relation = brighter(light, k, probes);
     if (largest == 0) {
-      log.not_applicable(relation, kNoLight);
+      log.not_applicable(relation, shines(bright) ? kNothingSeenLit : kNoLight);
       continue;
     }
     RelationCase brightened = bright;
     scale_light(brightened, static_cast<float>(k));
-    const std::vector<LinearPicture> got = picture_of(brightened), wanted = times(once, k);
+    const std::vector<LinearPicture> got = counted.of(brightened), wanted = times(once, k);
     const double floor = kSmallestNormalHalf * std::max(1.0, k) / (k * largest);
     const PictureDistance apart = largest_relative(got, wanted, floor, bright.profile);
     log.measured(relation, apart.error, apart.where,
@@ -79,7 +92,8 @@ void measure_brighter(const char* light, const RelationCase& bright, bool probes
 }
 
 // Largest |P4 - P2 - 2 (P2 - P1)| / (P4 + 3 P2 + 2 P1).
-void measure_over_feed(const RelationCase& subject, RelationCase lit, RelationLog& log) {
+void measure_over_feed(const RelationCase& subject, RelationCase lit, CountedPictures& counted,
+                       RelationLog& log) {
   Relation relation;
   relation.name = "hard light over the camera feed";
   relation.holds =
@@ -97,7 +111,7 @@ void measure_over_feed(const RelationCase& subject, RelationCase lit, RelationLo
   }
   std::vector<LinearPicture> pictures[3];
   for (auto& picture : pictures) {
-    picture = picture_of(lit);
+    picture = counted.of(lit);
     scale_light(lit, 2);
   }
   std::vector<LinearPicture> wanted = times(pictures[1], 3), all = wanted;
@@ -127,7 +141,7 @@ AreaLight moved_copy(AreaLight light, double extent_m) {
   return light;
 }
 
-void measure_sum(RelationCase lit, RelationLog& log) {
+void measure_sum(RelationCase lit, CountedPictures& counted, RelationLog& log) {
   Relation relation;
   relation.name = "sum of lights";
   relation.holds =
@@ -152,13 +166,14 @@ void measure_sum(RelationCase lit, RelationLog& log) {
   lit.settings.refraction = false;
   const std::size_t parts = std::min(kMostParts, lit.state.lights.size());
   const auto renderer = renderer_of(lit);
-  const std::vector<LinearPicture> got = next_picture(*renderer, lit);
+  const std::vector<LinearPicture> got = counted.next(*renderer, lit);
   if (largest_value(got) == 0) return log.not_applicable(relation, "no light reaches what is seen");
   const auto with_lights = [&](const std::vector<AreaLight>& lights) {
     RelationCase moment;  // lights are part of the state alone, from frame to frame
     moment.state = lit.state, moment.state.lights = lights;
     moment.sample = lit.sample;
-    return next_picture(*renderer, moment);
+    moment.profile = lit.profile;
+    return counted.next(*renderer, moment);
   };
   const std::vector<LinearPicture> none = with_lights(only_part(lit.state.lights, parts, parts));
   const double less = static_cast<double>(parts) - 1;
@@ -181,10 +196,14 @@ void measure_light(const RelationCase& subject, RelationLog& log) {
   RelationCase lit = hard_light(subject);
   show_plainly(lit);
   moderate_light(lit);
-  measure_brighter("hard", lit, false, log);
-  measure_over_feed(subject, lit, log);
-  measure_sum(lit, log);
-  measure_brighter("all", steady(all_light(lit)), true, log);
+  CountedPictures counted;
+  measure_brighter("hard", lit, false, counted, log);
+  measure_over_feed(subject, lit, counted, log);
+  measure_sum(lit, counted, log);
+  measure_brighter("all", steady(all_light(lit)), true, counted, log);
+  log.measured(only_numbers("light gives numbers",
+                            "all pictures of light times k and of lights one by one are finite"),
+               counted.no_numbers());
   measure_light_near(subject, log);
 }
 

@@ -7,6 +7,7 @@ namespace herr {
 namespace {
 
 constexpr int kFewProbeRays = 16;
+constexpr double kFewProbesDensity = 0.5, kLeastProbeDensity = 0.125;
 constexpr int kMostTries = 8, kMostDarkTries = 2;
 constexpr int kBrightestExponent = -3;
 constexpr double kNearLargestHalf = 60000;
@@ -51,6 +52,7 @@ void paint_all(Scene& scene, float albedo) {
 
 void trace_few_probe_rays(RenderSettings& settings) {
   settings.probes.rays = std::min(settings.probes.rays, kFewProbeRays);
+  settings.probes.density = std::max(kFewProbesDensity * settings.probes.density, kLeastProbeDensity);
 }
 
 void take_catchers_away(Scene& scene) {

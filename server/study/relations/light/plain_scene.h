@@ -14,7 +14,7 @@ void show_plainly(RelationCase& subject);
 void make_matte(Scene& scene);
 // Matte, without holes, seen from both sides, of one albedo. Voxels keep their colours, times the albedo.
 void paint_all(Scene& scene, float albedo);
-// Probes with few rays, for what their noise does not change.
+// An eighth of the probes, with few rays, for what their noise does not change.
 void trace_few_probe_rays(RenderSettings& settings);
 // Catchers are not there.
 void take_catchers_away(Scene& scene);

@@ -26,6 +26,7 @@ constexpr double kStandardErrors = 4;
 // Sample and pixel of two pictures, rounded to half floats by at most 2^-11 of them.
 constexpr double kRounding = 0x1p-9;
 constexpr const char* kNothingLit = "no light reaches what is seen";
+constexpr const char* kNoExtent = "no light that shines has an extent";
 
 // Half the rays per axis: many pictures are made.
 void halve(RelationCase& subject) {
@@ -232,7 +233,7 @@ void measure_adaptive(const RelationCase& subject, const RelationCase& soft, con
 void measure_light_samples(const RelationCase& subject, RelationLog& log) {
   RelationCase soft = matte_case(subject);
   const std::string no_light = soft.state.lights.empty()     ? why_left_out(plan_of(soft), "several lights")
-                               : keep_soft_lights(soft) == 0 ? why_left_out(plan_of(soft), "light samples")
+                               : keep_soft_lights(soft) == 0 ? kNoExtent
                                                              : "";
   moderate_light(soft);
   const Rows rows(picture_of(sampled(soft, kCalmSamples, LightSampler::jittered)));

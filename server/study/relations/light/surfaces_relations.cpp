@@ -1,9 +1,14 @@
 // Materials at their limits: roughness 0, index of refraction 1 and 10, albedo 0 and 1.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <string>
+#include <utility>
 
+#include "renderer/frame_plan.h"
+#include "server/study/relations/light/counted_pictures.h"
 #include "server/study/relations/light/plain_scene.h"
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/relation.h"
@@ -14,31 +19,12 @@ namespace herr {
 namespace {
 
 constexpr float kGlow = 0.75f;
+constexpr std::size_t kMostKeptBodies = 6;
 constexpr const char* kNoSurface = "no surface to light";
 
 bool has_surfaces(const RelationCase& subject) {
   return std::any_of(subject.scene.instances.begin(), subject.scene.instances.end(),
                      [](const Instance& instance) { return instance.present && !instance.catcher; });
-}
-
-// Values that are no numbers: stages replace and count them.
-double values_without_number(const RelationCase& subject, std::vector<LinearPicture>& picture) {
-  RenderedFrame frame;
-  const auto renderer = renderer_of(subject);
-  renderer->render_frame(subject.sample, subject.state, frame);
-  picture.resize(frame.viewports.size());
-  for (std::size_t v = 0; v < picture.size(); ++v) read_viewport(frame.viewports[v], picture[v]);
-  return static_cast<double>(frame.counters.nonfinite_values + frame.counters.invalid_rays) +
-         values_not_finite(picture, subject.profile).error;
-}
-
-Relation finite(std::string name, std::string holds) {
-  Relation relation;
-  relation.name = std::move(name);
-  relation.holds = std::move(holds);
-  relation.unit = "values and rays that are no numbers";
-  relation.bound_from = "every value and every ray is a number";
-  return relation;
 }
 
 // All surfaces polished, and highlights of full strength, under lights of `size` times their size.
@@ -56,8 +42,9 @@ RelationCase polished(const RelationCase& subject, float size) {
 }
 
 void measure_polished(const RelationCase& subject, RelationLog& log) {
-  const Relation numbers = finite("roughness 0 under a small light",
-                                  "polished surfaces under lights of 1e-3 of their size give finite values");
+  const Relation numbers =
+      only_numbers("roughness 0 under a small light",
+                   "polished surfaces under lights of 1e-3 of their size give finite values");
   Relation limit;
   limit.name = "roughness 0 under a light of no size";
   limit.holds = "polished surfaces show lights of 1e-5 of their size as they show those of 1e-4";
@@ -74,8 +61,9 @@ void measure_polished(const RelationCase& subject, RelationLog& log) {
     log.not_applicable(limit, why);
     return;
   }
-  std::vector<LinearPicture> picture;
-  log.measured(numbers, values_without_number(polished(subject, 1e-3f), picture));
+  CountedPictures counted;
+  counted.of(polished(subject, 1e-3f));
+  log.measured(numbers, counted.no_numbers());
   const std::vector<LinearPicture> got = picture_of(polished(subject, 1e-5f)),
                                    wanted = picture_of(polished(subject, 1e-4f));
   const PictureDistance apart = share_beyond_one_step(got, wanted, subject.profile);
@@ -84,10 +72,11 @@ void measure_polished(const RelationCase& subject, RelationLog& log) {
 }
 
 // Transparent materials become clear glass of one index, all others matte, under constant light and what
-// shines by itself: no light that glass casts a shadow of.
+// shines by itself: no light that glass casts a shadow of. What lies outside is shown, as glass shows it.
 RelationCase glass_case(const RelationCase& subject, float index) {
   RelationCase glass = hard_light(subject);
   show_plainly(glass);
+  glass.settings.camera = true;  // without a feed
   Scene& scene = glass.scene;
   std::vector<Material> before = scene.materials;
   make_matte(scene);
@@ -130,6 +119,44 @@ std::string no_glass(const RelationCase& glass) {
   return why_left_out(plan_of(glass), "refraction");
 }
 
+// Present instances that are clear, those nearest to the line of the left eye's gaze first.
+std::vector<std::size_t> clear_bodies(const RelationCase& glass) {
+  const Pose world_from_eye =
+      glass.scene.world_from_session * glass.sample.head.world_from_head * glass.sample.head_from_eye[0];
+  const glm::dvec3 gaze =
+      glass.scene.world_from_session.orientation *
+      (glass.sample.head.world_from_head.orientation * glass.sample.gaze.head_direction[0]);
+  std::vector<std::pair<double, std::size_t>> found;
+  for (std::size_t i = 0; i < glass.scene.instances.size(); ++i) {
+    const Instance& instance = glass.scene.instances[i];
+    if (!instance.present || !(glass.scene.materials[instance.material].transmission > 0)) continue;
+    const Bounds box = instance_bounds(glass.scene, instance);
+    const glm::dvec3 way = 0.5 * (box.lower + box.upper) - world_from_eye.position;
+    found.emplace_back(-glm::dot(gaze, way) / std::max(glm::length(way), 1e-300), i);
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::size_t> bodies;
+  for (const auto& [angle, instance] : found) bodies.push_back(instance);
+  return bodies;
+}
+
+void take_away(RelationCase& subject, std::span<const std::size_t> instances) {
+  for (const std::size_t instance : instances) subject.scene.instances[instance].present = false;
+}
+
+// Fewer and fewer clear bodies, until no path through them ends at a limit. The number that stays, and their
+// picture.
+std::size_t keep_what_paths_follow(RelationCase& glass, std::vector<LinearPicture>& picture) {
+  const std::vector<std::size_t> bodies = clear_bodies(glass);
+  for (std::size_t kept = bodies.size(); kept > 0; kept = std::min(kept / 2, kMostKeptBodies)) {
+    take_away(glass, std::span(bodies).subspan(kept));
+    CountedPictures counted;
+    picture = counted.of(glass);
+    if (counted.cut_paths() == 0) return kept;
+  }
+  return 0;
+}
+
 void measure_index_of_one(const RelationCase& subject, RelationLog& log) {
   Relation relation;
   relation.name = "index of refraction 1";
@@ -137,17 +164,30 @@ void measure_index_of_one(const RelationCase& subject, RelationLog& log) {
   relation.bound = 2e-3;
   relation.unit = "share of pixels beyond one 8-bit step";
   relation.bound_from =
-      "behind a surface rays start 2^-16 of their way aside: only those that pass an edge as closely change";
-  const RelationCase glass = glass_case(subject, 1);
+      "behind a surface rays start 2^-16 of their way aside: only those that pass an edge as closely change; "
+      "bodies are taken away where paths would end at a limit";
+  RelationCase glass = glass_case(subject, 1);
   const std::string why = no_glass(glass);
   if (!why.empty()) return log.not_applicable(relation, why);
+  const std::vector<std::size_t> bodies = clear_bodies(glass);
   RelationCase without = glass;
-  for (Instance& instance : without.scene.instances) {
-    if (without.scene.materials[instance.material].transmission > 0) instance.present = false;
+  take_away(without, bodies);
+  std::vector<LinearPicture> got;
+  const std::size_t kept = keep_what_paths_follow(glass, got);
+  if (kept == 0) {
+    return log.not_applicable(relation, bodies.empty() ? "no transparent surface is present"
+                                                       : "paths through glass end at a limit of " +
+                                                             std::to_string(kMostInterfaces) + " surfaces");
   }
-  const std::vector<LinearPicture> got = picture_of(glass), wanted = picture_of(without);
+  const std::vector<LinearPicture> wanted = picture_of(without);
   const PictureDistance apart = share_beyond_one_step(got, wanted, subject.profile);
-  log.measured(relation, apart.error, apart.where,
+  std::string where = apart.where;
+  if (kept < bodies.size()) {
+    where = std::to_string(kept) + " of " + std::to_string(bodies.size()) +
+            " clear bodies, for no more than " + std::to_string(kMostInterfaces) + " surfaces on a path" +
+            (where.empty() ? "" : "; " + where);
+  }
+  log.measured(relation, apart.error, where,
                worst_pictures(apart, got, wanted, "glass of index 1 | without it | difference"));
 }
 
@@ -177,8 +217,9 @@ void measure_index_of_ten(const RelationCase& subject, RelationLog& log) {
   RelationCase glass = glass_case(subject, 10);
   const std::string why = no_glass(glass);
   if (!why.empty()) return log.not_applicable(relation, why);
-  std::vector<LinearPicture> picture;
-  const double no_numbers = values_without_number(glass, picture);
+  CountedPictures counted;
+  const std::vector<LinearPicture> picture = counted.of(glass);
+  const double no_numbers = counted.no_numbers();
   const double share = largest_value(picture) / brightest_source(glass.scene);
   log.measured(relation, no_numbers > 0 ? std::nan("") : std::max(0.0, share - 1),
                no_numbers > 0 ? "values that are no numbers" : figure(share) + " of the brightest source");
@@ -204,8 +245,9 @@ void measure_black(const RelationCase& subject, RelationLog& log) {
   make_environment_black(black.scene);
   black.scene.ambient = glm::vec3(1.0f);
   trace_few_probe_rays(black.settings);
-  std::vector<LinearPicture> picture;
-  const double no_numbers = values_without_number(black, picture);
+  CountedPictures counted;
+  const std::vector<LinearPicture> picture = counted.of(black);
+  const double no_numbers = counted.no_numbers();
   log.measured(relation, no_numbers > 0 ? std::nan("") : largest_value(picture));
 }
 
@@ -261,8 +303,9 @@ void measure_furnace(const RelationCase& subject, RelationLog& log) {
   furnace.settings.occlusion_rays = 0;
   furnace.settings.camera = true;  // without a feed: what lies outside is shown
   trace_few_probe_rays(furnace.settings);
-  std::vector<LinearPicture> picture;
-  const double no_numbers = values_without_number(furnace, picture);
+  CountedPictures counted;
+  const std::vector<LinearPicture> picture = counted.of(furnace);
+  const double no_numbers = counted.no_numbers();
   const double darkest = smallest_value(picture), brightest = largest_value(picture);
   log.measured(relation,
                no_numbers > 0 ? std::nan("") : std::max({0.0, brightest - 1, double{kGlow} - darkest}),

@@ -39,7 +39,9 @@ TEST(LightRelationsTest, LightAddsUpOnASmallScene) {
   expect_all_asked_hold(results);
   EXPECT_EQ(results.at("hard light over the camera feed").not_applicable, "the session has no camera feed");
   for (const char* name : {"hard light times 4", "all light times 10", "sum of lights",
-                           "light near a surface stays below I / r^2"}) {
+                           "light near a surface stays below I / r^2", "light gives numbers",
+                           "light in the plane of a surface stays below I / r^2",
+                           "light near a surface gives numbers", "light above a surface lights it"}) {
     ASSERT_TRUE(results.at(name).asked()) << name;
   }
   // White surfaces near the light are seen: at least a tenth of what is allowed.
@@ -73,11 +75,32 @@ TEST(LightRelationsTest, WithoutLightNothingIsAsked) {
   EXPECT_EQ(results_of(measure_samples, subject).at("mean with 4 light samples").not_applicable, "no light");
 }
 
+TEST(LightRelationsTest, ALampThatLightsNothingSeenIsSaidToShine) {
+  Scene scene = test::lit_scene();
+  scene.instances.clear();
+  scene.ambient = scene.environment = glm::vec3(0.0f);
+  const auto light = results_of(measure_light, test::case_of(std::move(scene)));
+  EXPECT_EQ(light.at("hard light times 4").not_applicable, "nothing lit is seen");
+}
+
+// Lights are boxes along the axes of the world: none of them is flat in a plane that leans by atan(3/4).
+TEST(LightRelationsTest, NoLightLiesInAPlaneThatLeans) {
+  Scene scene = test::lit_scene();
+  scene.instances.clear();
+  test::add(scene, test::quad({-8, -3, 2}, {16, 0, 0}, {0, 6, -8}), test::matte({0.6f, 0.5f, 0.4f}));
+  const auto light = results_of(measure_light, test::case_of(std::move(scene)));
+  expect_all_asked_hold(light);
+  EXPECT_EQ(light.at("light in the plane of a surface stays below I / r^2").not_applicable,
+            "no surface seen around the gaze lies along the axes that lights have");
+  EXPECT_TRUE(light.at("light near a surface stays below I / r^2").asked());
+  EXPECT_TRUE(light.at("light above a surface lights it").asked());
+}
+
 TEST(LightRelationsTest, APointHasNoSamples) {
   Scene scene = test::lit_scene();
   scene.lights[0].size = glm::vec3(0.0f);
   const auto results = results_of(measure_samples, test::case_of(std::move(scene)));
-  EXPECT_EQ(results.at("mean with 4 light samples").not_applicable, "one sample: the light's centre");
+  EXPECT_EQ(results.at("mean with 4 light samples").not_applicable, "no light that shines has an extent");
 }
 
 // A picture that is a sum, with one pixel off by a hundredth of what is added there.
@@ -139,6 +162,31 @@ TEST(SurfacesRelationsTest, HoldOnASmallScene) {
   const auto results = results_of(measure_surfaces, test::case_of(test::lit_scene()));
   expect_all_asked_hold(results);
   for (const auto& [name, result] : results) EXPECT_TRUE(result.asked()) << name << result.not_applicable;
+}
+
+TEST(SurfacesRelationsTest, GlassBeforeTheSkyCannotBeSeenEither) {
+  Scene scene = test::lit_scene();
+  scene.instances.erase(scene.instances.begin() + 1);  // the wall
+  const auto results = results_of(measure_surfaces, test::case_of(std::move(scene)));
+  expect_all_asked_hold(results);
+  EXPECT_TRUE(results.at("index of refraction 1").asked());
+}
+
+// Rays follow 12 surfaces, 7 panes have 14: half of them stay.
+TEST(SurfacesRelationsTest, AsManyPanesAreAskedAsRaysFollow) {
+  Scene scene = test::lit_scene();
+  Material glass = test::matte({1, 1, 1});
+  glass.roughness = 0;
+  glass.transmission = 1;
+  for (int pane = 0; pane < 7; ++pane) {
+    const float z = -0.4f - 0.1f * static_cast<float>(pane);
+    test::add(scene, test::box({-1, 0.3f, z}, {1, 1.5f, z + 0.02f}), glass);
+  }
+  const auto results = results_of(measure_surfaces, test::case_of(std::move(scene)));
+  expect_all_asked_hold(results);
+  const RelationResult& panes = results.at("index of refraction 1");
+  EXPECT_TRUE(panes.asked());
+  EXPECT_TRUE(panes.where.starts_with("4 of 8 clear bodies")) << panes.where;
 }
 
 TEST(SurfacesRelationsTest, WithoutGlassItsIndexIsNotAsked) {
