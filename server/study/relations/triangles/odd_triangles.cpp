@@ -203,7 +203,15 @@ void add_far_corner(Scene& scene, const FarTriangle& triangle) {
       });
   const glm::dmat4x3& m = shown->world_from_object;
   const glm::dmat3 object_from_world = glm::inverse(glm::dmat3(m[0], m[1], m[2]));
-  TriangleMesh& mesh = scene.meshes[*finest];
+  // A mesh of its own, unless it is: other instances stand elsewhere, and theirs need not be behind the head.
+  const auto all = std::count_if(
+      scene.instances.begin(), scene.instances.end(),
+      [&](const Instance& instance) { return instance.kind == ShapeKind::mesh && instance.mesh == *finest; });
+  if (all > 1) {
+    scene.meshes.push_back(TriangleMesh(scene.meshes[*finest]));
+    shown->mesh = static_cast<std::uint32_t>(scene.meshes.size() - 1);
+  }
+  TriangleMesh& mesh = scene.meshes[shown->mesh];
   const std::uint32_t like = mesh.triangles.front()[0];
   const auto corner = [&](const glm::dvec3& world) {
     return add_copy(mesh, like, glm::vec3(object_from_world * (world - m[3])));

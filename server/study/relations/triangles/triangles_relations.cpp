@@ -226,12 +226,13 @@ void TriangleRelations::measure_voxels() {
     relation.unit = "share of pixels beyond one 8-bit step";
     relation.bound_from =
         "no power of two: every number rounds anew, and a few rays that pass edges change sides";
-    if (!why.empty()) {
-      log_.not_applicable(std::move(relation), why);
+    Similarity similarity;
+    if (why.empty()) similarity.scale = edge_m / voxel_edge_m(by_pixel.scene);
+    const std::string why_not = why.empty() ? why_not_similar(by_pixel, similarity) : why;
+    if (!why_not.empty()) {
+      log_.not_applicable(std::move(relation), why_not);
       continue;
     }
-    Similarity similarity;
-    similarity.scale = edge_m / voxel_edge_m(by_pixel.scene);
     tell(relation, draw_(similar_case(by_pixel, similarity)), wanted);
   }
 }

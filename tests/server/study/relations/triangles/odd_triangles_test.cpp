@@ -82,5 +82,24 @@ TEST(OddTrianglesTest, TrianglesTooSmallForFloatsStayWhole) {
   EXPECT_EQ(scene.meshes[0].triangles, mesh.triangles);
 }
 
+TEST(OddTrianglesTest, AFarCornerIsSeenOnOneInstanceOnly) {
+  Scene scene = test::lit_room().scene;
+  scene.instances.push_back(scene.instances[1]);  // both show mesh 1, the finer one
+  const std::size_t count = scene.meshes[1].triangles.size();
+  add_far_corner(scene, {{0, 0, 5}, {0, 0, 1}, {1, 0, 0}, 0.01});
+  EXPECT_NE(scene.instances.front().mesh, scene.instances.back().mesh);
+  EXPECT_NE(scene.instances[1].mesh, scene.instances.back().mesh);
+  EXPECT_EQ(scene.meshes[scene.instances.back().mesh].triangles.size(), count);
+  EXPECT_EQ(scene.meshes[scene.instances[1].mesh].triangles.size(), count + 1);
+}
+
+TEST(OddTrianglesTest, AFarCornerOfTheOnlyInstanceGoesIntoItsOwnMesh) {
+  Scene scene = test::lit_room().scene;
+  const std::size_t meshes = scene.meshes.size(), count = scene.meshes[1].triangles.size();
+  add_far_corner(scene, {{0, 0, 5}, {0, 0, 1}, {1, 0, 0}, 0.01});
+  EXPECT_EQ(scene.meshes.size(), meshes);
+  EXPECT_EQ(scene.meshes[1].triangles.size(), count + 1);
+}
+
 }  // namespace
 }  // namespace herr

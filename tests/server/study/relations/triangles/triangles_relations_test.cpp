@@ -54,5 +54,16 @@ TEST(TrianglesRelationsTest, WhatASceneHasNotIsNotAsked) {
     EXPECT_EQ(log.results()[i].not_applicable, "no instance is a grid of voxels") << kAll[i];
 }
 
+TEST(TrianglesRelationsTest, VoxelsThatNoSettingsFitAreNotAsked) {
+  // From 0.1 m to 1e4 m every length grows 1e5 times, and 1e5 m of reach would be 1e10 m.
+  RelationCase subject = test::lit_room();
+  subject.settings.occlusion_radius_m = 1e5;
+  RelationLog log;
+  measure_triangles(subject, log);
+  ASSERT_EQ(log.results().size(), kAll.size());
+  EXPECT_TRUE(log.results()[6].asked());
+  EXPECT_NE(log.results()[7].not_applicable.find("occlusion radius must lie in"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace herr
