@@ -22,8 +22,8 @@ void measure_triangles_by(const DrawPicture& draw, const RelationCase& subject, 
 void measure_light(const RelationCase& subject, RelationLog& log);      // light/light_relations.cpp
 void measure_samples(const RelationCase& subject, RelationLog& log);    // light/samples_relations.cpp
 void measure_surfaces(const RelationCase& subject, RelationLog& log);   // light/surfaces_relations.cpp
-void measure_gaze(const RelationCase& subject, RelationLog& log);       // gaze_relations.cpp
-void measure_triangles(const RelationCase& subject, RelationLog& log);  // triangles_relations.cpp
+void measure_gaze(const RelationCase& subject, RelationLog& log);       // gaze/gaze_relations.cpp
+void measure_triangles(const RelationCase& subject, RelationLog& log);  // triangles/triangles_relations.cpp
 void measure_probes(const RelationCase& subject, RelationLog& log);     // probes/probes_relations.cpp
 void measure_control(const RelationCase& subject, RelationLog& log);    // control/control_relations.cpp
 void measure_threads(const RelationCase& subject, RelationLog& log);    // threads_relations.cpp

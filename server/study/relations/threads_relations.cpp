@@ -8,6 +8,7 @@
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
+#include "server/study/relations/rounding_share.h"
 
 namespace herr {
 namespace {
@@ -140,6 +141,28 @@ std::vector<Isa> isas_here() {
   return isas;
 }
 
+// The picture by the first set, and the one by another that is farthest from it.
+TwinPictures farthest_apart(const std::vector<Isa>& isas, RelationCase subject) {
+  TwinPictures worst;
+  double error = -1;
+  std::vector<LinearPicture> wanted;
+  for (const Isa isa : isas) {
+    subject.settings.isa = isa;
+    std::vector<LinearPicture> got = two_frames(subject).first;
+    if (wanted.empty()) {
+      wanted = std::move(got);
+      continue;
+    }
+    const double apart = share_beyond_one_step(got, wanted, subject.profile).error;
+    if (apart <= error) continue;
+    error = apart;
+    worst.names = std::string(name_of(isa)) + " | " + name_of(isas.front());
+    worst.got = std::move(got);
+  }
+  worst.wanted = std::move(wanted);
+  return worst;
+}
+
 void measure_isas(const RelationCase& lit, RelationLog& log) {
   Relation relation;
   relation.name = "the same picture by each instruction set";
@@ -153,25 +176,13 @@ void measure_isas(const RelationCase& lit, RelationLog& log) {
     log.not_applicable(relation, "this machine has one of them");
     return;
   }
-  RelationCase subject = lit;
-  PictureDistance worst;
-  std::optional<RelationPictures> pictures;
-  TwoFrames wanted;
-  for (const Isa isa : isas) {
-    subject.settings.isa = isa;
-    TwoFrames got = two_frames(subject);
-    if (wanted.first.empty()) {
-      wanted = std::move(got);
-      continue;
-    }
-    PictureDistance apart = share_beyond_one_step(got.first, wanted.first, lit.profile);
-    if (apart.error <= worst.error) continue;
-    const std::string names = std::string(name_of(isa)) + " | " + name_of(isas.front());
-    apart.where = names + ": " + apart.where;
-    pictures = worst_pictures(apart, got.first, wanted.first, names + " | difference");
-    worst = std::move(apart);
-  }
-  log.measured(relation, worst.error, worst.where, pictures);
+  const auto draw = [](const RelationCase& any) { return two_frames(any).first; };
+  RoundedRelation asked{.relation = std::move(relation),
+                        .caption = {},
+                        .twins = [&](const RelationCase& any) { return farthest_apart(isas, any); },
+                        .likeness = {},
+                        .draw = draw};
+  measure_but_for_rounding(std::move(asked), lit, farthest_apart(isas, lit), log);
 }
 
 }  // namespace

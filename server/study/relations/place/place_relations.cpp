@@ -15,7 +15,7 @@
 #include "server/study/relations/place/similar_case.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
-#include "server/study/report/figure_text.h"
+#include "server/study/relations/rounding_share.h"
 #include "server/text/number_text.h"
 
 namespace herr {
@@ -44,43 +44,26 @@ glm::dvec3 way_of(double metres) {
   return metres * glm::normalize(glm::dvec3(3, 1, -2));
 }
 
-// Light that is followed from one curved surface to the next spreads what rounding does, without end. How
-// much that is in this scene tells a likeness that is moved by no more than a head may be away from the
-// anchor when it is placed, half a step along each axis: places round as far away from there, and nothing
-// else happens.
-void allow_for_followed_light(const RelationCase& subject, const Pictures& here, const Similarity& similarity,
-                              Relation& relation) {
-  constexpr double kHalfStep_m = 7, kHalfStepOfSmall = 5, kScatter = 2;
-  const FramePlan plan = plan_of(subject);
-  if (!plan.refraction && !plan.mirror_rays) return;
-  const Bounds box = scene_bounds(subject.scene);
-  const double extent_m = similarity.scale * glm::length(box.upper - box.lower);
-  Similarity near = similarity;
-  double share = 0;
-  for (const double side : {1.0, -1.0}) {
-    near.move = side * std::min(kHalfStep_m, kHalfStepOfSmall * extent_m) * glm::dvec3(1, -0.9, 0.95);
-    const Pictures moved = picture_of(similar_case(subject, near));
-    share = std::max(share, share_beyond_one_step(moved, here, subject.profile).error);
-  }
-  if (kScatter * share <= relation.bound) return;
-  relation.bound = kScatter * share;
-  relation.bound_from +=
-      "; mirrors and glass spread rounding from surface to surface: half a step of the anchor "
-      "away, where nothing is far, it changes " +
-      figure(100 * share, 2) + " % of these pixels, and farther away twice as many at most";
-}
-
 // Asks whether the case's likeness has the picture that the case has.
 void measure_likeness(const RelationCase& subject, const Pictures& here, const Similarity& similarity,
                       Relation relation, RelationLog& log) {
   const std::string why = why_not_similar(subject, similarity);
   if (!why.empty()) return log.not_applicable(relation, why);
-  const Pictures there = picture_of(similar_case(subject, similarity));
-  const PictureDistance apart = share_beyond_one_step(there, here, subject.profile);
-  if (apart.error > relation.bound && similarity.move != glm::dvec3(0.0))
-    allow_for_followed_light(subject, here, similarity, relation);
-  log.measured(relation, apart.error, apart.where,
-               worst_pictures(apart, there, here, relation.name + " | as it stands | difference"));
+  const Similarity stand{.scale = similarity.scale, .turn = similarity.turn};
+  const auto likeness = [&](const RelationCase& any) { return picture_of(similar_case(any, similarity)); };
+  RoundedRelation asked{.relation = std::move(relation),
+                        .caption = {},
+                        .twins =
+                            [&](const RelationCase& any) {
+                              return TwinPictures{likeness(any), picture_of(any), {}};
+                            },
+                        .likeness = {},
+                        .draw = picture_of};
+  // Where it is without the move, which is what is asked.
+  if (similarity.scale != 1 || similarity.turn != Similarity{}.turn)
+    asked.likeness = [&](const RelationCase& any) { return similar_case(any, stand); };
+  asked.caption = asked.relation.name + " | as it stands | difference";
+  measure_but_for_rounding(std::move(asked), subject, {likeness(subject), here, {}}, log);
 }
 
 // One ray for each pixel: of a polar buffer each would colour many.

@@ -8,19 +8,12 @@
 #include <utility>
 
 #include "renderer/probes/probe_reader.h"
+#include "server/study/relations/one_albedo.h"
 
 namespace herr {
 namespace {
 
 constexpr double kFewProbes = 512;
-
-void whiten(VoxelGrid& grid) {
-  for (VoxelGrid::Brick& brick : grid.bricks) {
-    for (std::uint32_t& rgba : brick) {
-      if (rgba >> 24 != 0) rgba |= 0xffffffu;
-    }
-  }
-}
 
 void put_out(std::vector<AreaLight>& lights) {
   for (AreaLight& light : lights) light.intensity_w_sr = glm::vec3{0.0f};
@@ -56,25 +49,19 @@ RelationCase probe_case(RelationCase subject) {
   return subject;
 }
 
-RelationCase of_albedo(RelationCase subject, float albedo) {
-  for (Material& material : subject.scene.materials) {
-    Material matte;
-    matte.name = material.name;
-    matte.base_colour = glm::vec3{albedo};
-    matte.refractive_index = 1;  // no highlight
-    material = matte;
-  }
-  for (TriangleMesh& mesh : subject.scene.meshes) mesh.colours.clear();
-  for (VoxelGrid& grid : subject.scene.voxel_grids) whiten(grid);
-  return subject;
-}
-
 RelationCase without_light(RelationCase subject) {
   subject = of_albedo(std::move(subject), 0);
   subject.scene.ambient = subject.scene.environment = glm::vec3{0.0f};
   subject.scene.environment_map = {};
   put_out(subject.scene.lights);
   put_out(subject.state.lights);
+  return subject;
+}
+
+RelationCase furnace_case(RelationCase subject, float albedo) {
+  subject = of_albedo(without_light(std::move(subject)), albedo);
+  for (Material& material : subject.scene.materials) material.emission = glm::vec3{1 - albedo};
+  subject.scene.ambient = subject.scene.environment = glm::vec3{1.0f};
   return subject;
 }
 

@@ -20,8 +20,8 @@ std::string probe_place(std::size_t index, int probes);
 
 // The case with all light, few probes that are all updated in every frame, and no reaction to large changes.
 RelationCase probe_case(RelationCase subject);
-// Every surface matte, of one albedo and without a glow.
-RelationCase of_albedo(RelationCase subject, float albedo);
+// Radiance 1 all around: every surface emits what it does not reflect, and so does what is beyond.
+RelationCase furnace_case(RelationCase subject, float albedo);
 // Nothing in it shines any more.
 RelationCase without_light(RelationCase subject);
 // Of anything that a ray meets which leaves the scene: the largest irradiance.

@@ -2,9 +2,11 @@
 // length.
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/scalar_constants.hpp>
 #include <limits>
 #include <memory>
 
+#include "server/study/relations/one_albedo.h"
 #include "server/study/relations/picture_distance.h"
 #include "server/study/relations/probes/probe_memory.h"
 #include "server/study/relations/relation.h"
@@ -68,8 +70,7 @@ void measure_white(const WhiteRun& run, ProbeMemory& memory, const std::vector<P
                    RelationLog& log) {
   Relation relation;
   relation.name = run.name;
-  relation.holds =
-      "a bounce gives at most 0.99 of the brightest light before it: closed rooms gain 99 times and no more";
+  relation.holds = "a bounce gives at most 0.99 of the brightest light before it";
   relation.bound = 2 * kPublished + kSums;
   relation.unit = "relative excess over the most that a step of the exact solution can leave";
   relation.bound_from = "light before and after is read with 13 bits (2^-14 each), sums of floats add 2^-15";
@@ -114,6 +115,37 @@ void measure_white_rooms(const RelationCase& own, RelationLog& log) {
   measure_white({"memory of 0.999 a frame, albedo 0.99", 0.999, false, false}, nearly_all, first, log);
   ProbeMemory reacting(with(own.settings.probes.hysteresis_tau_s, true));
   measure_white({"switched lights, albedo 0.99, reaction on", 0, true, true}, reacting, first, log);
+}
+
+// Where radiance is 1 all around, the next frame's is 0.01 + 0.99 times 1. Less is no fault: a surface that
+// no probe sees well is darker.
+void measure_probe_furnace(const RelationCase& own, RelationLog& log) {
+  Relation relation;
+  relation.name = "furnace of albedo 0.99";
+  relation.holds =
+      "among surfaces that emit 0.01 and reflect 0.99, probes that know radiance 1 know no more of it "
+      "afterwards: bounces add up to 100 times the first and no more";
+  relation.bound = kProbeFrames * (kPublished + kSums) + kPublished;
+  relation.unit = "relative excess";
+  relation.bound_from =
+      "each of 16 bounces reads light with 13 bits (2^-14) and sums floats (2^-15); a bounce that gave 0.1 % "
+      "too much would be off by 1.5 %";
+  RelationCase first = own;
+  first.settings.probes.hysteresis_tau_s = 0;
+  ProbeMemory glowing(furnace_case(first, 0)), white(furnace_case(first, kWhite));
+  glowing.step(glowing.at(0));
+  white.renderer().restore(glowing.renderer().state());
+  const double all = glm::pi<double>();
+  WorstProbe worst;
+  for (int frame = 1; frame <= kProbeFrames; ++frame) {
+    white.step(white.at(frame));
+    const ProbeLight now = white.light();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double got = double{now[i]};
+      worst.offer(got / all - 1, i, white.probes(), got, all);
+    }
+  }
+  log.measured(relation, worst.error, worst.where);
 }
 
 enum class Switching : std::uint8_t { on, off, switched };
@@ -234,6 +266,7 @@ void measure_probes(const RelationCase& subject, RelationLog& log) {
     return;
   }
   measure_white_rooms(own, log);
+  measure_probe_furnace(own, log);
   ProbeMemory memory(own);
   measure_switched(memory, log);
   measure_same_time(memory, log);

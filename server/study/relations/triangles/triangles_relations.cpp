@@ -11,6 +11,7 @@
 #include "server/study/relations/place/similar_case.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
+#include "server/study/relations/rounding_share.h"
 #include "server/study/relations/triangles/odd_triangles.h"
 
 namespace herr {
@@ -68,9 +69,16 @@ class TriangleRelations {
       log_.not_applicable(std::move(relation), why_no_mesh());
       return;
     }
-    RelationCase odd = subject_;
-    add(odd.scene);
-    tell(relation, draw_(odd), wanted_);
+    const auto drawn = [&](RelationCase odd) { return add(odd.scene), draw_(odd); };
+    measure_but_for_rounding({.relation = std::move(relation),
+                              .caption = "with them | without | difference",
+                              .twins =
+                                  [&](const RelationCase& a) {
+                                    return TwinPictures{drawn(a), draw_(a), {}};
+                                  },
+                              .likeness = {},
+                              .draw = draw_},
+                             subject_, {drawn(subject_), wanted_, {}}, log_);
   }
 
   void measure_duplicates() {
