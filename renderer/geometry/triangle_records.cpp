@@ -121,8 +121,9 @@ float shading_curvature(const std::array<glm::vec3, 3>& corners, const std::arra
     const glm::vec3 across = t0[axis] * f - t1[axis] * e;
     sum += glm::dot(across, across);
   }
-  const float mean2 = 0.5f * sum / glm::dot(area, area) * scale * scale;
-  return std::min(std::sqrt(mean2 < fastest2 ? mean2 : fastest2), 1e30f);  // NaN: no area
+  const float area2 = glm::dot(area, area);
+  const float mean2 = area2 > 0 ? 0.5f * sum / area2 * scale * scale : fastest2;
+  return std::min(std::sqrt(mean2 < fastest2 ? mean2 : fastest2), 1e30f);
 }
 
 float rounded_length(const std::array<glm::vec3, 3>& corners) {
