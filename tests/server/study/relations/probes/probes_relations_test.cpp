@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "server/study/relations/probes/probe_memory.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_case.h"
 #include "server/study/relations/relation_groups.h"
@@ -63,6 +64,23 @@ TEST(ProbesRelationsTest, HoldInAClosedRoomWhateverProbesRemember) {
     EXPECT_TRUE(steps->asked());
     // Light is read with 13 bits: something must be seen of their rounding.
     EXPECT_GT(steps->error, 0);
+  }
+}
+
+// Surfaces that emit 0.01 and reflect 0.99 of 1 shine with 1 again: an irradiance of pi, bounce after bounce.
+// With 0.01 more at each, of which the next gives back 0.99, 16 bounces add 1 - 0.99^16 = 0.149.
+TEST(ProbesRelationsTest, AFurnaceStaysAsBrightAsItIsAndNoBrighter) {
+  RelationCase subject = probe_case(closed_room());
+  subject.settings.probes.hysteresis_tau_s = 0;
+  for (const float too_much : {0.0f, 0.01f}) {
+    RelationCase white = furnace_case(subject, 0.99f);
+    white.scene.materials[0].emission += glm::vec3{too_much};
+    ProbeMemory glowing(furnace_case(subject, 0)), memory(white);
+    glowing.step(glowing.at(0));
+    memory.renderer().restore(glowing.renderer().state());
+    for (int frame = 1; frame <= 16; ++frame) memory.step(memory.at(frame));
+    const double most = brightest(memory.light()) / 3.14159265358979;
+    EXPECT_NEAR(most, too_much == 0 ? 1 : 1.149, 3e-3);
   }
 }
 
