@@ -27,8 +27,8 @@ void add_triangles_without_area(Scene& scene);
 // on two sides of an axis plane, which shading does not interpolate along straight lines. Beyond a million
 // triangles one of several is divided.
 void divide_into_needles(Scene& scene);
-// One triangle in a rigid mesh that only one instance shows (a copy, where several do), from `from` to 1e8 m along `away`, a unit vector; `width` wide at its near end
-// along `across`. All in the world.
+// One triangle in a rigid mesh that only one instance shows (a copy, where several do), from `from` to 1e8 m
+// along `away`, a unit vector; `width` wide at its near end along `across`. All in the world.
 struct FarTriangle {
   glm::dvec3 from{0.0}, away{0.0}, across{0.0};
   double width_m = 0;
