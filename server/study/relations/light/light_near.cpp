@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,11 +39,12 @@ struct NearScene {
   glm::dvec3 eye, gaze, right, up;
 
   explicit NearScene(RelationCase world) : white(std::move(world)), search(white.scene) {
+    const auto e = static_cast<std::size_t>(white.profile.viewports.front().eye);
     const Pose world_from_eye =
-        white.scene.world_from_session * white.sample.head.world_from_head * white.sample.head_from_eye[0];
+        white.scene.world_from_session * white.sample.head.world_from_head * white.sample.head_from_eye[e];
     eye = world_from_eye.position;
     gaze = white.scene.world_from_session.orientation *
-           (white.sample.head.world_from_head.orientation * white.sample.gaze.head_direction[0]);
+           (white.sample.head.world_from_head.orientation * white.sample.gaze.head_direction[e]);
     right = world_from_eye.orientation * glm::dvec3(1, 0, 0);
     up = world_from_eye.orientation * glm::dvec3(0, 1, 0);
   }
@@ -57,15 +59,52 @@ struct NearScene {
   }
 };
 
-// Looks where the left eye's gaze goes, then farther and farther around it, for a surface that is not seen
-// at a grazing angle and that will do.
+// The pixel of a viewport in which its eye sees a place.
+std::optional<glm::ivec2> pixel_of(const NearScene& near, const Viewport& viewport, const glm::dvec3& place) {
+  const glm::dvec3 way = place - near.eye;
+  const double ahead = glm::dot(way, glm::cross(near.up, near.right));
+  if (viewport.eye != near.white.profile.viewports.front().eye || !(ahead > 0)) return std::nullopt;
+  const double x = (glm::dot(way, near.right) / ahead - viewport.tan_left) /
+                   (viewport.tan_right - viewport.tan_left),
+               y = (viewport.tan_up - glm::dot(way, near.up) / ahead) / (viewport.tan_up - viewport.tan_down);
+  if (!(x >= 0 && x < 1 && y >= 0 && y < 1)) return std::nullopt;
+  return glm::ivec2(static_cast<int>(x * viewport.width_px), static_cast<int>(y * viewport.height_px));
+}
+
+bool is_in_view(const NearScene& near, const glm::dvec3& place) {
+  const std::vector<Viewport>& viewports = near.white.profile.viewports;
+  return std::any_of(viewports.begin(), viewports.end(),
+                     [&](const Viewport& viewport) { return pixel_of(near, viewport, place).has_value(); });
+}
+
+// The brightest of 9 pixels about a place, in the viewport where it is darkest.
+double seen_at(const NearScene& near, const std::vector<LinearPicture>& pictures, const glm::dvec3& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v < pictures.size(); ++v) {
+    const auto pixel = pixel_of(near, near.white.profile.viewports[v], place);
+    if (!pixel) continue;
+    double brightest = 0;
+    for (int y = std::max(0, pixel->y - 1); y < std::min(pictures[v].height_px, pixel->y + 2); ++y) {
+      for (int x = std::max(0, pixel->x - 1); x < std::min(pictures[v].width_px, pixel->x + 2); ++x) {
+        const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(pictures[v].width_px) +
+                       static_cast<std::size_t>(x);
+        brightest = std::max(brightest, double{pictures[v].plane[1][i]});
+      }
+    }
+    least = std::min(least, brightest);
+  }
+  return least;
+}
+
+// Looks where the gaze of the first viewport's eye goes, then farther and farther around it, for a surface in
+// view that is not seen at a grazing angle and that will do.
 std::optional<SeenSpot> seen_spot(const NearScene& near,
                                   const std::function<bool(const SeenSpot&)>& will_do) {
-  for (const double tangent : {0.0, 0.05, 0.1, 0.2, 0.35, 0.5}) {
+  for (const double tangent : {0.0, 0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0}) {
     for (int turn = 0; turn < (tangent > 0 ? 8 : 1); ++turn) {
       const auto spot = near.beside(near.gaze, tangent, turn);
       if (!spot || !(glm::dot(spot->normal, glm::normalize(spot->place - near.eye)) < -0.3)) continue;
-      if (will_do(*spot)) return spot;
+      if (is_in_view(near, spot->place) && will_do(*spot)) return spot;
     }
   }
   return std::nullopt;
@@ -204,9 +243,9 @@ void measure_lit(const NearScene& near, CountedPictures& counted, RelationLog& l
   RelationCase white = near.white;
   white.state.lights =
       white.scene.lights = {light_at(centre_of(*spot), glm::vec3(static_cast<float>(2 * radius_at(*spot))))};
-  const double brightest = largest_value(counted.of(white));
-  log.measured(relation, std::max(0.0, 1 - brightest / wanted),
-               figure(brightest) + " of I / (pi r^2), of " + figure(wanted) + " or more");
+  const double seen = seen_at(near, counted.of(white), spot->place);
+  log.measured(relation, std::max(0.0, 1 - seen / wanted),
+               figure(seen) + " of I / (pi r^2), of " + figure(wanted) + " or more");
 }
 
 }  // namespace
