@@ -121,12 +121,12 @@ std::vector<NamedGaze> gazes_at_limits(const RelationCase& subject) {
       {"lost", lost}};
 }
 
-std::vector<SampledGaze> gazes_around(const FrameSample& sample) {
+std::vector<SampledGaze> gazes_around(const FrameSample& sample, double within_deg) {
   constexpr int kGazes = 16;
   const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
   std::vector<SampledGaze> gazes(kGazes, sample.gaze);
   for (int i = 0; i < kGazes; ++i) {
-    const double off = glm::radians(10.0) * std::sqrt((i + 0.5) / kGazes), about = golden_angle * i;
+    const double off = glm::radians(within_deg) * std::sqrt((i + 0.5) / kGazes), about = golden_angle * i;
     const glm::dquat turn = glm::angleAxis(off, glm::dvec3(std::cos(about), std::sin(about), 0));
     for (glm::dvec3& direction : gazes[static_cast<std::size_t>(i)].head_direction)
       direction = turn * direction;
@@ -155,6 +155,12 @@ DisplayProfile single_viewport(double degrees, int pixels) {
   profile.name = "single";
   profile.viewports = {viewport};
   return profile;
+}
+
+RelationCase own_surfaces(RelationCase subject) {
+  subject = hard_light(std::move(subject));
+  subject.settings.detail_error = 0;
+  return subject;
 }
 
 RelationCase white_case(RelationCase subject) {
@@ -233,6 +239,20 @@ PolarSize finer_than_pixels(const RelationCase& subject) {
   }
   const PolarSize most = largest_polar_size();
   return {even_up_to(width, most.width), even_up_to(height, most.height)};
+}
+
+PolarSize finer_than_pixels_ahead(double degrees, int pixels, double within_deg) {
+  const Viewport v = single_viewport(degrees, pixels).viewports.front();
+  const double corner = std::hypot(v.tan_right, v.tan_up), pixel = (v.tan_right - v.tan_left) / pixels;
+  const double reach = glm::degrees(std::atan(corner)) + within_deg;
+  const double density = finest_pixels_per_degree(v);
+  // Across the radius a pixel at the corner is `pixel` wide, so far away; and by `within` the radius of the
+  // buffer turns away from that of the viewport.
+  const double around =
+      glm::radians(std::hypot(1.0, corner) / pixel) + density * std::sin(glm::radians(within_deg));
+  const PolarSize most = largest_polar_size();
+  return {even_up_to(density * PolarMap::up_to(reach).log_range * (1 + reach), most.width),
+          even_up_to(360 * around, most.height)};
 }
 
 }  // namespace herr

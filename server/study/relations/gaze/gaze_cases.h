@@ -18,8 +18,8 @@ struct NamedGaze {
 
 // In the middle of the first viewport of each eye, at its corner, 80 degrees off, behind the head, and lost.
 std::vector<NamedGaze> gazes_at_limits(const RelationCase& subject);
-// 16 of them, spread evenly within 10 degrees of the sample's.
-std::vector<SampledGaze> gazes_around(const FrameSample& sample);
+// 16 of them, spread evenly within so many degrees of the sample's.
+std::vector<SampledGaze> gazes_around(const FrameSample& sample, double within_deg);
 // Of no direction: not a number, infinite, of no length.
 std::vector<SampledGaze> gazes_of_no_direction();
 // Straight ahead of each eye.
@@ -27,6 +27,10 @@ SampledGaze gaze_ahead(const FrameSample& sample);
 
 // One viewport of the left eye, so many degrees across.
 DisplayProfile single_viewport(double degrees, int pixels);
+
+// The user's own surfaces, under light without chance; full meshes, since which coarser form is shown depends
+// on the one before.
+RelationCase own_surfaces(RelationCase subject);
 
 // Every surface shows 1 and so does what lies behind, on every pixel, without a feed. Lights are left out:
 // they would darken catchers.
@@ -45,6 +49,9 @@ struct PolarSize {
   int width = 0, height = 0;
 };
 PolarSize finer_than_pixels(const RelationCase& subject);
+// The same for single_viewport() and a gaze straight ahead to within so many degrees: of a viewport whose
+// pixels are far finer along the radius than around.
+PolarSize finer_than_pixels_ahead(double degrees, int pixels, double within_deg);
 // Most that the settings allow, of each.
 PolarSize largest_polar_size();
 

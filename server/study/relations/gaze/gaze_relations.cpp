@@ -1,13 +1,11 @@
 // Wherever the eye looks every pixel has data: gaze, polar widths and viewports at their limits.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "server/study/relations/gaze/gaze_cases.h"
+#include "server/study/relations/gaze/gaze_widths.h"
 #include "server/study/relations/relation.h"
 #include "server/study/relations/relation_groups.h"
-#include "server/study/report/figure_text.h"
 #include "server/text/number_text.h"
 
 namespace herr {
@@ -15,8 +13,6 @@ namespace {
 
 constexpr double kHalfRounding = 0x1p-11;  // of a value up to 1
 constexpr int kSingleViewport_px = 64;
-constexpr std::array kWidths{1, 8, 64, 512};  // whose errors are compared
-constexpr double kNoiseRatio = 2 / 1.25;
 
 // What is kept of the worst frame.
 struct WorstFrame {
@@ -46,7 +42,7 @@ class GazeRelations {
     measure_coverage();
     measure_no_direction();
     measure_jumps();
-    measure_widths();
+    invalid_ += measure_gaze_widths(draw_, subject_, log_);
     tell_counters();
   }
 
@@ -146,16 +142,8 @@ class GazeRelations {
     log_.measured(relation, worst.distance.error, worst.where());
   }
 
-  // The user's own surfaces, under light without chance; full meshes, since which coarser form is shown
-  // depends on the one before.
-  RelationCase own_case() const {
-    RelationCase own = hard_light(subject_);
-    own.settings.detail_error = 0;
-    return own;
-  }
-
   void measure_no_direction() {
-    RelationCase own = own_case();
+    RelationCase own = own_surfaces(subject_);
     own.sample.gaze = gaze_ahead(own.sample);
     Renderer renderer(own.scene, own.profile, own.settings, false);
     next(renderer, own);
@@ -177,7 +165,7 @@ class GazeRelations {
   }
 
   void measure_jumps() {
-    RelationCase own = own_case();
+    RelationCase own = own_surfaces(subject_);
     const std::vector<NamedGaze> gazes = gazes_at_limits(own);
     std::vector<std::vector<LinearPicture>> wanted;
     for (const NamedGaze& gaze : gazes) {
@@ -210,121 +198,6 @@ class GazeRelations {
     if (worst.error > 0)
       shown = worst_pictures(worst, got_worst, wanted_worst, "after a jump | by a new renderer | difference");
     log_.measured(relation, worst.error, worst.where.empty() ? "" : when + worst.where, std::move(shown));
-  }
-
-  // Rays of no width: then textures and voxels are the same function of the direction for any buffer.
-  RelationCase sampled_case() const {
-    RelationCase own = own_case();
-    own.settings.ray_width = 0;
-    own.settings.filter = ResampleFilter::bilinear;
-    own.settings.gaze_marker = own.settings.debug_tiles = false;
-    own.settings.covered_pixels = true;
-    return own;
-  }
-
-  void measure_widths() {
-    RelationCase by_pixel = sampled_case();
-    by_pixel.settings.foveation = Foveation::off;
-    by_pixel.settings.scale = 1;
-    {
-      Renderer renderer(by_pixel.scene, by_pixel.profile, by_pixel.settings, false);
-      next(renderer, by_pixel);
-    }
-    const std::vector<LinearPicture> wanted = pictures();
-    RelationCase own = sampled_case();
-    own.settings.polar_width = kWidths.back();
-    const std::vector<SampledGaze> gazes = gazes_around(own.sample);
-    Renderer renderer(own.scene, own.profile, own.settings, false);
-    std::array<std::vector<double>, kWidths.size()> squares;  // of the error of each gaze
-    for (const SampledGaze& gaze : gazes) {
-      own.sample.gaze = gaze;
-      for (std::size_t w = 0; w < kWidths.size(); ++w) {
-        next(renderer, own, kWidths[w]);
-        const double error = rms_difference(pictures(), wanted);
-        squares[w].push_back(error * error);
-      }
-    }
-    for (std::size_t w = 1; w < kWidths.size(); ++w)
-      tell_width(kWidths[w - 1], squares[w - 1], kWidths[w], squares[w]);
-    measure_fine(wanted);
-  }
-
-  void tell_width(int narrow, const std::vector<double>& narrow_squares, int wide,
-                  const std::vector<double>& wide_squares) {
-    Relation relation;
-    relation.name = "error at polar width " + std::to_string(wide) + " against " + std::to_string(narrow);
-    relation.holds =
-        "over 16 gazes within 10 degrees of the user's, the mean square error against one ray per pixel is "
-        "at "
-        "most 1.6 times that of a polar buffer an eighth as wide";
-    relation.kind = RelationKind::statistical;
-    relation.bound = 4;
-    relation.unit = "standard errors";
-    relation.bound_from =
-        "wherever the samples fall, on the mean nearer ones tell more; of mere noise a pixel is off by its "
-        "variance times 1 + the sum of the squared weights of four samples, 1.25 to 2, whatever the width";
-    const auto count = static_cast<double>(wide_squares.size());
-    double mean = 0, spread = 0, narrow_mean = 0, wide_mean = 0;
-    std::vector<double> beyond(wide_squares.size());
-    for (std::size_t i = 0; i < beyond.size(); ++i) {
-      beyond[i] = wide_squares[i] - kNoiseRatio * std::max(narrow_squares[i], kHalfRounding * kHalfRounding);
-      mean += beyond[i] / count;
-      narrow_mean += narrow_squares[i] / count, wide_mean += wide_squares[i] / count;
-    }
-    for (const double value : beyond) spread += (value - mean) * (value - mean);
-    const double error = std::sqrt(spread / (count * (count - 1)));
-    log_.measured(relation, mean <= 0 ? 0 : mean / error,
-                  "RMS " + figure(std::sqrt(wide_mean)) + " after " + figure(std::sqrt(narrow_mean)));
-  }
-
-  void measure_fine(const std::vector<LinearPicture>& wanted) {
-    RelationCase own = sampled_case();
-    const PolarSize size = finer_than_pixels(own);
-    own.settings.polar_width = size.width;
-    own.settings.polar_height = size.height;
-    Renderer renderer(own.scene, own.profile, own.settings, false);
-    next(renderer, own);
-    const std::vector<LinearPicture> got = pictures();
-    const double error = rms_difference(got, wanted), apart = rms_of_neighbours(wanted);
-    Relation relation;
-    relation.name = "error of a buffer finer than pixels";
-    relation.holds =
-        "polar samples nearer to one another than pixels differ from one ray per pixel by less than "
-        "neighbouring pixels do from one another";
-    relation.bound = std::sqrt(2.0 / 3);
-    relation.unit = "ratio of root mean squares";
-    relation.bound_from =
-        "a pixel is a mean of samples a third of a pixel away along each axis, which lie beyond an edge a "
-        "third "
-        "as often as the neighbour, and the square of two steps is at most twice the sum of their squares; "
-        "in "
-        "mere noise a sample is off by half of what two neighbours are";
-    const PictureDistance farthest = largest_relative(got, wanted, 1, own.profile);
-    log_.measured(relation, error / std::max(apart, kHalfRounding),
-                  std::to_string(size.width) + " x " + std::to_string(size.height) + " samples, RMS " +
-                      figure(error) + ", of neighbours " + figure(apart),
-                  worst_pictures(farthest, got, wanted, "polar samples | one ray per pixel | difference"));
-  }
-
-  // Root of the mean squares of differences to the pixel on the right and to the one below, added up.
-  static double rms_of_neighbours(const std::vector<LinearPicture>& pictures) {
-    double sum = 0, count = 0;
-    for (const LinearPicture& picture : pictures) {
-      const auto width = static_cast<std::size_t>(picture.width_px),
-                 height = static_cast<std::size_t>(picture.height_px);
-      for (const auto& plane : picture.plane) {
-        const auto at = [&](std::size_t x, std::size_t y) {
-          return std::clamp(double{plane[y * width + x]}, 0.0, 1.0);
-        };
-        for (std::size_t y = 0; y + 1 < height; ++y) {
-          for (std::size_t x = 0; x + 1 < width; ++x) {
-            const double right = at(x + 1, y) - at(x, y), below = at(x, y + 1) - at(x, y);
-            sum += right * right + below * below, count += 1;
-          }
-        }
-      }
-    }
-    return count > 0 ? std::sqrt(sum / count) : 0;
   }
 
   void tell_counters() {
