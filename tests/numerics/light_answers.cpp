@@ -120,15 +120,13 @@ constexpr ExactAnswer kLightAnswers[] = {
      kPixelRounding},
     {"LineNear", "irradiance below a light of 1 m x 0 x 0, half a metre away", line_near,
      kPixelStep + 0x1p-14, "relative",
-     "half floats, 2^-11, and 4 standard errors of chance: h / r^3 changes by 3 / m at most, over 256 strata "
-     "of "
-     "256 pixels"},
+     "half floats, 2^-11, and 4 standard errors of chance: h / r^3 changes by 3.3 / m of "
+     "its mean at most, over 256 strata of 256 pixels"},
     {"LineFar", "the same 5 m away", line_far, kPixelStep, "relative", kPixelRounding},
     {"RectangleNear", "irradiance below a light of 1 m x 0 x 1 m, half a metre away", rectangle_near,
-     kPixelStep + 3e-4, "relative",
-     "half floats, 2^-11, and 4 standard errors of chance: h / r^3 changes by 3 / m at most along either "
-     "axis, "
-     "over 1024 strata of 256 pixels"},
+     kPixelStep + 3.3e-4, "relative",
+     "half floats, 2^-11, and 4 standard errors of chance: h / r^3 changes by 3.3 / m of "
+     "its mean at most along either axis, over 1024 strata of 256 pixels"},
     {"RectangleFar", "irradiance below a light of 1 m x 0 x 0.5 m, 5 m away", rectangle_far, kPixelStep,
      "relative", kPixelRounding},
     {"PenumbraOfASquare", "mean visible share of a square light behind a straight edge, 64 samples",
