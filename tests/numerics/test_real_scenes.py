@@ -19,6 +19,7 @@ SKIPPED = 77
 PLACES = {
     "DamagedHelmet": {"translation": [0.05, 1.0, 1.1], "scale": 0.3},
     "CesiumMan": {"translation": [0.05, 0.0, 1.1], "scale": 0.7},
+    "ClearCoatTest": {"translation": [0.05, 1.0, 1.1], "scale": 0.08},
     "TransmissionTest": {"translation": [0.05, 0.9, 1.1], "scale": 0.5},
 }
 
