@@ -34,7 +34,7 @@ def answer(error, bound):
 
 class Page(unittest.TestCase):
     def records(self, *results):
-        return {"room": {"results": list(results), "seconds": 2.0, "cpu": "CPU", "isa": "avx2"}}
+        return {"room": {"results": list(results), "cpu_s": 2.0, "cpu": "CPU", "isa": "avx2"}}
 
     def test_what_lies_beyond_its_bound_or_is_no_number_fails(self):
         self.assertEqual(numerics.failures([answer(2, 1)], self.records(result(2.0))), ["light", "room: moved"])
