@@ -1,6 +1,8 @@
 #include "renderer/geometry/mesh_geometry.h"
 
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace herr {
 
@@ -12,8 +14,8 @@ MeshGeometry build_mesh(const EmbreeDevice& device, const TriangleMesh& mesh, co
   void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                           sizeof(mesh.triangles[0]), mesh.triangles.size());
   check_embree(device.get());
-  std::memcpy(vertices, mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3));
-  std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
+  std::ranges::copy(mesh.positions, static_cast<glm::vec3*>(vertices));
+  std::ranges::copy(mesh.triangles, static_cast<std::array<std::uint32_t, 3>*>(indices));
   if (filter.instances != nullptr) filter_hits(geometry, *filter.instances);
   rtcCommitGeometry(geometry);
   MeshGeometry built{EmbreeSceneHandle(device), {}};

@@ -3,8 +3,8 @@
 // bytes.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -55,7 +55,7 @@ class ByteSource {
  private:
   void take(void* to, std::size_t size) {
     if (size > bytes_.size()) throw std::invalid_argument("probe state is cut off");
-    std::memcpy(to, bytes_.data(), size);
+    std::copy_n(bytes_.data(), size, static_cast<std::byte*>(to));
     bytes_ = bytes_.subspan(size);
   }
   std::span<const std::byte> bytes_;
