@@ -5,15 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "server/bench/bench_subject.h"
-#include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/study/findings/study_advice.h"
 #include "server/study/findings/study_fits.h"
 #include "server/study/findings/study_points.h"
 #include "server/study/reference/reference_spec.h"
 #include "server/study/report/difference_picture.h"
-#include "server/study/study_command_line.h"
+#include "server/study/study_head.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -126,15 +124,7 @@ void add_gaze_warning(StudyRecord& record) {
 StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyRun& run) {
   const SessionReport& report = subject.report();
   StudyRecord record;
-  record.program = program_with_version();
-  record.command_line = study_command_line(options);
-  record.session = report.header.name;
-  record.scene = report.scene_name;
-  record.profile = report.profile.name;
-  record.cpu = cpu_name();
-  record.isa = name_of(subject.defaults().isa);
-  record.triangles = report.scene_triangles;
-  record.threads = subject.defaults().threads;
+  static_cast<ReportHead&>(record) = report_head_of(options, report);
   record.minutes_allowed = options.minutes;
   record.default_settings = settings_text(subject.defaults());
   const StudyFrames& frames = subject.frames();

@@ -197,18 +197,22 @@ nlohmann::ordered_json study_picture_json(const StudyPicture& picture) {
   return json;
 }
 
+void put_head(nlohmann::ordered_json& json, const ReportHead& head) {
+  put_text(json, "program", head.program);
+  put_text(json, "command_line", head.command_line);
+  put_text(json, "session", head.session);
+  put_text(json, "scene", head.scene);
+  put_text(json, "profile", head.profile);
+  put_text(json, "cpu", head.cpu);
+  put_text(json, "isa", head.isa);
+  json["triangles"] = head.triangles;
+  json["threads"] = head.threads;
+}
+
 nlohmann::ordered_json study_json(const StudyRecord& record) {
   const auto text = [](const std::string& line) { return Json(clean_text(line)); };
   Json json{{"study_version", kStudyVersion}};
-  put_text(json, "program", record.program);
-  put_text(json, "command_line", record.command_line);
-  put_text(json, "session", record.session);
-  put_text(json, "scene", record.scene);
-  put_text(json, "profile", record.profile);
-  put_text(json, "cpu", record.cpu);
-  put_text(json, "isa", record.isa);
-  json["triangles"] = record.triangles;
-  json["threads"] = record.threads;
+  put_head(json, record);
   put_number(json, "minutes_allowed", record.minutes_allowed);
   put_number(json, "minutes_taken", record.minutes_taken);
   put_text(json, "default_settings", record.default_settings);

@@ -18,7 +18,9 @@ nlohmann::ordered_json study_json(const StudyRecord& record);
 // Throws InputError for what is no study.json of this version, with the field; `source` names the file.
 StudyRecord read_study(const nlohmann::json& document, const std::string& source);
 
-// Parts that other reports have too. read_: throws InputError.
+// Parts that other reports have too. read_: throws InputError. A head is the fields "program" to "threads".
+void put_head(nlohmann::ordered_json& json, const ReportHead& head);
+void read_head(const JsonObject& object, ReportHead& head);
 nlohmann::ordered_json study_frame_json(const StudyFrame& frame);
 nlohmann::ordered_json study_picture_json(const StudyPicture& picture);
 StudyFrame read_study_frame(const JsonObject& object);

@@ -198,21 +198,25 @@ void check_study_version(const JsonObject& object) {
 }
 
 void read_subject(const JsonObject& object, StudyRecord& record) {
-  record.program = bounded_text(object, "program");
-  record.command_line = bounded_text(object, "command_line");
-  record.session = bounded_text(object, "session");
-  record.scene = bounded_text(object, "scene");
-  record.profile = bounded_text(object, "profile");
-  record.cpu = bounded_text(object, "cpu");
-  record.isa = bounded_text(object, "isa");
-  record.triangles = object.integer("triangles", 0, std::numeric_limits<std::int64_t>::max());
-  record.threads = count_of(object, "threads");
+  read_head(object, record);
   record.minutes_allowed = number_of(object, "minutes_allowed");
   record.minutes_taken = number_of(object, "minutes_taken");
   record.default_settings = bounded_text(object, "default_settings");
 }
 
 }  // namespace
+
+void read_head(const JsonObject& object, ReportHead& head) {
+  head.program = bounded_text(object, "program");
+  head.command_line = bounded_text(object, "command_line");
+  head.session = bounded_text(object, "session");
+  head.scene = bounded_text(object, "scene");
+  head.profile = bounded_text(object, "profile");
+  head.cpu = bounded_text(object, "cpu");
+  head.isa = bounded_text(object, "isa");
+  head.triangles = object.integer("triangles", 0, std::numeric_limits<std::int64_t>::max());
+  head.threads = count_of(object, "threads");
+}
 
 std::vector<std::string> read_study_lines(const JsonObject& object, const char* key) {
   const nlohmann::json& found = object.value(key);

@@ -113,12 +113,16 @@ struct StudyPicture {
   std::vector<std::uint8_t> png;
 };
 
-struct StudyRecord {
+// What a report is about, and on which machine.
+struct ReportHead {
   std::string program;       // "herr 0.x"
   std::string command_line;  // that does it again
   std::string session, scene, profile, cpu, isa;
   std::int64_t triangles = 0;
   int threads = 0;
+};
+
+struct StudyRecord : ReportHead {
   double minutes_allowed = 0, minutes_taken = 0;
   std::string default_settings;  // one line
   std::vector<StudyFrame> frames, clip;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "server/study/report/figure_text.h"
+#include "server/study/report/report_facts.h"
 #include "server/study/report/study_plots.h"
 
 namespace herr {
@@ -71,26 +72,16 @@ void drop_empty_columns(ReportTable& table) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> study_facts(const StudyRecord& record) {
-  std::vector<std::pair<std::string, std::string>> facts;
-  const auto add = [&](const char* name, std::initializer_list<std::string> parts) {
-    std::string value;
-    for (const std::string& part : parts) value += (part.empty() || value.empty() ? "" : ", ") + part;
-    if (!value.empty()) facts.push_back({name, value});
-  };
-  const auto counted = [](std::int64_t count, const char* what) {
-    return count > 0 ? std::to_string(count) + " " + what : std::string();
-  };
-  add("Session", {record.session});
-  add("Scene", {record.scene, counted(record.triangles, "triangles")});
-  add("Profile", {record.profile});
-  add("Machine", {record.cpu, record.isa, counted(record.threads, "threads")});
-  add("Measured",
+  ReportFacts facts;
+  facts.add_head(record);
+  facts.add(
+      "Measured",
       {std::to_string(record.points.size()) + " settings on " + std::to_string(record.frames.size()) +
        (record.frames.size() == 1 ? " frame" : " frames") + ", in " + fixed_figure(record.minutes_taken, 1) +
        " of " + fixed_figure(record.minutes_allowed, 1) + " minutes"});
-  add("Default", {record.default_settings});
-  add("Program", {record.program});
-  return facts;
+  facts.add("Default", {record.default_settings});
+  facts.add("Program", {record.program});
+  return facts.take();
 }
 
 ReportTable frame_table(const StudyRecord& record) {

@@ -2,11 +2,9 @@
 
 #include <utility>
 
-#include "server/bench/bench_subject.h"
-#include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/study/stability/report/stability_pictures.h"
-#include "server/study/study_command_line.h"
+#include "server/study/study_head.h"
 
 namespace herr {
 namespace {
@@ -27,15 +25,7 @@ StabilityRecord stability_record_of(const StudyOptions& options, const Stability
   const SessionReport& report = subject.report();
   const RelationCase& asked = subject.relations();
   StabilityRecord record;
-  record.program = program_with_version();
-  record.command_line = study_command_line(options);
-  record.session = report.header.name;
-  record.scene = report.scene_name;
-  record.profile = report.profile.name;
-  record.cpu = cpu_name();
-  record.isa = name_of(report.settings.isa);
-  record.triangles = report.scene_triangles;
-  record.threads = report.settings.threads;
+  static_cast<ReportHead&>(record) = report_head_of(options, report);
   record.settings = settings_text(asked.settings);
   record.viewports = sizes_of(asked.profile);
   record.frame = subject.frame();

@@ -66,16 +66,8 @@ Json stability_definitions() {
 
 Json stability_json(const StabilityRecord& record) {
   Json json{{"stability_version", kStabilityVersion}};
-  put_clean(json, "program", record.program);
-  put_clean(json, "command_line", record.command_line);
-  put_clean(json, "session", record.session);
-  put_clean(json, "scene", record.scene);
-  put_clean(json, "profile", record.profile);
+  put_head(json, record);
   put_clean(json, "viewports", record.viewports);
-  put_clean(json, "cpu", record.cpu);
-  put_clean(json, "isa", record.isa);
-  json["triangles"] = record.triangles;
-  json["threads"] = record.threads;
   put_clean(json, "settings", record.settings);
   json["frame"] = study_frame_json(record.frame);
   put_any_number(json, "seconds", record.seconds);

@@ -100,16 +100,8 @@ StabilityRecord read_stability(const nlohmann::json& document, const std::string
                      "pictures",
                      "definitions"});
   StabilityRecord record;
-  record.program = object.text("program");
-  record.command_line = object.text("command_line");
-  record.session = object.text("session");
-  record.scene = object.text("scene");
-  record.profile = object.text("profile");
+  read_head(object, record);
   record.viewports = object.text("viewports");
-  record.cpu = object.text("cpu");
-  record.isa = object.text("isa");
-  record.triangles = object.integer("triangles", 0, std::numeric_limits<std::int64_t>::max());
-  record.threads = static_cast<int>(object.integer("threads", 0, std::numeric_limits<int>::max()));
   record.settings = object.text("settings");
   record.frame = read_study_frame(object.object("frame"));
   record.seconds = any_number(object, "seconds");

@@ -15,12 +15,7 @@ namespace herr {
 // Raised whenever a field changes its meaning.
 inline constexpr int kStabilityVersion = 1;
 
-struct StabilityRecord {
-  std::string program;       // "herr 0.x"
-  std::string command_line;  // that does it again
-  std::string session, scene, profile, cpu, isa;
-  std::int64_t triangles = 0;
-  int threads = 0;
+struct StabilityRecord : ReportHead {
   std::string settings;   // of most relations, one line
   std::string viewports;  // as small as they are rendered: "left_context 131x112, ..."
   StudyFrame frame;

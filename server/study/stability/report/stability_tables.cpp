@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "server/study/report/figure_text.h"
+#include "server/study/report/report_facts.h"
 #include "server/study/stability/report/stability_verdict.h"
 
 namespace herr {
@@ -110,27 +111,17 @@ ReportTable terminal_table_of(const Results& results) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> stability_facts(const StabilityRecord& record) {
-  std::vector<std::pair<std::string, std::string>> facts;
-  const auto add = [&](const char* name, std::initializer_list<std::string> parts) {
-    std::string value;
-    for (const std::string& part : parts) value += (part.empty() || value.empty() ? "" : ", ") + part;
-    if (!value.empty()) facts.push_back({name, value});
-  };
-  const auto counted = [](std::int64_t count, const char* what) {
-    return count > 0 ? std::to_string(count) + " " + what : std::string();
-  };
-  add("Session", {record.session});
-  add("Scene", {record.scene, counted(record.triangles, "triangles")});
-  add("Profile", {record.profile, record.viewports});
-  add("Machine", {record.cpu, record.isa, counted(record.threads, "threads")});
-  add("Frame", {std::to_string(record.frame.number), "at " + fixed_figure(record.frame.time_s, 2) + " s",
-                "head at " + fixed_figure(record.frame.head_deg_per_s, 1) + "\u00b0/s",
-                "gaze " + fixed_figure(record.frame.gaze_deg, 1) + "\u00b0 from straight ahead"});
-  add("Settings", {record.settings});
-  add("Asked",
-      {std::to_string(record.results.size()) + " relations in " + fixed_figure(record.seconds, 0) + " s"});
-  add("Program", {record.program});
-  return facts;
+  ReportFacts facts;
+  facts.add_head(record, record.viewports);
+  facts.add("Frame",
+            {std::to_string(record.frame.number), "at " + fixed_figure(record.frame.time_s, 2) + " s",
+             "head at " + fixed_figure(record.frame.head_deg_per_s, 1) + "\u00b0/s",
+             "gaze " + fixed_figure(record.frame.gaze_deg, 1) + "\u00b0 from straight ahead"});
+  facts.add("Settings", {record.settings});
+  facts.add("Asked", {std::to_string(record.results.size()) + " relations in " +
+                      fixed_figure(record.seconds, 0) + " s"});
+  facts.add("Program", {record.program});
+  return facts.take();
 }
 
 std::vector<ReportTable> page_tables(const StabilityRecord& record) {

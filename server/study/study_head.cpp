@@ -1,5 +1,7 @@
-#include "server/study/study_command_line.h"
+#include "server/study/study_head.h"
 
+#include "server/bench/bench_subject.h"
+#include "server/process/version.h"
 #include "server/study/plan/study_setting.h"
 #include "server/text/number_text.h"
 
@@ -24,9 +26,7 @@ std::string only_flag(const StudyOptions& options) {
   return text;
 }
 
-}  // namespace
-
-std::string study_command_line(const StudyOptions& options) {
+std::string command_line_of(const StudyOptions& options) {
   std::string text = "herr study " + std::string(options.stability ? "--stability " : "") +
                      shell_word(options.session.string());
   if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
@@ -37,6 +37,22 @@ std::string study_command_line(const StudyOptions& options) {
     text += " --frames " + std::to_string(options.frames) + " --minutes " + shortest_text(options.minutes);
   }
   return text + only_flag(options) + (options.reading.strict ? " --strict" : "");
+}
+
+}  // namespace
+
+ReportHead report_head_of(const StudyOptions& options, const SessionReport& report) {
+  ReportHead head;
+  head.program = program_with_version();
+  head.command_line = command_line_of(options);
+  head.session = report.header.name;
+  head.scene = report.scene_name;
+  head.profile = report.profile.name;
+  head.cpu = cpu_name();
+  head.isa = name_of(report.settings.isa);
+  head.triangles = report.scene_triangles;
+  head.threads = report.settings.threads;
+  return head;
 }
 
 }  // namespace herr
