@@ -51,14 +51,14 @@ struct RenderSettings {
   double ray_width = 1;
   double detail_error = 0.5;   // samples that a simplified mesh may lie off; 0: full meshes only
   bool covered_pixels = true;  // without foveation: trace context pixels that a focus viewport covers
-  // Each hit takes the mean of what the short rays of hits nearby found on the same surface: of up to nine times
-  // as many.
+  // Each hit takes the mean of what the short rays of hits nearby found on the same surface: of up to nine
+  // times as many.
   bool occlusion_smoothing = true;
-  bool reflections = true;     // trace one mirror bounce where a material asks for it
-  bool refraction = true;      // follow light through transparent materials; off: they are opaque
-  bool camera = true;          // composite over the camera feed where the session has one
-  bool gaze_marker = false;    // red circle around the gaze direction in every viewport
-  bool debug_tiles = false;    // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  bool reflections = true;   // trace one mirror bounce where a material asks for it
+  bool refraction = true;    // follow light through transparent materials; off: they are opaque
+  bool camera = true;        // composite over the camera feed where the session has one
+  bool gaze_marker = false;  // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;  // colour the polar buffer in tiles of 15 degrees (Figure 6)
   // The camera feed is re-projected as if it lay on a sphere of this radius, metres, whose centre is the eye
   // that is displayed. None: the distance that the session names, else kUsualFeedDistance_m.
   std::optional<double> feed_distance_m;
