@@ -156,7 +156,7 @@ def acuity_volume(points, title, sharp_density=60, far_deg=45, sectors=60):
     highest = points[0][1]
     view = View(turn_deg=-25, above_deg=24, scale=300 / most, height_scale=1.2 * most / highest,
                 middle=(430, 455))
-    rings = rings_of(points, sharp_density, far_deg)
+    rings = [*rings_of(points, sharp_density, far_deg), (most, 0.0)]  # down to the ground
     facets = []
     for ring, next_ring in zip(rings, rings[1:]):
         rgb = BLUE if ring[0] >= far_deg else RED if next_ring[1] >= sharp_density else GREEN
