@@ -42,6 +42,7 @@ struct RenderedFrame {
   FrameQuality quality;                   // of this frame, every number resolved; probes 0 without probes
   ProbeCounts probes;                     // all 0 without probes
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
+  std::optional<double> cpu_ms;  // of all threads of the process meanwhile (cpu_use.h); none: not told
 };
 
 // What a frame leaves behind for the next one, beyond buffers that are filled anew: with it a replay goes on
