@@ -43,7 +43,7 @@ struct BenchResult {
   FrameCounters counters;            // of all measured frames together
   int measured_frames = 0;           // frames x repeats
   FramePlan plan;                    // with each trait that the plan of some frame had
-  std::int64_t picture_bytes = 0;    // that the viewports of a frame hold
+  std::int64_t picture_bytes = 0;    // that the pictures of a frame hold
   std::int64_t most_probe_rays = 0;  // of a frame that updates every probe its budget allows, each set
 };
 
@@ -53,7 +53,7 @@ struct BenchRun {
   double frame_ms = 0, bare_ms = 0;  // means over the frames
   double probe_ms = 0;               // likewise: the stages that update probes
   std::optional<double> cpu_ms;      // likewise: CPU time of the process during a frame; none: not told
-  std::int64_t picture_bytes = 0;    // that the viewports of a frame hold
+  std::int64_t picture_bytes = 0;    // that the pictures of a frame hold
   double ratio() const { return bare_ms > 0 ? frame_ms / bare_ms : 0; }
 };
 

@@ -141,9 +141,10 @@ std::array<double, kRayKinds> bare_kinds_ms(BareSide& bare) {
   return ms;
 }
 
-std::int64_t bytes_of_viewports(const RenderedFrame& frame) {
+std::int64_t bytes_of_pictures(const RenderedFrame& frame) {
   std::int64_t sum = 0;
   for (const ViewportImage& viewport : frame.viewports) sum += bytes_of(viewport.rgba_half);
+  for (const FurtherView& view : frame.further) sum += bytes_of(view.image.rgba_half);
   return sum;
 }
 
@@ -224,7 +225,7 @@ BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) 
   const double count = std::max(run.frames, 1);
   run.frame_ms = frames_ms / count, run.bare_ms = bare_ms / count, run.probe_ms = probes_ms / count;
   if (cpu_told) run.cpu_ms = cpu_ms / count;
-  run.picture_bytes = bytes_of_viewports(out);
+  run.picture_bytes = bytes_of_pictures(out);
   return run;
 }
 
@@ -254,7 +255,7 @@ BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeat
                         static_cast<double>(std::max(result.measured_frames, 1));
   result.frame_ms = measured.frame.value(), result.bare_ms = measured.bare.value();
   if (!measured.cpu.of_frame.empty()) result.cpu_ms = measured.cpu.value();
-  result.picture_bytes = bytes_of_viewports(out);
+  result.picture_bytes = bytes_of_pictures(out);
   result.ratio = measured.ratio.value();
   result.rays_frame_ms = measured.rays_frame.value(), result.rays_bare_ms = measured.rays_bare.value();
   result.rays_ratio = measured.rays_ratio.value();

@@ -130,8 +130,7 @@ LeftOutResult measure_left_out(const LeftOutSubject& subject, SessionSequence& s
         entry.added_bytes = planned_bytes(pair.full->memory()) - planned_bytes(pair.planned->memory());
       }
       times.add(pair, prepared, repeats);
-      const PictureMemory pictures{viewport_bytes(pair.planned_frame.viewports),
-                                   camera_bytes(prepared.sample()), 0};
+      const PictureMemory pictures{frame_bytes(pair.planned_frame), camera_bytes(prepared.sample()), 0};
       result.memory = memory_parts(*pair.planned, subject.scene, pictures);
     }
     planned_ms.insert(planned_ms.end(), times.planned_ms.begin(), times.planned_ms.end());

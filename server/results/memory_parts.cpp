@@ -7,7 +7,7 @@
 namespace herr {
 namespace {
 
-constexpr const char *kViewports = "viewport pictures", *kCamera = "camera pictures",
+constexpr const char *kFrames = "frame pictures", *kCamera = "camera pictures",
                      *kEncoders = "encoder buffers";
 
 void set_part(const char* name, std::int64_t bytes, MemoryUse& parts) {
@@ -21,9 +21,10 @@ void set_part(const char* name, std::int64_t bytes, MemoryUse& parts) {
 
 }  // namespace
 
-std::int64_t viewport_bytes(const std::vector<ViewportImage>& viewports) {
+std::int64_t frame_bytes(const RenderedFrame& frame) {
   std::int64_t sum = 0;
-  for (const ViewportImage& viewport : viewports) sum += bytes_of(viewport.rgba_half);
+  for (const ViewportImage& viewport : frame.viewports) sum += bytes_of(viewport.rgba_half);
+  for (const FurtherView& view : frame.further) sum += bytes_of(view.image.rgba_half);
   return sum;
 }
 
@@ -51,7 +52,7 @@ MemoryUse memory_parts(const Renderer& renderer, const Scene& scene, const Pictu
 }
 
 void set_pictures(const PictureMemory& pictures, MemoryUse& parts) {
-  set_part(kViewports, pictures.viewports, parts);
+  set_part(kFrames, pictures.frames, parts);
   set_part(kCamera, pictures.camera, parts);
   set_encoder_bytes(pictures.encoders, parts);
 }

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "renderer/renderer.h"
 #include "scenes/model/scene.h"
@@ -12,12 +11,12 @@
 namespace herr {
 
 struct PictureMemory {
-  std::int64_t viewports = 0;  // finished frames, half floats
-  std::int64_t camera = 0;     // decoded images of the feed
-  std::int64_t encoders = 0;   // 8-bit copies, and files that wait to be written or asked for
+  std::int64_t frames = 0;    // viewports and further views, half floats
+  std::int64_t camera = 0;    // decoded images of the feed
+  std::int64_t encoders = 0;  // 8-bit copies, and files that wait to be written or asked for
 };
 
-std::int64_t viewport_bytes(const std::vector<ViewportImage>& viewports);
+std::int64_t frame_bytes(const RenderedFrame& frame);
 // Images that both eyes see count once.
 std::int64_t camera_bytes(const FrameSample& sample);
 

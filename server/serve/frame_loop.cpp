@@ -131,7 +131,7 @@ void FrameLoop::note_memory(const ServedPictures& pictures) {
   if (pictures.frame.counters.plan_changes > 0) {
     state_.memory = memory_parts(*opened_->renderer, opened_->scene, {});
   }
-  std::int64_t one = viewport_bytes(pictures.frame.viewports);
+  std::int64_t one = frame_bytes(pictures.frame);
   for (const ViewportImage& polar : pictures.polar) one += bytes_of(polar.rgba_half);
   set_pictures({one * picture_storage_.made(), camera_bytes(step_->sample()), 0}, state_.memory);
 }

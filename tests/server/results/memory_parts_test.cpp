@@ -37,7 +37,7 @@ TEST(MemoryParts, ALoadedTextureCountsOnceAsLoadedAndOnceAsTheRendererHasIt) {
             64 * 64 * 4 + static_cast<std::int64_t>(sizeof(TextureImage)));
   // All levels: 64^2 + 32^2 + ... + 1 texels of four bytes, and what says where they are.
   EXPECT_NEAR(double(part(textured, "textures") - part(plain, "textures")), 5461 * 4, 1024);
-  EXPECT_EQ(part(plain, "viewport pictures"), 11);
+  EXPECT_EQ(part(plain, "frame pictures"), 11);
   EXPECT_EQ(part(plain, "camera pictures"), 22);
   EXPECT_EQ(part(plain, "encoder buffers"), 33);
   std::set<std::string> names;
