@@ -6,10 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
+#include "renderer/cpu_use.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/tiles/finite_lanes.h"
@@ -23,6 +25,12 @@ using SteadyClock = std::chrono::steady_clock;
 
 double milliseconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+}
+
+std::optional<double> cpu_ms_since(std::optional<std::int64_t> start_ns) {
+  const std::optional<std::int64_t> now_ns = process_cpu_ns();
+  if (!start_ns || !now_ns) return std::nullopt;
+  return static_cast<double>(*now_ns - *start_ns) * 1e-6;
 }
 
 // Runs one serial stage and books its time.
@@ -118,6 +126,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   out.counters = {};
   std::fill(impl.counters.begin(), impl.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
+  const std::optional<std::int64_t> cpu_start_ns = process_cpu_ns();
 
   timed(out.times, Stage::polar_rays, [&] { impl.follow_gaze(sample); });
   const SceneUpdate update =
@@ -138,6 +147,8 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
+  // Within the wall time, so that it is never more than that on every core.
+  out.cpu_ms = cpu_ms_since(cpu_start_ns);
   out.times.frame_ms = milliseconds_since(start);
   double booked = 0;
   for (const double ms : out.times.ms) booked += ms;

@@ -48,6 +48,7 @@ FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const 
   record.counters = rendered.counters;
   record.probes = rendered.probes;
   record.theta_max_deg = rendered.theta_max_deg;
+  record.cpu_ms = rendered.cpu_ms;
   record.pose_source = sample.head.source;
   record.gaze_source = sample.gaze.source;
   record.pose_age_ms = age_ms(sample.head.age_ns);

@@ -5,6 +5,7 @@
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
 #include "server/process/exit_code.h"
+#include "server/results/memory_parts.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -61,7 +62,8 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
     open_recording(options, report, opened);  // from its start again
   }
   report.plan = opened.renderer->plan();
-  report.memory = opened.renderer->memory();
+  report.memory = memory_parts(*opened.renderer, opened.scene, {});
+  report.load = process_load();
   report.settings = opened.renderer->settings();
 }
 

@@ -24,6 +24,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("sample_ms", record.sample_ms);
   visit("write_ms", record.write_ms);
   visit("wait_ms", record.wait_ms);
+  visit("cpu_ms", record.cpu_ms);
   visit("motion_to_photon_ms", record.motion_to_photon_ms);
   visit("pose_age_ms", record.pose_age_ms);
   visit("gaze_age_ms", record.gaze_age_ms);

@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "server/process/version.h"
+#include "server/results/memory_parts.h"
 #include "server/results/summary_json.h"
 #include "server/statistics/latency_json.h"
+#include "server/statistics/load_json.h"
 #include "server/statistics/quality_json.h"
 
 namespace herr {
@@ -37,6 +39,7 @@ Json optional_json(const std::optional<double>& value) {
 
 Json statistics_json(const RunStatistics& statistics) {
   Json json = latencies_json(statistics);
+  json["load"] = load_json(statistics, process_load());
   json["pace"] = pace_json(statistics);
   json["quality"] = quality_json(statistics);
   json["feed"] = feed_json(statistics);
@@ -57,6 +60,7 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"frame_ms", record.times.frame_ms},
           {"stages_ms", stages},
           {"sample_ms", record.sample_ms},
+          {"cpu_ms", optional_json(record.cpu_ms)},
           {"views_ms", record.times.views_ms},
           {"pose_age_ms", optional_json(record.pose_age_ms)},
           {"gaze_age_ms", optional_json(record.gaze_age_ms)},
@@ -97,6 +101,7 @@ Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, Ti
             {"sequence", snapshot.rendered},
             {"run", {{"frames", frame_counts_json(snapshot.run)}}},
             {"window", window_json(snapshot, now_ns)}};
+  json["load"] = load_json(snapshot.run, process_load());
   if (!snapshot.subject) return json;
   const SessionReport& subject = *snapshot.subject;
   json["replay"] = {{"frame", snapshot.rendered > 0 ? Json(snapshot.frame) : Json(nullptr)},
@@ -138,11 +143,18 @@ Json frames_json(const ServeSnapshot& snapshot, std::int64_t since) {
           {"frames", frames}};
 }
 
-Json plan_reply_json(const ServeSnapshot& snapshot) {
+MemoryUse served_memory(const ServeSnapshot& snapshot, std::int64_t encoder_bytes) {
+  MemoryUse parts = snapshot.memory;
+  set_encoder_bytes(encoder_bytes, parts);
+  return parts;
+}
+
+Json plan_reply_json(const ServeSnapshot& snapshot, std::int64_t encoder_bytes) {
   return {{"format_version", 1},
           {"session", snapshot.subject ? Json(snapshot.subject->name) : Json(nullptr)},
           {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()},
-          {"memory_bytes", snapshot.subject ? memory_json(snapshot.subject->memory) : Json::object()},
+          {"memory_bytes",
+           snapshot.subject ? memory_json(served_memory(snapshot, encoder_bytes)) : Json::object()},
           {"probes", snapshot.run.frames > 0 && snapshot.subject && snapshot.subject->plan.probes
                          ? probes_json(snapshot.run)
                          : Json()}};

@@ -23,6 +23,8 @@ struct FrameRecord {
   double sample_ms = 0;  // sampling the session, decoding a camera image included; before the frame time
   double write_ms = 0;   // encoding, on the render threads, outside the frame time
   double wait_ms = 0;    // waiting for room in the writer's queue
+  // CPU time of all threads of the process during the frame time; none where the kernel does not tell.
+  std::optional<double> cpu_ms;
   // Sampling time minus stamp of the newest sample used; none where a stream is absent or interpolated.
   std::optional<double> pose_age_ms, gaze_age_ms, camera_age_ms;
   // Presentation time minus stamp of the pose used; none when the pose was interpolated.

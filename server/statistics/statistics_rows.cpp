@@ -42,6 +42,11 @@ constexpr std::array kDistributions{
     DistributionRow{"camera_age", "ms", Group::latency,
                     "frame start - stamp of the newest camera image used; of the older one of two",
                     &Run::camera_age, [](const Record& r) { return r.camera_age_ms; }},
+    DistributionRow{
+        "cpu", "ms", Group::load,
+        "CPU time of the whole process, all threads, during the frame time; writers, encoders and "
+        "HTTP replies that ran beside the frame are in it",
+        &Run::cpu, [](const Record& r) { return r.cpu_ms; }},
     DistributionRow{"polar_width", "samples", Group::quality,
                     "radial samples per eye that a frame traced; light_samples: for each light and hit",
                     &Run::polar_width,
