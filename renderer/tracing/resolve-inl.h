@@ -3,6 +3,7 @@
 // they mirror of the virtual objects.
 #pragma once
 
+#include <cmath>
 #include <cstring>
 
 #include "renderer/lighting/refractions-inl.h"
@@ -57,6 +58,28 @@ HWY_INLINE VF light_beyond(VF with_objects, VF without, VF ratio, float smallest
   return hn::IfThenZeroElse(carried, hn::Max(hn::NegMulAdd(ratio, without, with_objects), hn::Zero(kF)));
 }
 
+// Share of what virtual objects change about indirect light that is left at hits outside the box that probes
+// stand for: look-ups there take the outermost probes, and light falls with the square of the distance from
+// the box, R^2 / (R + d)^2 with R half its diagonal. 1 inside.
+HWY_INLINE VF share_outside(const ProbeView& view, const HitBatch& hits, int slot) {
+  const V3 p = sub(load3(hits.position, slot), set3(view.lower));
+  VF outside2 = hn::Zero(kF);
+  float diagonal2 = 0;
+  const auto axis = [&](VF at, std::size_t a) HWY_ATTR {
+    const float spacing = 1 / view.inverse_spacing[a], extent = spacing * static_cast<float>(view.counts[a]);
+    const VF beyond = hn::Max(hn::Sub(at, set(extent)), hn::Sub(set(-spacing), at));
+    const VF off = hn::Max(beyond, hn::Zero(kF));
+    outside2 = hn::MulAdd(off, off, outside2);
+    diagonal2 += extent * extent;
+  };
+  axis(p.x, 0);
+  axis(p.y, 1);
+  axis(p.z, 2);
+  const VF radius = set(0.5f * std::sqrt(diagonal2));
+  const VF share = hn::Div(radius, hn::Add(radius, hn::Sqrt(outside2)));
+  return hn::Mul(share, share);
+}
+
 // What the feed keeps on catchers, and what is added to it: what they mirror, and of virtual light what the
 // ratio cannot carry, as the difference of two renderings (Debevec 1998) of a surface that scatters its
 // colour.
@@ -67,11 +90,14 @@ HWY_INLINE Texel catcher_texel(const TileJob& job, int slot, MF catcher) {
   const bool occlusion = shading.plan->occlusion, probes = shading.catcher_probes != nullptr;
   const VF open = occlusion ? hn::Max(load(&hits.open[slot]), zero) : one;
   const VF open_without = occlusion ? hn::Max(load(&hits.open_without[slot]), zero) : one;
+  const VF left = probes ? share_outside(*shading.probes, hits, slot) : one;
+  const MF outside = hn::Lt(left, one);
   MF beyond = first_lanes(0);
   const auto channel = [&](Lane<float> Lane3::*at, std::size_t c, VF& light, VF& ratio) HWY_ATTR {
     const VF pi = set(kPi), ambient = set(kPi * shading.ambient[c]);
-    const VF all = probes ? hn::Mul(pi, load(&(hits.indirect.*at)[slot])) : ambient;
     const VF all_without = probes ? hn::Mul(pi, load(&(hits.indirect_without.*at)[slot])) : ambient;
+    VF all = probes ? hn::Mul(pi, load(&(hits.indirect.*at)[slot])) : ambient;
+    all = hn::IfThenElse(outside, hn::MulAdd(left, hn::Sub(all, all_without), all_without), all);
     const VF with_objects = hn::MulAdd(all, open, load(&(hits.direct.*at)[slot]));
     const VF without = hn::MulAdd(all_without, open_without, load(&(hits.direct_without.*at)[slot]));
     const float smallest = shading.smallest_irradiance[c], largest = shading.largest_ratio;
