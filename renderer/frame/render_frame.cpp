@@ -257,6 +257,8 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
     shading.environment[channel] = scene.environment[channel];
     shading.smallest_irradiance[channel] = kDarkest * scale[channel];
   }
+  // An overlay without a feed darkens by its coverage: it cannot make brighter what lies behind it.
+  shading.largest_ratio = plan.virtual_lights && !settings.camera ? 1.0f : kLargestRatio;
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
   shading.shown_white = 1.0f / shown_scale();

@@ -71,6 +71,7 @@ struct Renderer::Impl {
   std::array<ProbeView, 2> probe_views;        // all geometry; catchers alone
   std::array<ShadingInputs, 2> probe_shading;  // likewise
   std::vector<LightRecord> probe_lights;       // one sample each
+  std::vector<LightRecord> real_probe_lights;  // of these, those that are not virtual
   std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
 
   // Per worker.

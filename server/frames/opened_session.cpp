@@ -62,6 +62,9 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
     open_recording(options, report, opened);  // from its start again
   }
   report.plan = opened.renderer->plan();
+  if (const std::string glow = glow_without_light(opened.scene, report.plan); !glow.empty()) {
+    opened.scene.warnings.push_back(printable(report.scene_file.string()) + ": " + glow);
+  }
   report.memory = memory_parts(*opened.renderer, opened.scene, {});
   report.load = process_load();
   report.settings = opened.renderer->settings();

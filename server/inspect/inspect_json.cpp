@@ -245,6 +245,7 @@ Json scene_json(const InspectReport& report) {
           {"texture_pixels", scene.texture_pixels},
           {"lights", scene.lights},
           {"moving_lights", scene.moving_lights},
+          {"virtual_lights", scene.virtual_lights},
           {"moving_objects", scene.moving_objects},
           {"ambient", vector_json(scene.ambient)},
           {"environment", vector_json(scene.environment)},

@@ -21,6 +21,8 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
     report.plan = plan_frame(scene, options.render, session_has_camera);
     for (const std::string& warning : scene.warnings)
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    if (const std::string glow = glow_without_light(scene, *report.plan); !glow.empty())
+      report.findings.add(Severity::warning, InputError(report.scene_file, 0, glow, "switch probes on"));
     if (report.scene->degenerate_triangles > 0)
       report.findings.add(Severity::note, InputError(report.scene_file, 0,
                                                      std::to_string(report.scene->degenerate_triangles) +
