@@ -1,5 +1,6 @@
-// What the user can choose about a render; one struct, each field with its default and a sentence. Ranges,
-// flags and names stand in settings_list.cpp: a new field has a row there.
+// What the user can choose about a render; one struct, each field with its default and a sentence. The
+// defaults are the paper's frame. Ranges, flags and names stand in settings_list.cpp: a new field has a row
+// there. Settings that go together by a name stand in settings_presets.cpp.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 // Light that bounces between surfaces, gathered by a grid of probes over time.
 struct ProbeSettings {
-  bool on = false;
+  bool on = true;
   int rays = 64;                    // per probe and update
   int budget = 0;                   // probes updated in a frame, in turn; 0 = all
   double hysteresis_tau_s = 0.365;  // time constant of what probes remember; 0 = nothing
@@ -45,13 +46,16 @@ struct RenderSettings {
   int adaptive_min_samples = 0;
   // random: independent places on the light, what strata are measured against.
   LightSampler light_sampler = LightSampler::jittered;
-  int occlusion_rays = 0;           // short rays of ambient occlusion per first hit; 0: none
+  int occlusion_rays = 1;           // short rays of ambient occlusion per first hit; 0: none
   double occlusion_radius_m = 0.3;  // how far they reach
   // Rays from the eye are this many times as wide as their samples: textures and voxels are read at the level
   // that this asks for. 0: the finest.
   double ray_width = 1;
-  double detail_error = 0.5;        // samples that a simplified mesh may lie off; 0: full meshes only
-  bool covered_pixels = true;       // without foveation: trace context pixels that a focus viewport covers
+  double detail_error = 0.5;   // samples that a simplified mesh may lie off; 0: full meshes only
+  bool covered_pixels = true;  // without foveation: trace context pixels that a focus viewport covers
+  // Each hit takes the mean of what the short rays of hits nearby found on the same surface: of up to nine
+  // times as many.
+  bool occlusion_smoothing = true;
   bool reflections = true;          // trace one mirror bounce where a material asks for it
   bool refraction = true;           // follow light through transparent materials; off: they are opaque
   bool camera = true;               // composite over the camera feed where the session has one

@@ -64,6 +64,7 @@ struct Setting {
   std::string sentence;  // what it does, or what its flag does; says what each word means
   std::variant<NumberSetting, WordSetting, SizeSetting, TextSetting> value;
   std::string otherwise = {};  // what holds where an optional number or a text is none: "the profile's"
+  std::string back_flag = {};  // of a switch that a preset turns: the flag that brings the default back
 };
 
 // A value as JSON has it; std::monostate: none.

@@ -37,6 +37,9 @@ std::vector<Setting> of_rays(RenderSettings& s) {
        one_of(s.light_sampler, {"jittered", "random"})},
       {"occlusion_radius_m", "--occlusion-radius", "m", Group::rays, Effect::pictures,
        "metres that they reach", real(s.occlusion_radius_m, kNearest_m, kFarthest_m)},
+      {"occlusion_smoothing", "--no-occlusion-smoothing", "", Group::rays, Effect::error_for_time,
+       "leave out the mean over what the short rays of neighbours on the same surface found",
+       on_off(s.occlusion_smoothing)},
       {"reflections", "--no-reflections", "", Group::rays, Effect::error_for_time, "trace no mirror rays",
        on_off(s.reflections)},
       {"refraction", "--no-refraction", "", Group::rays, Effect::error_for_time,
@@ -56,8 +59,9 @@ std::vector<Setting> of_rays(RenderSettings& s) {
 
 std::vector<Setting> of_probes(ProbeSettings& p) {
   return {
-      {"probes", "--probes", "", Group::probes, Effect::pictures,
-       "light that bounces between surfaces, gathered by probes", on_off(p.on)},
+      {"probes", "--no-probes", "", Group::probes, Effect::pictures,
+       "constant ambient light in place of light that bounces between surfaces", on_off(p.on), "",
+       "--probes"},
       {"probe_rays", "--probe-rays", "", Group::probes, Effect::error_for_time, "rays of a probe and update",
        whole(p.rays, kFewestProbeRays, kMostProbeRays)},
       {"probe_budget", "--probe-budget", "", Group::probes, Effect::error_for_time,

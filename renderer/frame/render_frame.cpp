@@ -245,6 +245,7 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.lights = lights;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
+  shading.occlusion_smoothing = settings.occlusion_smoothing;
   const EnvironmentImage& outside = scene.environment_map;
   const float turn = outside.turn_deg / 360.0f;
   shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,

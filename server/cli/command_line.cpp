@@ -28,6 +28,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_preset_flags(app, options.render);
   add_render_flags(app, options.render);
   value_flag(app, "--frames", "N", "frames of the session to measure, spread over it (default 8)",
              [&](const std::string& text) {
@@ -66,6 +67,8 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
                options.probes.updates =
                    static_cast<int>(parse_whole_number("--probe-updates", text, 1, 100000));
              });
+  app.add_flag_callback(
+      "--no-probes", [&] { options.render.probes.on = false; }, "the frame plan without probes");
   const std::vector<Setting> settings = settings_of(options.render);
   add_setting_flag(app, setting_named(settings, "probe_rays"));
   add_setting_flags(app, settings, {SettingGroup::machine});
@@ -98,8 +101,8 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_preset_flags(app, options.render);
   add_setting_flags(app, settings_of(options.render), {SettingGroup::look, SettingGroup::rays});
-  add_quality_flag(app, options.render);
   app.add_flag_callback(
       "--decode", [&] { options.decode = true; }, "read every picture whole, not only its header");
   add_probe_dump_flags(app, options);
@@ -222,7 +225,10 @@ void check_required(const ReplayOptions& options) {
 
 void check_required(const InspectOptions& options) {
   non_empty("PATH", options.path.native());
-  if (!options.probes.folder.empty()) return;
+  if (!options.probes.folder.empty()) {
+    if (!options.render.probes.on) throw UsageError("--no-probes: conflicts with --probes; give one of them");
+    return;
+  }
   if (options.probes.overwrite) throw UsageError("--overwrite: nothing is written; give --probes DIR");
   if (options.probes.updates != kDefaultProbeUpdates)
     throw UsageError("--probe-updates: nothing is updated; give --probes DIR");
@@ -262,7 +268,8 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->bench;
   }
   if (parser->check_command->parsed()) {
-    parser->check.run_arguments = measured_run_arguments(*parser->check_command);
+    parser->check.run_arguments =
+        measured_run_arguments(*parser->check_command, parser->check.run.replay.render);
     check_check_options(parser->check);
     return parser->check;
   }

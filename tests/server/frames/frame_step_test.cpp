@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame_counters.h"
+#include "renderer/settings_presets.h"
 #include "server/check/measure/allocation_counter.h"
 #include "server/results/fingerprint.h"
 #include "server/results/settings_report.h"
@@ -40,6 +41,7 @@ class FrameStepTest : public ::testing::Test {
     write_small_session(root() / "walk", 0.2);
     options_.scene = (root() / "moving.scene.json").string();
     options_.profile = (root() / "small.profile.json").string();
+    options_.render = direct_light_settings();
     options_.render.polar_width = 64;
     options_.render.polar_height = 64;
     options_.render.threads = 2;

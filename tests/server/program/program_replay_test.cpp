@@ -30,7 +30,9 @@ class Program : public ::testing::Test {
     return run_program(root(), arguments, before);
   }
   Outcome replay(const std::string& flags, const std::string& before = "") const {
-    return herr("replay walk --profile small.profile.json --polar 128x64 --threads 2 " + flags, before);
+    return herr(
+        "replay walk --profile small.profile.json --preset direct --polar 128x64 --threads 2 " + flags,
+        before);
   }
 
   nlohmann::json summary(const std::string& out) const {
@@ -89,7 +91,8 @@ TEST_F(Program, PicturesAreTheSameBytesWithAnyNumberOfThreadsAndInEveryRun) {
     const auto files = files_below(root() / "a" / "walk" / "frames");
     ASSERT_EQ(files.size(), format == "png" ? 16u : 4u);
     for (const std::string threads : {"1", "2", "4"}) {
-      ASSERT_EQ(herr("replay walk --profile small.profile.json --polar 128x64 --frames 4 --overwrite --out b "
+      ASSERT_EQ(herr("replay walk --profile small.profile.json --preset direct --polar 128x64 --frames 4 "
+                     "--overwrite --out b "
                      "--format " +
                      format + " --threads " + threads)
                     .exit_code,
@@ -137,8 +140,9 @@ TEST_F(Program, BadInputEndsWithThreeAndWritesNothing) {
 
 TEST_F(Program, OneBadSessionDoesNotStopTheOthers) {
   fs::create_directories(root() / "empty");
-  const Outcome outcome =
-      herr("replay empty walk --profile small.profile.json --polar 128x64 --frames 2 --out o --json");
+  const Outcome outcome = herr(
+      "replay empty walk --profile small.profile.json --preset direct --polar 128x64 --frames 2 --out o "
+      "--json");
   EXPECT_EQ(outcome.exit_code, 3);
   const auto json = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(json["sessions"].size(), 2u);
@@ -160,8 +164,8 @@ TEST_F(Program, ADiskThatRefusesEndsWithSeventyFiveAndLeavesNoHalfFiles) {
 
 TEST_F(Program, ASignalEndsTheRunAfterTheFrameAndTheSummarySaysSo) {
   write_small_session(root() / "long", 20);
-  const Outcome outcome =
-      herr("replay long --profile small.profile.json --out o --format none", "timeout -s INT 1");
+  const Outcome outcome = herr(
+      "replay long --profile small.profile.json --preset direct --out o --format none", "timeout -s INT 1");
   // `timeout` answers 124 for its child; --preserve-status would need the child's own code.
   EXPECT_EQ(outcome.exit_code, 124) << outcome.err;
   const auto json = nlohmann::json::parse(content_of(root() / "o/long/summary.json"));
@@ -205,7 +209,8 @@ TEST_F(Program, SynthMakesASessionThatReplaysAndIsTheSameForTheSameSeed) {
   for (const std::string& file : files) {
     EXPECT_TRUE(content_of(root() / "made" / file) == content_of(root() / "before" / file)) << file;
   }
-  const Outcome outcome = herr("replay made --profile small.profile.json --polar 128x64 --frames 3 --out o");
+  const Outcome outcome =
+      herr("replay made --profile small.profile.json --preset direct --polar 128x64 --frames 3 --out o");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 

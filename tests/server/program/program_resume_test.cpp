@@ -228,7 +228,7 @@ TEST_F(Resume, AFullDiskInTheMiddleIsGoneOnFromWhenThereIsRoom) {
 
 TEST_F(Resume, SessionsThatAreFinishedArePassedOver) {
   const std::string flags =
-      "replay walk second --profile small.profile.json --polar 32x32 --keep-going --out two";
+      "replay walk second --profile small.profile.json --preset direct --polar 32x32 --keep-going --out two";
   ASSERT_EQ(replay(flags).exit_code, 5);
   const std::string picture = content_of(root() / "two/second/frames/frame_000007.left_focus.png");
   fs::remove(root() / "two/second/frames/frame_000007.left_focus.png");
