@@ -18,6 +18,7 @@ inline constexpr std::array<int, 3> kTableLightSamples{1, 64, 256};
 struct FrameTimeRow {
   int polar_width = 788, polar_height = 768;  // per eye
   std::array<BenchRun, kTableLightSamples.size()> cells;
+  bool acuity = false;  // of each frame what it needs, up to the size above
 };
 
 // The sizes to measure: that of `settings` alone where it was asked for, else the paper's two.

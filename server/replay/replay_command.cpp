@@ -71,6 +71,17 @@ std::string quality_text(const RunStatistics& statistics, const ReplayOptions& o
          range(statistics.polar_width) + "; light samples " + range(statistics.light_samples) + "\n";
 }
 
+// "acuity: k radial 183.6 at least, 190.2 median; k angular 131.0 at least, 131.0 median; ..."
+std::string acuity_text(const RunStatistics& statistics) {
+  const auto figures = [](const LatencyHistogram& values) {
+    return fixed_text(static_cast<double>(values.min_ns()) * 1e-6, 1) + " at least, " +
+           fixed_text(values.quantile_ns(0.5) * 1e-6, 1) + " median";
+  };
+  return "acuity: k radial " + figures(statistics.k_radial) + "; k angular " + figures(statistics.k_angular) +
+         "\n(samples per degree times theta + 1, worst circle, worse eye; 200 / (theta + 1) asks for "
+         "200)\n\n";
+}
+
 // The heading and table of one session, and where its files are.
 std::string report_text(const SessionReport& report, const ReplayOptions& options) {
   const RunStatistics& statistics = report.statistics;
@@ -84,6 +95,7 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
   if (statistics.frames > 0 && options.policy != QualityPolicy{})
     text += quality_text(statistics, options) + "\n";
+  if (statistics.k_radial.count() > 0) text += acuity_text(statistics);
   text += "results: " + printable(report.out_folder.string()) + "\n";
   if (report.state != ReplayState::done && is_reproducible(options)) {
     text += "to go on with it: the same command and --resume\n";
