@@ -17,6 +17,8 @@ enum class Foveation : std::uint8_t { log_polar, off };
 enum class LightSampler : std::uint8_t { jittered, random };
 // How viewport pixels are made of the samples around them. bicubic: Catmull-Rom, which keeps the samples.
 enum class ResampleFilter : std::uint8_t { nearest, bilinear, bicubic };
+// Whether pictures are made of what each eye sees, and as dense as which kind of viewport.
+enum class Blend : std::uint8_t { off, context, focus };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 // Polar buffers that reach the acuity function have this size at most (foveation/reached_acuity.h): columns
@@ -56,13 +58,14 @@ struct RenderSettings {
   // Rays from the eye are this many times as wide as their samples: textures and voxels are read at the level
   // that this asks for. 0: the finest.
   double ray_width = 1;
-  double detail_error = 0.5;   // samples that a simplified mesh may lie off; 0: full meshes only
-  bool covered_pixels = true;  // without foveation: trace context pixels that a focus viewport covers
-  bool reflections = true;     // trace one mirror bounce where a material asks for it
-  bool refraction = true;      // follow light through transparent materials; off: they are opaque
-  bool camera = true;          // composite over the camera feed where the session has one
-  bool gaze_marker = false;    // red circle around the gaze direction in every viewport
-  bool debug_tiles = false;    // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  double detail_error = 0.5;        // samples that a simplified mesh may lie off; 0: full meshes only
+  bool covered_pixels = true;       // without foveation: trace context pixels that a focus viewport covers
+  bool reflections = true;          // trace one mirror bounce where a material asks for it
+  bool refraction = true;           // follow light through transparent materials; off: they are opaque
+  bool camera = true;               // composite over the camera feed where the session has one
+  bool gaze_marker = false;         // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  Blend blended_view = Blend::off;  // further pictures: focus viewports blended into the context
   // The camera feed is re-projected as if it lay on a sphere of this radius, metres, whose centre is the eye
   // that is displayed. None: the distance that the session names, else kUsualFeedDistance_m.
   std::optional<double> feed_distance_m;

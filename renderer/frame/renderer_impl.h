@@ -16,6 +16,7 @@
 #include "renderer/renderer.h"
 #include "renderer/threads/render_threads.h"
 #include "renderer/tiles/tile_job.h"
+#include "renderer/viewports/blended_view.h"
 #include "renderer/viewports/viewport_job.h"
 
 namespace herr {
@@ -44,6 +45,7 @@ struct Renderer::Impl {
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
+  BlendStrip blend_strip;
 
   // Per frame, rewritten in place.
   std::array<EyeView, 2> eyes;
@@ -58,6 +60,10 @@ struct Renderer::Impl {
   std::vector<int> first_strip;               // of each viewport, then the total
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
+  // Of the pictures beside the viewports, as further_views() lists them.
+  std::vector<PictureOutline> further;
+  std::vector<BlendedView> blended_views;
+
   // With probes only.
   std::unique_ptr<ProbeVolume> probes;
   std::unique_ptr<ProbeMotion> probe_motion;  // where the scene changes
@@ -71,6 +77,7 @@ struct Renderer::Impl {
   // Per worker.
   std::vector<std::unique_ptr<TileScratch>> tile_scratch;
   std::vector<std::unique_ptr<StripScratch>> strip_scratch;
+  std::vector<BlendScratch> blend_scratch;  // with blended views only
   std::vector<TileCounters> counters;
   std::vector<StageCycles> cycles;
 
@@ -100,6 +107,12 @@ struct Renderer::Impl {
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
+
+  // After the frame (further_views.cpp). False: it was given up.
+  void build_further_views();
+  bool make_further_views(RenderedFrame& out, const std::atomic<bool>* abandon);
+  void set_up_further_views(RenderedFrame& out) const;
+  bool blend_views(RenderedFrame& out, const std::atomic<bool>* abandon);
 
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();

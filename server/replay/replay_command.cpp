@@ -82,6 +82,16 @@ std::string acuity_text(const RunStatistics& statistics) {
          "200)\n\n";
 }
 
+// "further views: blended-left 1980x1980, ...", or nothing.
+std::string further_views_text(const SessionReport& report) {
+  std::string text;
+  for (const PictureOutline& view : further_views(report.profile, report.settings)) {
+    text += (text.empty() ? "further views: " : ", ") + view.name + " " + std::to_string(view.width_px) +
+            "x" + std::to_string(view.height_px);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 // The heading and table of one session, and where its files are.
 std::string report_text(const SessionReport& report, const ReplayOptions& options) {
   const RunStatistics& statistics = report.statistics;
@@ -96,6 +106,7 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   if (statistics.frames > 0 && options.policy != QualityPolicy{})
     text += quality_text(statistics, options) + "\n";
   if (statistics.k_radial.count() > 0) text += acuity_text(statistics);
+  text += further_views_text(report);
   text += "results: " + printable(report.out_folder.string()) + "\n";
   if (report.state != ReplayState::done && is_reproducible(options)) {
     text += "to go on with it: the same command and --resume\n";

@@ -54,6 +54,7 @@ void for_each_column(Record& record, Visit&& visit) {
   for_each_counter(record.counters, visit);
   visit("nonfinite_picture_values", record.nonfinite_pictures);
   visit("commit_ms", record.times.commit_ms);
+  visit("views_ms", record.times.views_ms);
   visit("active_probes", record.probes.active);
   visit("relocated_probes", record.probes.relocated);
   visit("inactive_probes", record.probes.inactive);
@@ -62,7 +63,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("probe_change_share", record.probes.variability);
   visit("dropped_frames", record.dropped_frames);
   visit("repeated_ticks", record.repeated_ticks);
-  visit("stutter", record.stutter);
+  visit("stutter", record.stutter);  // stays last: one character, so that no cut row reads as a whole one
 }
 
 std::string text_of(std::int64_t value) {

@@ -44,8 +44,8 @@ TEST_F(InspectProgram, FindsTheSmallSessionSound) {
   EXPECT_EQ(herr("inspect session/session.json").out, got.out);
 }
 
-// 788 / ln(55.7356) = 196.00 for a gaze straight ahead, as that of the session is; 768 * 22.04 / (360 sin 21.04
-// deg) = 131.0. xr1-half has 1200 pixels over 2 tan 20 deg: 28.8 a degree in the middle.
+// 788 / ln(55.7356) = 196.00 for a gaze straight ahead, as that of the session is; 768 * 22.04 / (360
+// sin 21.04 deg) = 131.0. xr1-half has 1200 pixels over 2 tan 20 deg: 28.8 a degree in the middle.
 TEST_F(InspectProgram, TellsTheAcuityThatFramesReach) {
   const Outcome text = herr("inspect session");
   for (const char* part :

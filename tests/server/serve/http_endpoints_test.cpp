@@ -97,6 +97,38 @@ TEST_F(Serve, StatusAndLatencyAgreeWithTheSnapshot) {
   }
 }
 
+TEST_F(Serve, FurtherViewsAreListedAndShownLikeViewports) {
+  const std::shared_ptr<SessionReport> of = subject();
+  of->settings.blended_view = Blend::context;
+  ServeSnapshot snapshot;
+  snapshot.phase = ServePhase::running;
+  snapshot.subject = of;
+  snapshot.rendered = 1;
+  board_.snapshot.set(std::make_shared<const ServeSnapshot>(snapshot));
+  const json views = get_json("/v1/status")["further_views"];
+  ASSERT_EQ(views.size(), 2u);
+  EXPECT_EQ(views[1]["name"], "blended-right");
+  EXPECT_NE(get("/").body.find("/v1/frames/latest/blended-left.png"), std::string::npos);
+
+  auto pictures = std::make_shared<ServedPictures>();
+  pictures->sequence = 1;
+  pictures->subject = of;
+  for (const PictureOutline& outline : of->pictures()) {
+    ViewportImage image;
+    image.resize(outline.width_px, outline.height_px);
+    if (outline.kind == PictureKind::blended) {
+      pictures->frame.further.push_back({outline.name, image});
+    } else {
+      pictures->frame.viewports.push_back(image);
+    }
+  }
+  board_.pictures.set(pictures);
+  // As large as the context of its eye, which the board's profile has at 1000 x 600 and 1980 x 1980.
+  EXPECT_EQ(png_size(get("/v1/frames/latest/blended-left.png?full=1").body), std::make_pair(1000, 600));
+  EXPECT_EQ(png_size(get("/v1/frames/latest/blended-right.png").body), std::make_pair(512, 512));
+  EXPECT_EQ(get("/v1/frames/latest/blended-up.png").status, 404);
+}
+
 TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
   publish(50);
   std::int64_t since = 0, seen = 0;
