@@ -22,6 +22,11 @@ enum class ResampleFilter : std::uint8_t { nearest, bilinear, bicubic };
 enum class Blend : std::uint8_t { off, context, focus };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
+// Polar buffers that reach the acuity function have this size at most (foveation/reached_acuity.h): columns
+// for a display that reaches to straight behind the gaze, rows for the circle that asks for the most, 21.0
+// degrees off the gaze.
+inline constexpr int kMostAcuityWidth = 1040, kAcuityHeight = 1174;
+
 // Light that bounces between surfaces, gathered by a grid of probes over time.
 struct ProbeSettings {
   bool on = true;
@@ -40,7 +45,10 @@ struct RenderSettings {
   double scale = 1;        // rays per viewport pixel and axis; without foveation only
   int polar_width = 788;   // radial samples per eye (the paper's "1576x768" counts both eyes)
   int polar_height = 768;  // angular samples, an even number
-  int light_samples = 1;   // per light and hit; 1 = centre of the light, hard shadows
+  // In place of both sizes: the columns of each frame and eye, and kAcuityHeight rows, that reach
+  // 200 / (theta + 1) samples per degree everywhere on the display.
+  bool polar_acuity = false;
+  int light_samples = 1;  // per light and hit; 1 = centre of the light, hard shadows
   // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
   // 0: all strata everywhere.
   int adaptive_min_samples = 0;
