@@ -88,6 +88,24 @@ std::string lower_case_extension(const std::filesystem::path& file) {
   return extension;
 }
 
+// What a document that has real surfaces and virtual lights alone means for the feed on them.
+void warn_of_virtual_light_alone(const std::filesystem::path& file, Scene& scene) {
+  const bool all = std::all_of(scene.lights.begin(), scene.lights.end(),
+                               [](const AreaLight& light) { return light.is_virtual; });
+  const bool catchers = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                    [](const Instance& instance) { return instance.catcher; });
+  if (scene.lights.empty() || !all || !catchers) return;
+  const bool dark = scene.ambient == glm::vec3(0.0f) && scene.environment == glm::vec3(0.0f) &&
+                    scene.environment_map.rgba.empty();
+  scene.warnings.push_back(printable(file.string()) + ": every light is virtual: " +
+                           (dark ? "the document states no light of the real room, so that virtual light is "
+                                   "added to the feed by the "
+                                   "catchers' stated colours; state the room's lamps, or ambient"
+                                 : "the feed counts as lit by ambient alone (with probes by environment); "
+                                   "state the room's lamps, or "
+                                   "all of their light as ambient"));
+}
+
 // No vertex may lie so far out that the ray tracer's floats overflow.
 void check_bounds(const Scene& scene, const std::filesystem::path& file) {
   const Bounds bounds = scene_bounds(scene);
@@ -114,6 +132,7 @@ Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, Defaul
     scene = read_scene_document(file, pixels);
     if (light == DefaultLight::above && scene.lights.empty())
       scene.warnings.push_back(no_lights_warning(file));
+    warn_of_virtual_light_alone(file, scene);
   } else if (extension == ".gltf" || extension == ".glb") {
     scene = load_bare_gltf(file, pixels, light);
   } else if (extension == ".vox") {

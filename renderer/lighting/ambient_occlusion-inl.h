@@ -106,7 +106,7 @@ HWY_NOINLINE inline void ambient_occlusion(const TileJob& job, int packets) {
   for (int ray = 0; ray < rays; ++ray) {
     queue_occlusion_rays(job, ray, packets);
     trace_visibility(
-        job, hits, RayKind::occlusion, RayKind::catcher_occlusion,
+        job, hits, true, RayKind::occlusion, RayKind::catcher_occlusion,
         [&](std::size_t hit, float passes) { hits.open[hit] -= share * (1.0f - passes); },
         [&](std::size_t hit, float passes) { hits.open_without[hit] -= share * (1.0f - passes); });
   }

@@ -73,7 +73,8 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
   add_setting_flag(app, setting_named(settings, "probe_rays"));
   add_setting_flags(app, settings, {SettingGroup::machine});
   app.add_flag_callback(
-      "--overwrite", [&] { options.probes.overwrite = true; }, "replace the folder of an earlier --probes");
+      "--overwrite", [&] { options.overwrite = options.probes.overwrite = true; },
+      "replace what an earlier --probes or --acuity-plot wrote");
 }
 
 // What no single flag of bench can know.
@@ -105,6 +106,10 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
   add_setting_flags(app, settings_of(options.render), {SettingGroup::look, SettingGroup::rays});
   app.add_flag_callback(
       "--decode", [&] { options.decode = true; }, "read every picture whole, not only its header");
+  file_flag(
+      app, "--acuity-plot",
+      "new .svg file: samples per degree over eccentricity, against the acuity function and the display",
+      [&](const std::string& text) { options.acuity_plot = text; });
   add_probe_dump_flags(app, options);
   app.add_flag_callback(
       "--strict", [&] { options.strict = true; }, "a stream that was cut off is an error");
@@ -229,7 +234,8 @@ void check_required(const InspectOptions& options) {
     if (!options.render.probes.on) throw UsageError("--no-probes: conflicts with --probes; give one of them");
     return;
   }
-  if (options.probes.overwrite) throw UsageError("--overwrite: nothing is written; give --probes DIR");
+  if (options.overwrite && options.acuity_plot.empty())
+    throw UsageError("--overwrite: nothing is written; give --probes DIR or --acuity-plot FILE");
   if (options.probes.updates != kDefaultProbeUpdates)
     throw UsageError("--probe-updates: nothing is updated; give --probes DIR");
 }

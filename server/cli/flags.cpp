@@ -63,7 +63,7 @@ void add_replay_flags(CLI::App& app, ReplayOptions& options) {
   add_preset_flags(app, options.render);
   add_setting_flags(app, settings_of(options),
                     {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
-                     SettingGroup::files});
+                     SettingGroup::files, SettingGroup::views});
   add_render_flags(app, options.render);
   app.add_flag_callback(
       "--overwrite", [&] { options.overwrite = true; }, "replace results that are there");
@@ -101,7 +101,8 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
             [&](const std::string& text) { options.auth_token_file = text; });
   add_preset_flags(app, options.replay.render);
   add_setting_flags(app, settings_of(options.replay),
-                    {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span});
+                    {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
+                     SettingGroup::views});
   add_render_flags(app, options.replay.render);
   app.add_flag_callback(
       "--keep-going", [&] { options.replay.session.keep_going = true; }, "skip bad rows and images");

@@ -32,6 +32,8 @@ const char* title_of(SettingGroup group) {
       return "Part of the session";
     case SettingGroup::files:
       return "Pictures";
+    case SettingGroup::views:
+      return "Further views";
     case SettingGroup::machine:
       return "Machine";
   }
@@ -55,7 +57,10 @@ std::string value_name(const Setting& setting) {
     return name;
   }
   if (const auto* text = std::get_if<TextSetting>(&setting.value)) return text->form;
-  return std::holds_alternative<SizeSetting>(setting.value) ? "WxH" : "NAME";
+  if (const auto* size = std::get_if<SizeSetting>(&setting.value)) {
+    return size->follows != nullptr ? "WxH|" + size->following : "WxH";
+  }
+  return "NAME";
 }
 
 void read_text(const Setting& setting, const std::string& text) {

@@ -77,6 +77,7 @@ Json settings_json(const ReplayOptions& resolved) {
   Json json;
   for (const Setting& setting : settings_of(told)) {
     if (setting.name == "polar") {
+      json["polar"] = json_of(value_of(setting));
       json["polar_width_per_eye"] = told.render.polar_width;
       json["polar_height"] = told.render.polar_height;
     } else if (setting.name == "polar_floor") {

@@ -250,6 +250,10 @@ void Sweeps::add_polar() {
     }
   };
   // Frames with soft light take long: fewer of them.
+  for (const int samples : {kHardSamples, kSoftSamples}) {
+    if (defaults_.polar_acuity) break;                          // the default itself
+    add(both, "acuity", samples, {{"polar", "acuity"}}).n = 0;  // each frame has a size of its own
+  }
   sweep(both, kHardSamples, {0.25, 0.354, 0.5, 0.707, 1, 1.414, 2});
   sweep(both, kSoftSamples, {0.25, 0.5, 0.707, 1, 1.414});
   sweep(width, kHardSamples, {0.25, 0.5, 1, 2});
