@@ -10,10 +10,10 @@
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
+#include "renderer/feed/camera_feed.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/tiles/finite_lanes.h"
-#include "renderer/viewports/camera_feed.h"
 #include "renderer/viewports/gaze_marker.h"
 
 namespace herr {
@@ -131,9 +131,10 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
   if (impl.plan.probes && use.pass) impl.view_probes();
   if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
+  timed(out.times, Stage::viewports, [&] { impl.set_up_feeds(sample); });
   timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
   if (!impl.trace_tiles(out.times, use)) return false;
-  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
+  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
   require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
@@ -246,6 +247,22 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.shown_white = 1.0f / shown_scale();
 }
 
+void Renderer::Impl::set_up_feeds(const FrameSample& sample) {
+  for (std::size_t eye = 0; eye < feeds.size(); ++eye) {
+    feeds[eye] = {};
+    if (!plan.camera || !sample.cameras[eye]) continue;
+    const SampledCamera& camera = *sample.cameras[eye];
+    FeedView feed;
+    feed.white = 1.0f / shown_scale();
+    feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
+    feed.model = camera.model;
+    feed.camera_from_eye =
+        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
+    feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
+    feeds[eye] = feed_in_scene(feed, eyes[eye].anchored_from_eye);
+  }
+}
+
 void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass) {
   const std::uint32_t seed = pass ? pass->seed : settings.seed;
   first_tile[0] = 0;
@@ -259,6 +276,8 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }
+    const FeedInScene& feed = feeds[static_cast<std::size_t>(eye)];
+    grids[i].feed = plan.mirrored_feed && feed.view.image ? &feed : nullptr;
     grids[i].ray_width = static_cast<float>(settings.ray_width);
     grids[i].jitter = pass && pass->jitter;
     if (grids[i].jitter) set_jitter(*pass, static_cast<int>(i), grids[i]);
@@ -299,7 +318,7 @@ bool Renderer::Impl::trace_tiles(StageTimes& times, const FrameUse& use) {
   return whole;
 }
 
-void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& out) {
+void Renderer::Impl::set_up_viewports(RenderedFrame& out) {
   out.viewports.resize(profile.viewports.size());
   for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
     const Viewport& viewport = profile.viewports[i];
@@ -328,15 +347,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
       // Each pixel has a texel of its own: no filter has anything to do.
       if (job.one_texel_per_pixel()) job.filter = ResampleFilter::nearest;
     }
-    job.feed = {};
-    if (!plan.camera || !sample.cameras[eye]) continue;
-    const SampledCamera& camera = *sample.cameras[eye];
-    job.feed.white = 1.0f / shown_scale();
-    job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
-    job.feed.model = camera.model;
-    job.feed.camera_from_eye =
-        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
-    job.feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
+    job.feed = feeds[eye].view;
   }
 }
 

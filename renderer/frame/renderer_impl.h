@@ -55,6 +55,7 @@ struct Renderer::Impl {
   ShadingInputs shading;
   std::vector<ViewportJob> viewport_jobs;     // one per viewport
   std::vector<int> first_strip;               // of each viewport, then the total
+  std::array<FeedInScene, 2> feeds;           // per eye
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
   // With probes only.
@@ -84,9 +85,10 @@ struct Renderer::Impl {
   LightReach light_reach() const;  // of lights, for this frame
   void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
+  void set_up_feeds(const FrameSample& sample);
   void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);
   bool trace_tiles(StageTimes& times, const FrameUse& use);
-  void set_up_viewports(const FrameSample& sample, RenderedFrame& out);
+  void set_up_viewports(RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;

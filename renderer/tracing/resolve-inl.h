@@ -5,23 +5,12 @@
 
 #include <cstring>
 
+#include "renderer/lighting/catcher_ratio-inl.h"
 #include "renderer/lighting/refractions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
-constexpr float kPi = 3.14159265f;
-
-// E_with / E_without where there is light to compare, clamped and snapped.
-HWY_INLINE VF catcher_ratio(VF with_objects, VF without, float smallest) {
-  const VF one = set(1.0f);
-  const VF ratio = hn::Min(hn::Div(with_objects, hn::Max(without, set(1e-30f))), set(kLargestRatio));
-  const MF keep =
-      hn::Or(hn::Le(without, set(smallest)), hn::Lt(hn::Abs(hn::Sub(ratio, one)), set(kSnapToOne)));
-  return hn::IfThenElse(keep, one, ratio);
-}
 
 // Replaces what is not finite by 0 and counts it; keeps the rest within the range of half.
 HWY_INLINE VF finite_half(VF value, MF lanes, std::int64_t& nonfinite) {
@@ -68,23 +57,7 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
-    const bool occlusion = shading.plan->occlusion;
-    const VF open = occlusion ? hn::Max(load(&hits.open[slot]), zero) : one;
-    const VF open_without = occlusion ? hn::Max(load(&hits.open_without[slot]), zero) : one;
-    const bool probes = shading.catcher_probes != nullptr;
-    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without,
-                           const Lane<float>& around, const Lane<float>& around_without,
-                           std::size_t channel) HWY_ATTR {
-      const VF pi = set(kPi), ambient = set(kPi * shading.ambient[channel]);
-      const VF all = probes ? hn::Mul(pi, load(&around[slot])) : ambient;
-      const VF all_without = probes ? hn::Mul(pi, load(&around_without[slot])) : ambient;
-      return catcher_ratio(hn::MulAdd(all, open, load(&with_objects[slot])),
-                           hn::MulAdd(all_without, open_without, load(&without[slot])),
-                           shading.smallest_irradiance[channel]);
-    };
-    const V3 ratios{ratio(hits.direct.x, hits.direct_without.x, hits.indirect.x, hits.indirect_without.x, 0),
-                    ratio(hits.direct.y, hits.direct_without.y, hits.indirect.y, hits.indirect_without.y, 1),
-                    ratio(hits.direct.z, hits.direct_without.z, hits.indirect.z, hits.indirect_without.z, 2)};
+    const V3 ratios = catcher_ratios(shading, hits, slot, shading.plan->occlusion);
     texel.ratio = select(catcher, ratios, texel.ratio);
     if (shading.plan->catcher_mirrors) {
       texel.light = select(catcher, load3(hits.mirrored, slot), texel.light);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "server/inspect/mirror_words.h"
 #include "server/inspect/time_plot.h"
 #include "server/process/exit_code.h"
 #include "server/process/version.h"
@@ -296,6 +297,7 @@ Json inspect_json(const InspectReport& report) {
   if (report.scene) json["scene"] = scene_json(report);
   json["settings"] = settings_text(report.settings);
   if (report.plan) json["plan"] = plan_json(*report.plan);
+  if (report.plan) json["mirrors_and_glass"] = mirror_words(report);
   if (report.probes) json["probes"] = probe_dump_json(*report.probes);
   return json;
 }
