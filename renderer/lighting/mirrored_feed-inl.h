@@ -12,17 +12,18 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Where rays leave the feed's sphere, from the eye. What starts beyond it and never meets it is looked up by
-// its direction alone.
+// What a thing shows of the feed lies on the feed's sphere, but no nearer to the thing than the eye is: on
+// the sphere itself a mirror would look transparent.
+constexpr float kLeastReach = 2.0f;  // of the way from the eye to the thing
+
+// Where rays leave that sphere, from the eye.
 HWY_INLINE V3 where_feed_lies(const FeedInScene& feed, const V3& origin, const V3& direction) {
   const auto distance = static_cast<float>(feed.view.distance_m);
   const V3 from_eye = sub(origin, set3(feed.eye));
-  const VF along = dot(from_eye, direction);
-  const VF beyond = hn::Sub(dot(from_eye, from_eye), set(distance * distance));
-  const VF root2 = hn::MulSub(along, along, beyond), zero = hn::Zero(kF);
-  const VF way = hn::Sub(hn::Sqrt(hn::Max(root2, zero)), along);
-  const MF meets = hn::And(hn::Ge(root2, zero), hn::Gt(way, zero));
-  return select(meets, mul_add(way, direction, from_eye), direction);
+  const VF along = dot(from_eye, direction), place2 = dot(from_eye, from_eye);
+  const VF reach2 = hn::Max(set(distance * distance), hn::Mul(set(kLeastReach * kLeastReach), place2));
+  const VF way = hn::Sub(hn::Sqrt(hn::MulAdd(along, along, hn::Sub(reach2, place2))), along);
+  return mul_add(way, direction, from_eye);
 }
 
 // The feed's radiance in directions from the eye; returns where the camera sees. Lenses are computed lane by

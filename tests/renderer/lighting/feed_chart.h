@@ -62,8 +62,10 @@ inline std::optional<TracedRay> off_plane(const TracedRay& ray, const glm::dvec3
                    ray.direction - 2 * glm::dot(ray.direction, normal) * normal, ray.weight};
 }
 
-// Direction from the eye in which a ray shows the feed: to where it leaves the feed's sphere.
-inline glm::dvec3 where_feed_is_met(const TracedRay& ray, double distance_m) {
+// Direction from the eye in which a ray shows the feed: to where it leaves the feed's sphere, which is taken
+// to lie at least twice as far from the eye as the place from which the ray comes.
+inline glm::dvec3 where_feed_is_met(const TracedRay& ray, double feed_m) {
+  const double distance_m = std::max(feed_m, 2 * glm::length(ray.origin));
   const double along = glm::dot(ray.origin, ray.direction),
                beyond = glm::dot(ray.origin, ray.origin) - distance_m * distance_m;
   return ray.origin + (std::sqrt(along * along - beyond) - along) * ray.direction;
