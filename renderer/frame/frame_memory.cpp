@@ -66,6 +66,9 @@ MemoryUse Renderer::memory() const {
     lobes += bytes_if(scratch->first.lobes) + (scratch->second ? bytes_if(scratch->second->hits.lobes) : 0);
   }
   for (const std::unique_ptr<StripScratch>& scratch : impl.strip_scratch) strips += scratch->bytes();
+  std::int64_t views = 0;
+  for (const BlendedView& view : impl.blended_views) views += view.bytes();
+  for (const BlendScratch& scratch : impl.blend_scratch) views += scratch.bytes();
   return {{"acceleration structures", geometry.acceleration},
           {"surfaces", geometry.surfaces},
           {"textures", geometry.textures},
@@ -78,7 +81,8 @@ MemoryUse Renderer::memory() const {
           {"alpha layers", layers},
           {"further lobes", lobes},
           {"adaptive light samples", adaptive},
-          {"strips in work", strips}};
+          {"strips in work", strips},
+          {"further views", views}};
 }
 
 }  // namespace herr

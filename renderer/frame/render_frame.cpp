@@ -6,11 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
-#include "renderer/feed/camera_feed.h"
+#include "renderer/cpu_use.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/tiles/finite_lanes.h"
@@ -23,6 +24,12 @@ using SteadyClock = std::chrono::steady_clock;
 
 double milliseconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+}
+
+std::optional<double> cpu_ms_since(std::optional<std::int64_t> start_ns) {
+  const std::optional<std::int64_t> now_ns = process_cpu_ns();
+  if (!start_ns || !now_ns) return std::nullopt;
+  return static_cast<double>(*now_ns - *start_ns) * 1e-6;
 }
 
 // Runs one serial stage and books its time.
@@ -118,8 +125,10 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   out.counters = {};
   std::fill(impl.counters.begin(), impl.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
+  const std::optional<std::int64_t> cpu_start_ns = process_cpu_ns();
 
   timed(out.times, Stage::polar_rays, [&] { impl.follow_gaze(sample); });
+  out.quality.polar_width = std::min(out.quality.polar_width, impl.full_width());
   const SceneUpdate update =
       timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
@@ -139,11 +148,18 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
+  // Within the wall time, so that it is never more than that on every core.
+  out.cpu_ms = cpu_ms_since(cpu_start_ns);
   out.times.frame_ms = milliseconds_since(start);
   double booked = 0;
   for (const double ms : out.times.ms) booked += ms;
   out.times[Stage::other] = std::max(0.0, out.times.frame_ms - booked);
   impl.collect_counters(out);
+
+  // Beside what the headset shows: not of the frame time.
+  const auto finished = SteadyClock::now();
+  if (!impl.make_further_views(out, use.abandon)) return false;
+  if (!out.further.empty()) out.times.views_ms = milliseconds_since(finished);
   return true;
 }
 
@@ -157,16 +173,6 @@ void Renderer::skip_frame(const FrameSample& sample, const SceneState& state) {
   nobodys.quality = full_quality();
   impl_->update_scene(state, nobodys.quality);
   impl_->update_probes(sample, state, nobodys);
-}
-
-// Where each eye looks, in its own space, and how far from there its viewports reach.
-void Renderer::Impl::follow_gaze(const FrameSample& sample) {
-  for (const Eye eye : kEyes) {
-    const auto e = static_cast<std::size_t>(eye);
-    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
-    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
-    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
-  }
 }
 
 void Renderer::Impl::place_eyes(const FrameSample& sample) {
@@ -206,8 +212,9 @@ void Renderer::Impl::choose_details() {
     detail_eyes[e].position = pose.position + geometry->anchor();
     detail_eyes[e].gaze = pose.orientation * eyes[e].gaze.gaze;
     detail_eyes[e].foveated = plan.polar;
-    const PolarMap map = PolarMap::up_to(std::max(eyes[e].theta_max_deg, 1e-3));
-    if (plan.polar) detail_eyes[e].samples_per_deg = map.radial_density(0.0, settings.polar_width);
+    const double theta_max_deg = eyes[e].theta_max_deg;
+    if (!plan.polar) continue;
+    detail_eyes[e].samples_per_deg = polar_map(theta_max_deg).radial_density(0.0, full_width(theta_max_deg));
   }
   details.choose(
       detail_eyes, settings.detail_error,
@@ -230,6 +237,7 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.lights = lights;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
+  shading.occlusion_smoothing = settings.occlusion_smoothing;
   const EnvironmentImage& outside = scene.environment_map;
   const float turn = outside.turn_deg / 360.0f;
   shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
@@ -242,25 +250,11 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
     shading.environment[channel] = scene.environment[channel];
     shading.smallest_irradiance[channel] = kDarkest * scale[channel];
   }
+  // An overlay without a feed darkens by its coverage: it cannot make brighter what lies behind it.
+  shading.largest_ratio = plan.virtual_lights && !settings.camera ? 1.0f : kLargestRatio;
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
   shading.shown_white = 1.0f / shown_scale();
-}
-
-void Renderer::Impl::set_up_feeds(const FrameSample& sample) {
-  for (std::size_t eye = 0; eye < feeds.size(); ++eye) {
-    feeds[eye] = {};
-    if (!plan.camera || !sample.cameras[eye]) continue;
-    const SampledCamera& camera = *sample.cameras[eye];
-    FeedView feed;
-    feed.white = 1.0f / shown_scale();
-    feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
-    feed.model = camera.model;
-    feed.camera_from_eye =
-        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
-    feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
-    feeds[eye] = feed_in_scene(feed, eyes[eye].anchored_from_eye);
-  }
 }
 
 void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass) {
@@ -271,7 +265,7 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
     const std::uint32_t key = frame_key(sample.t_ns - sample.start_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
-      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
+      samples[i]->update(polar_map(view.theta_max_deg), width_of(view, polar_width));
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
@@ -379,7 +373,11 @@ void Renderer::Impl::collect_counters(RenderedFrame& out) const {
   for (const Viewport& v : profile.viewports) {
     total.viewport_pixels += static_cast<std::int64_t>(v.width_px) * v.height_px;
   }
-  for (std::size_t eye = 0; eye < eyes.size(); ++eye) out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+  for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
+    out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+    out.polar_width[eye] = plan.polar ? samples[eye]->width() : 0;
+  }
+  out.polar_height = plan.polar ? settings.polar_height : 0;
 }
 
 }  // namespace herr

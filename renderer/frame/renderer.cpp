@@ -12,6 +12,7 @@ namespace {
 
 RenderSettings resolved(RenderSettings settings, const Scene& scene) {
   check_settings(settings);
+  if (settings.polar_acuity) settings.polar_width = kMostAcuityWidth, settings.polar_height = kAcuityHeight;
   if (settings.threads == 0) settings.threads = available_threads();
   settings.isa = resolve_isa(settings.isa);
   if (!settings.feed_distance_m) settings.feed_distance_m = kUsualFeedDistance_m;
@@ -36,7 +37,8 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
       boxes(scene_in),
       session_has_camera(session_has_camera_in),
       trace_tile(trace_tile_for(settings.isa)),
-      composite_strip(composite_strip_for(settings.isa)) {
+      composite_strip(composite_strip_for(settings.isa)),
+      blend_strip(blend_strip_for(settings.isa)) {
   threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
   measure_reach();
 
@@ -73,6 +75,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
   allocate_scratch();
+  build_further_views();
   if (plan.probes) build_probes();
   counters.resize(workers);
   cycles.resize(workers);

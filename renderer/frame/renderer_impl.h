@@ -2,6 +2,7 @@
 // frame loop allocates nothing.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "renderer/renderer.h"
 #include "renderer/threads/render_threads.h"
 #include "renderer/tiles/tile_job.h"
+#include "renderer/viewports/blended_view.h"
 #include "renderer/viewports/viewport_job.h"
 
 namespace herr {
@@ -43,6 +45,7 @@ struct Renderer::Impl {
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
+  BlendStrip blend_strip;
 
   // Per frame, rewritten in place.
   std::array<EyeView, 2> eyes;
@@ -58,6 +61,10 @@ struct Renderer::Impl {
   std::array<FeedInScene, 2> feeds;           // per eye
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
+  // Of the pictures beside the viewports, as further_views() lists them.
+  std::vector<PictureOutline> further;
+  std::vector<BlendedView> blended_views;
+
   // With probes only.
   std::unique_ptr<ProbeVolume> probes;
   std::unique_ptr<ProbeMotion> probe_motion;  // where the scene changes
@@ -66,11 +73,13 @@ struct Renderer::Impl {
   std::array<ProbeView, 2> probe_views;        // all geometry; catchers alone
   std::array<ShadingInputs, 2> probe_shading;  // likewise
   std::vector<LightRecord> probe_lights;       // one sample each
+  std::vector<LightRecord> real_probe_lights;  // of these, those that are not virtual
   std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
 
   // Per worker.
   std::vector<std::unique_ptr<TileScratch>> tile_scratch;
   std::vector<std::unique_ptr<StripScratch>> strip_scratch;
+  std::vector<BlendScratch> blend_scratch;  // with blended views only
   std::vector<TileCounters> counters;
   std::vector<StageCycles> cycles;
 
@@ -85,6 +94,15 @@ struct Renderer::Impl {
   LightReach light_reach() const;  // of lights, for this frame
   void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
+  // Columns at this frame's full quality: of an eye, of the eye that needs the most; of an eye where that one
+  // has `polar_width`.
+  int full_width(double theta_max_deg) const;
+  int full_width() const {
+    return std::max(full_width(eyes[0].theta_max_deg), full_width(eyes[1].theta_max_deg));
+  }
+  int width_of(const EyeView& eye, int polar_width) const;
+  // An eye without viewports has a map, too.
+  static PolarMap polar_map(double theta_max_deg) { return PolarMap::up_to(std::max(theta_max_deg, 1e-3)); }
   void set_up_feeds(const FrameSample& sample);
   void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);
   bool trace_tiles(StageTimes& times, const FrameUse& use);
@@ -92,6 +110,12 @@ struct Renderer::Impl {
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
+
+  // After the frame (further_views.cpp). False: it was given up.
+  void build_further_views();
+  bool make_further_views(RenderedFrame& out, const std::atomic<bool>* abandon);
+  void set_up_further_views(RenderedFrame& out) const;
+  bool blend_views(RenderedFrame& out, const std::atomic<bool>* abandon);
 
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();

@@ -127,7 +127,8 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool 
       const MF catcher = of_kind(second, start, HitKind::catcher);
       V3 feed = load3(sent.feed->radiance, start);
       if (!hn::AllFalse(kF, catcher)) {
-        feed = select(catcher, multiply(feed, catcher_ratios(*job.shading, second, start, false)), feed);
+        const CatcherLight at = catcher_light(*job.shading, second, start, false, false);
+        feed = select(catcher, add(multiply(feed, at.ratio), at.added), feed);
       }
       radiance = select(object, radiance, feed);
       brings = hn::Or(brings, catcher);

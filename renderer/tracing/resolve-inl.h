@@ -40,6 +40,16 @@ struct Texel {
   V3 light, ratio;
 };
 
+// What the feed keeps on catchers, and what is added to it.
+HWY_INLINE Texel catcher_texel(const TileJob& job, int slot, MF catcher) {
+  const FramePlan& plan = *job.shading->plan;
+  const CatcherLight at =
+      catcher_light(*job.shading, job.scratch->first, slot, plan.occlusion, plan.catcher_mirrors);
+  job.counters->light_beyond_feed +=
+      static_cast<std::int64_t>(hn::CountTrue(kF, hn::And(at.beyond, catcher)));
+  return {at.added, at.ratio};
+}
+
 // What the first hits themselves show and keep.
 HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
   const ShadingInputs& shading = *job.shading;
@@ -57,11 +67,9 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
-    const V3 ratios = catcher_ratios(shading, hits, slot, shading.plan->occlusion);
-    texel.ratio = select(catcher, ratios, texel.ratio);
-    if (shading.plan->catcher_mirrors) {
-      texel.light = select(catcher, load3(hits.mirrored, slot), texel.light);
-    }
+    const Texel real = catcher_texel(job, slot, catcher);
+    texel.ratio = select(catcher, real.ratio, texel.ratio);
+    texel.light = select(catcher, real.light, texel.light);
   }
   return texel;
 }

@@ -8,6 +8,7 @@
 #include "server/results/settings_report.h"
 #include "server/settings/quality_target.h"
 #include "server/statistics/latency_json.h"
+#include "server/statistics/load_json.h"
 #include "server/statistics/quality_json.h"
 #include "sessions/files/input_error.h"
 
@@ -40,6 +41,20 @@ Json profile_json(const DisplayProfile& profile) {
                          {"kind", viewport.focus ? "focus" : "context"}});
   }
   return {{"name", profile.name}, {"display_hz", profile.display_hz}, {"viewports", viewports}};
+}
+
+// Pictures of a frame beside the viewports.
+Json further_views_json(const SessionReport& report) {
+  Json views = Json::array();
+  for (const PictureOutline& view : further_views(report.profile, report.settings)) {
+    const Json eye = view.eye ? Json(*view.eye == Eye::left ? "left" : "right") : Json(nullptr);
+    views.push_back({{"name", view.name},
+                     {"width_px", view.width_px},
+                     {"height_px", view.height_px},
+                     {"kind", name_of(view.kind)},
+                     {"eye", eye}});
+  }
+  return views;
 }
 
 }  // namespace
@@ -102,6 +117,7 @@ Json subject_json(const SessionReport& report, const ReplayOptions& options) {
             {"file", report.scene_file.string()},
             {"triangles", report.scene_triangles}}},
           {"profile", profile_json(report.profile)},
+          {"further_views", further_views_json(report)},
           {"settings", settings_json(resolved_options(options, report))}};
 }
 
@@ -120,6 +136,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   if (options.policy.deadline) json["frames"]["target_ms"] = quality_target_ms(options, report.range);
   json["latency"] = latencies_json(report.statistics);
   json["pace"] = pace_json(report.statistics);
+  json["load"] = load_json(report.statistics, report.load);
   json["quality"] = quality_json(report.statistics);
   if (report.plan.camera) json["feed"] = feed_json(report.statistics);
   json["definitions"] = definitions_json(options.clock);
@@ -151,6 +168,7 @@ Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& op
             {"frames", frame_counts_json(total)},
             {"latency", latencies_json(total)},
             {"pace", pace_json(total)},
+            {"load", load_json(total, reports.empty() ? ProcessLoad() : reports.back().load)},
             {"quality", quality_json(total)},
             {"counters", counters_json(total)}}},
           {"exit_code", exit_code}};

@@ -102,11 +102,12 @@ HttpResponse Endpoints::operator()(const HttpRequest& request) {
   if (path == "/v1/latency") return json(latency_reply_json(*snapshot, options_.clock, now_ns));
   if (path == "/v1/frames") return frames(request, *snapshot);
   if (path == "/v1/plan")
-    return snapshot->subject ? json(plan_reply_json(*snapshot)) : not_yet("no plan yet");
+    return snapshot->subject ? json(plan_reply_json(*snapshot, pictures_.bytes_held()))
+                             : not_yet("no plan yet");
   if (path == "/metrics") {
     HttpResponse response;
     response.content_type = PrometheusText::kContentType;
-    response.body = metrics_page(*snapshot, http_());
+    response.body = metrics_page(*snapshot, http_(), pictures_.bytes_held());
     return response;
   }
   if (path == "/") {
@@ -152,12 +153,13 @@ HttpResponse Endpoints::picture(const HttpRequest& request) {
   for (std::size_t eye = 0; eye < kPolarPictures.size(); ++eye) {
     if (name == std::string(kPolarPictures[eye]) + ".png") return polar_picture(*pictures, eye);
   }
-  const std::vector<Viewport>& viewports = pictures->subject->profile.viewports;
-  const auto found = std::find_if(viewports.begin(), viewports.end(),
-                                  [&](const Viewport& viewport) { return viewport.name + ".png" == name; });
-  if (found == viewports.end()) return plain(404, "404 no such viewport; /v1/status lists them");
+  const std::vector<PictureOutline> outlines = pictures->subject->pictures();
+  const auto found = std::find_if(outlines.begin(), outlines.end(), [&](const PictureOutline& outline) {
+    return outline.name + ".png" == name;
+  });
+  if (found == outlines.end()) return plain(404, "404 no such picture; /v1/status lists them");
   HttpResponse response = png_of(*pictures);
-  response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - viewports.begin()),
+  response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - outlines.begin()),
                                 full != request.query.end() && full->second == "1");
   return response;
 }

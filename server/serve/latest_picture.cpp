@@ -39,13 +39,17 @@ std::string LatestPicture::encode_once(Encoded& encoded, std::int64_t sequence,
   encoded.bytes.assign(bytes_.begin(), bytes_.end());
   encoded.sequence = sequence;
   ++encoded_;
+  std::size_t held = image_.values.capacity() + bytes_.capacity();
+  for (const auto& [key, file] : cache_) held += file.bytes.capacity();
+  for (const Encoded& file : polar_cache_) held += file.bytes.capacity();
+  bytes_held_ = static_cast<std::int64_t>(held);
   return encoded.bytes;
 }
 
 std::string LatestPicture::png(const ServedPictures& pictures, std::size_t index, bool full) {
   const std::lock_guard lock(mutex_);
   return encode_once(cache_[{index, full}], pictures.sequence, [&] {
-    const ViewportImage& viewport = pictures.frame.viewports.at(index);
+    const ViewportImage& viewport = *pictures.frame.pictures().at(index);
     if (full) {
       srgb8_from_viewport(viewport, pictures.coverage, image_);
     } else {
