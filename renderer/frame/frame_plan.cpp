@@ -238,6 +238,13 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.camera, settings.camera && session_has_camera, "camera composite",
          "the session has a camera feed",
          session_has_camera ? "switched off by settings" : "the session has no camera feed");
+  // Catchers mirror virtual objects alone.
+  const bool shows = (plan.mirror_rays && t.reflecting > 0) || plan.refraction;
+  decide(plan.mirrored_feed, plan.camera && shows, kMirroredFeed,
+         "inside the camera's view; beyond it the environment, or a catcher's colour",
+         shows ? "no camera feed is shown: they show the environment"
+               : "no object reflects, and none is transparent",
+         !plan.camera || !shows);
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
   check_forced(settings, plan);
   return plan;

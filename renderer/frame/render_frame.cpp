@@ -15,7 +15,6 @@
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/tiles/finite_lanes.h"
-#include "renderer/viewports/camera_feed.h"
 #include "renderer/viewports/gaze_marker.h"
 
 namespace herr {
@@ -141,9 +140,10 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
   if (impl.plan.probes && use.pass) impl.view_probes();
   if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
+  timed(out.times, Stage::viewports, [&] { impl.set_up_feeds(sample); });
   timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
   if (!impl.trace_tiles(out.times, use)) return false;
-  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
+  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
   require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
@@ -270,6 +270,8 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }
+    const FeedInScene& feed = feeds[static_cast<std::size_t>(eye)];
+    grids[i].feed = plan.mirrored_feed && feed.view.image ? &feed : nullptr;
     grids[i].ray_width = static_cast<float>(settings.ray_width);
     grids[i].jitter = pass && pass->jitter;
     if (grids[i].jitter) set_jitter(*pass, static_cast<int>(i), grids[i]);
@@ -310,7 +312,7 @@ bool Renderer::Impl::trace_tiles(StageTimes& times, const FrameUse& use) {
   return whole;
 }
 
-void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& out) {
+void Renderer::Impl::set_up_viewports(RenderedFrame& out) {
   out.viewports.resize(profile.viewports.size());
   for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
     const Viewport& viewport = profile.viewports[i];
@@ -339,15 +341,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
       // Each pixel has a texel of its own: no filter has anything to do.
       if (job.one_texel_per_pixel()) job.filter = ResampleFilter::nearest;
     }
-    job.feed = {};
-    if (!plan.camera || !sample.cameras[eye]) continue;
-    const SampledCamera& camera = *sample.cameras[eye];
-    job.feed.white = 1.0f / shown_scale();
-    job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
-    job.feed.model = camera.model;
-    job.feed.camera_from_eye =
-        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
-    job.feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
+    job.feed = feeds[eye].view;
   }
 }
 
