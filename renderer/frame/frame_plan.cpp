@@ -213,6 +213,10 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
              std::to_string(settings.probes.rays) + " rays each",
          scene.instances.empty() ? "no surface to light" : "switched off by settings");
+  bool ambient = false;
+  decide(ambient, scene.ambient != glm::vec3{0.0f} && !plan.probes, "constant ambient light",
+         "the same from all sides",
+         plan.probes ? "probes gather light in its place" : "the scene has none");
   decide(plan.catcher_probes, plan.probes && t.catchers_ever > 0, "probes of catchers alone",
          "indirect light changes the feed on catchers",
          t.catchers_ever > 0 ? "probes are off" : "no catcher");

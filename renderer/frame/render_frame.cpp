@@ -129,6 +129,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   const std::optional<std::int64_t> cpu_start_ns = process_cpu_ns();
 
   timed(out.times, Stage::polar_rays, [&] { impl.follow_gaze(sample); });
+  out.quality.polar_width = std::min(out.quality.polar_width, impl.full_width());
   const SceneUpdate update =
       timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
@@ -174,16 +175,6 @@ void Renderer::skip_frame(const FrameSample& sample, const SceneState& state) {
   impl_->update_probes(sample, state, nobodys);
 }
 
-// Where each eye looks, in its own space, and how far from there its viewports reach.
-void Renderer::Impl::follow_gaze(const FrameSample& sample) {
-  for (const Eye eye : kEyes) {
-    const auto e = static_cast<std::size_t>(eye);
-    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
-    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
-    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
-  }
-}
-
 void Renderer::Impl::place_eyes(const FrameSample& sample) {
   const Pose world_from_head = scene.world_from_session * sample.head.world_from_head;
   geometry->follow(world_from_head.position);
@@ -221,8 +212,9 @@ void Renderer::Impl::choose_details() {
     detail_eyes[e].position = pose.position + geometry->anchor();
     detail_eyes[e].gaze = pose.orientation * eyes[e].gaze.gaze;
     detail_eyes[e].foveated = plan.polar;
-    const PolarMap map = PolarMap::up_to(std::max(eyes[e].theta_max_deg, 1e-3));
-    if (plan.polar) detail_eyes[e].samples_per_deg = map.radial_density(0.0, settings.polar_width);
+    const double theta_max_deg = eyes[e].theta_max_deg;
+    if (!plan.polar) continue;
+    detail_eyes[e].samples_per_deg = polar_map(theta_max_deg).radial_density(0.0, full_width(theta_max_deg));
   }
   details.choose(
       detail_eyes, settings.detail_error,
@@ -245,6 +237,7 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.lights = lights;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
+  shading.occlusion_smoothing = settings.occlusion_smoothing;
   const EnvironmentImage& outside = scene.environment_map;
   const float turn = outside.turn_deg / 360.0f;
   shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
@@ -272,7 +265,7 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
     const std::uint32_t key = frame_key(sample.t_ns - sample.start_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
-      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
+      samples[i]->update(polar_map(view.theta_max_deg), width_of(view, polar_width));
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
@@ -386,7 +379,11 @@ void Renderer::Impl::collect_counters(RenderedFrame& out) const {
   for (const Viewport& v : profile.viewports) {
     total.viewport_pixels += static_cast<std::int64_t>(v.width_px) * v.height_px;
   }
-  for (std::size_t eye = 0; eye < eyes.size(); ++eye) out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+  for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
+    out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+    out.polar_width[eye] = plan.polar ? samples[eye]->width() : 0;
+  }
+  out.polar_height = plan.polar ? settings.polar_height : 0;
 }
 
 }  // namespace herr

@@ -182,6 +182,7 @@ struct ShadingInputs {
   float ambient[3] = {};
   int occlusion_rays = 0;
   float occlusion_radius_m = 0;
+  bool occlusion_smoothing = true;
   EnvironmentRecord environment_map;  // instead of `environment` where it has texels
   float environment[3] = {};
   float smallest_irradiance[3] =

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "server/inspect/acuity/acuity_text.h"
 #include "server/inspect/scene_text.h"
 #include "server/inspect/session_text.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/text/number_text.h"
+#include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
 
 namespace herr {
@@ -57,6 +59,9 @@ std::string inspect_text(const InspectReport& report) {
   if (report.session) text += session_text(report);
   if (report.scene) text += scene_text(report);
   text += plan_text(report);
+  if (report.acuity) text += acuity_text(*report.acuity);
+  if (!report.acuity_plot.empty())
+    text += "the plot as a picture: " + printable(report.acuity_plot.string()) + "\n\n";
   if (report.probes) text += probe_dump_text(*report.probes);
   return text + findings_text(report.findings) + verdict(report);
 }
