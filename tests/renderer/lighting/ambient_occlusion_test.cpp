@@ -126,7 +126,7 @@ TEST(AmbientOcclusionTest, TheMeanOverNeighboursEndsAtTheEdgeOfASurface) {
   const float sheet = 0.27f, floor = 0.52f;  // diffuse and F0 of light 1, rounded down
   int on_sheet = 0, darkened = 0;
   test::for_each_pixel(bare.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
-    const float seen = test::pixel_at(mean.viewports[0], x, y)[0];
+    const auto seen = static_cast<float>(test::pixel_at(mean.viewports[0], x, y)[0]);
     if (pixel[0] < floor && pixel[0] > sheet) {
       ++on_sheet;
       ASSERT_EQ(seen, pixel[0]) << x << ' ' << y;
