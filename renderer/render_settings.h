@@ -1,6 +1,6 @@
 // What the user can choose about a render; one struct, each field with its default and a sentence. The
-// defaults are the paper's frame. Ranges, flags and names stand in settings_list.cpp: a new field has a row
-// there. Settings that go together by a name stand in settings_presets.cpp.
+// defaults are the paper's frame. Ranges, flags and names stand in settings/settings_list.cpp: a new field
+// has a row there. Settings that go together by a name stand in settings/settings_presets.cpp.
 #pragma once
 
 #include <cstdint>
