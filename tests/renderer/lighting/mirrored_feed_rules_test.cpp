@@ -298,8 +298,9 @@ TEST(MirroredFeedRulesTest, NeitherThreadsNorVectorsChangeIt) {
   Scene scene = mirror_and_ball();
   test::add(scene, test::floor_quad(9, -0.5f), test::matte({0.9f, 0, 0}), true);
   scene.lights = {test::light_at({0, 2, -1}, glm::vec3{5.0f}, {0.3f, 0.1f, 0.3f})};
-  const auto render = [&](int threads, Isa isa) {
+  const auto render = [&](int threads, Isa isa, bool probes = false) {
     RenderSettings settings = test::small_settings();
+    settings.probes.on = probes;
     settings.threads = threads;
     settings.isa = isa;
     settings.light_samples = 4;
@@ -307,6 +308,7 @@ TEST(MirroredFeedRulesTest, NeitherThreadsNorVectorsChangeIt) {
   };
   const RenderedFrame one = render(1, Isa::best);
   test::expect_same_bits(one, render(3, Isa::best));
+  test::expect_same_bits(render(1, Isa::best, true), render(3, Isa::best, true));
   for (const Isa isa : test::offered_isas()) {
     // Pixels are around 2; rays differ by rounding, which flips a shadow here and there.
     EXPECT_LT(test::mean_difference(one, render(1, isa)), 2e-3) << name_of(isa);
