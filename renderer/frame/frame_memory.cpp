@@ -74,7 +74,8 @@ MemoryUse Renderer::memory() const {
           {"alpha layers", layers},
           {"further lobes", lobes},
           {"adaptive light samples", adaptive},
-          {"strips in work", strips}};
+          {"strips in work", strips},
+          {"outside view", impl.outside_work ? impl.outside_work->bytes() : 0}};
 }
 
 }  // namespace herr

@@ -241,6 +241,8 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
     shading.environment[channel] = scene.environment[channel];
     shading.smallest_irradiance[channel] = kDarkest * scale[channel];
   }
+  shading.paints_see_through = settings.see_through_colour.has_value();
+  if (shading.paints_see_through) paint_see_through(*settings.see_through_colour, shading);
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
   shading.shown_white = 1.0f / shown_scale();
@@ -314,7 +316,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
     job.polar = plan.polar;
     job.filter = settings.filter;
-    job.opaque = shading.background_is_environment || settings.debug_tiles;
+    job.opaque = shading.background_is_environment || shading.paints_see_through || settings.debug_tiles;
     if (plan.polar) {
       const PolarSamples& polar = *samples[eye];
       job.polar_width = polar.width();

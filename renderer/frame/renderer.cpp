@@ -76,6 +76,8 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   if (plan.probes) build_probes();
   counters.resize(workers);
   cycles.resize(workers);
+  if (settings.outside)
+    outside_work = std::make_unique<OutsideWork>(*settings.outside, viewports, threads.count());
 }
 
 Renderer::Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,

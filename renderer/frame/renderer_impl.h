@@ -10,6 +10,7 @@
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/geometry/instance_boxes.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/outside/outside_work.h"
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probes/probe_motion.h"
 #include "renderer/renderer.h"
@@ -67,6 +68,8 @@ struct Renderer::Impl {
   std::vector<LightRecord> probe_lights;       // one sample each
   std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
 
+  std::unique_ptr<OutsideWork> outside_work;  // with an outside view only
+
   // Per worker.
   std::vector<std::unique_ptr<TileScratch>> tile_scratch;
   std::vector<std::unique_ptr<StripScratch>> strip_scratch;
@@ -90,6 +93,12 @@ struct Renderer::Impl {
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
+  void paint_see_through(const ShownColour& colour, ShadingInputs& inputs) const;
+
+  // After the frame (render_outside.cpp): a picture from outside; how many of its values were not finite.
+  std::int64_t render_outside(const FrameSample& sample, ViewportImage& out);
+  void set_up_outside(const FrameSample& sample, const Pose& anchored_from_camera);
+  void set_up_overlay(const FrameSample& sample, const PictureCamera& camera);
 
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();

@@ -51,6 +51,15 @@ struct Texel {
   V3 light, ratio;
 };
 
+// With `behind` in place of the feed.
+HWY_INLINE Texel painted_texel(const Texel& texel, const V3& behind) {
+  const VF zero = hn::Zero(kF);
+  return {
+      {hn::MulAdd(behind.x, texel.ratio.x, texel.light.x), hn::MulAdd(behind.y, texel.ratio.y, texel.light.y),
+       hn::MulAdd(behind.z, texel.ratio.z, texel.light.z)},
+      {zero, zero, zero}};
+}
+
 // What the first hits themselves show and keep.
 HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
   const ShadingInputs& shading = *job.shading;
@@ -89,31 +98,30 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
     if (shading.plan->catcher_mirrors) {
       texel.light = select(catcher, load3(hits.mirrored, slot), texel.light);
     }
+    if (shading.paints_catchers) {
+      const Texel painted = painted_texel(texel, set3(shading.see_through));
+      texel.light = select(catcher, painted.light, texel.light);
+      texel.ratio = select(catcher, painted.ratio, texel.ratio);
+    }
   }
   return texel;
 }
 
-// Puts the background behind: debug colours or the environment, where no feed is shown.
+// Puts the background behind: debug colours, one colour or the environment, where no feed is shown.
 HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
   const ShadingInputs& shading = *job.shading;
   const HitBatch& hits = job.scratch->first;
   const int slot = packet * kLanes;
-  const VF zero = hn::Zero(kF);
   if (shading.debug_tiles && job.grid->polar) {
     const V3 colour = scale(debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
                                          job.scratch->packet_y[static_cast<std::size_t>(packet)]),
                             set(shading.shown_white));
-    texel.light = {hn::MulAdd(colour.x, texel.ratio.x, texel.light.x),
-                   hn::MulAdd(colour.y, texel.ratio.y, texel.light.y),
-                   hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};
-    texel.ratio = {zero, zero, zero};
+    texel = painted_texel(texel, colour);
+  } else if (shading.paints_see_through) {
+    texel = painted_texel(texel, set3(shading.see_through));
   } else if (shading.background_is_environment) {
     const V3 back = load3(hits.viewer, slot);
-    const V3 environment = environment_radiance(shading, scale(back, set(-1.0f)));
-    texel.light = {hn::MulAdd(environment.x, texel.ratio.x, texel.light.x),
-                   hn::MulAdd(environment.y, texel.ratio.y, texel.light.y),
-                   hn::MulAdd(environment.z, texel.ratio.z, texel.light.z)};
-    texel.ratio = {zero, zero, zero};
+    texel = painted_texel(texel, environment_radiance(shading, scale(back, set(-1.0f))));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
 #include "server/process/exit_code.h"
+#include "server/settings/view_file.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -45,6 +46,8 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   report.header = session.header();
   report.findings = session.findings();
   report.profile = options.profile.empty() ? report.header.profile : load_display_profile(options.profile);
+  std::optional<OutsideView> view;
+  if (!options.view.empty()) view = load_view_file(options.view);
   // In real time a frame of the session is a tick of the display.
   const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
   const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;
@@ -55,7 +58,9 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
                      " lies in that span; choose one within the session");
   }
   open_scene(options, report, opened);
-  build_renderer(options.render, report, opened);
+  RenderSettings asked = options.render;
+  asked.outside = view;
+  build_renderer(asked, report, opened);
   if (opened.renderer->settings().auto_exposure) {
     choose_exposure(report, opened);
     open_recording(options, report, opened);  // from its start again

@@ -7,7 +7,7 @@ ROOMS = {
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check/roles", "import/check"),
     "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "environment", "document", "changes"),
     "renderer": ("simd", "threads", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
-                 "surfaces", "lighting", "tracing", "probe_updates", "viewports", "frame", "bench"),
+                 "surfaces", "lighting", "tracing", "probe_updates", "viewports", "outside", "frame", "bench"),
     "server": ("text", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
@@ -63,7 +63,7 @@ FACE = {
         "scenes/model/voxel_grid.h",
     ),
     "renderer": (
-        "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/memory_use.h",
+        "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/memory_use.h", "renderer/outside_view.h",
         "renderer/polar_picture.h", "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h",
         "renderer/setting.h", "renderer/settings_list.h", "renderer/stage_times.h", "renderer/timing.h",
         "renderer/viewport_image.h",
