@@ -19,6 +19,8 @@ enum class Foveation : std::uint8_t { log_polar, off };
 enum class LightSampler : std::uint8_t { jittered, random };
 // How viewport pixels are made of the samples around them. bicubic: Catmull-Rom, which keeps the samples.
 enum class ResampleFilter : std::uint8_t { nearest, bilinear, bicubic };
+// Whether pictures are made of what each eye sees, and as dense as which kind of viewport.
+enum class Blend : std::uint8_t { off, context, focus };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
 // Light that bounces between surfaces, gathered by a grid of probes over time.
@@ -56,10 +58,11 @@ struct RenderSettings {
   bool refraction = true;      // follow light through transparent materials; off: they are opaque
   bool camera = true;          // composite over the camera feed where the session has one
   bool gaze_marker = false;    // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;    // colour the polar buffer in tiles of 15 degrees (Figure 6)
   // Painted over the feed, or where one would be seen: times the catcher's ratio, so that shadows show. None:
   // the feed is shown.
   std::optional<ShownColour> see_through_colour;
-  bool debug_tiles = false;  // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  Blend blended_view = Blend::off;  // further pictures: focus viewports blended into the context
   // The camera feed is re-projected as if it lay on a sphere of this radius, metres, whose centre is the eye
   // that is displayed. None: the distance that the session names, else kUsualFeedDistance_m.
   std::optional<double> feed_distance_m;

@@ -13,6 +13,7 @@
 
 #include "renderer/frame_counters.h"
 #include "renderer/frame_plan.h"
+#include "renderer/further_view.h"
 #include "renderer/memory_use.h"
 #include "renderer/pixel_pass.h"
 #include "renderer/probe_counts.h"
@@ -37,11 +38,15 @@ struct FrameQuality {
 // One rendered frame. Reuse it for every frame: its storage is kept.
 struct RenderedFrame {
   std::vector<ViewportImage> viewports;  // in the order of DisplayProfile::viewports
+  std::vector<FurtherView> further;      // as further_views() lists them; empty unless asked for
   StageTimes times;
   FrameCounters counters;
   FrameQuality quality;                   // of this frame, every number resolved; probes 0 without probes
   ProbeCounts probes;                     // all 0 without probes
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
+
+  // As pictures_of_frame() lists them; they stay this frame's.
+  std::vector<const ViewportImage*> pictures() const;
 };
 
 // What a frame leaves behind for the next one, beyond buffers that are filled anew: with it a replay goes on

@@ -15,7 +15,7 @@
 namespace herr {
 
 // Which settings stand together in a help, and which commands have them.
-enum class SettingGroup { session, look, rays, probes, time, span, files, machine };
+enum class SettingGroup { session, look, rays, probes, time, span, files, views, machine };
 
 // What another value changes.
 enum class SettingEffect {

@@ -130,6 +130,16 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
   };
 }
 
+std::vector<Setting> of_views(RenderSettings& s) {
+  return {
+      {"blended_view", "--blended-view", "", Group::views, Effect::pictures,
+       "a further picture of what each eye sees, focus viewports blended into the context as the headset "
+       "does: "
+       "off, or as dense as the viewports of kind context or focus",
+       one_of(s.blended_view, {"off", "context", "focus"})},
+  };
+}
+
 std::vector<Setting> of_machine(RenderSettings& s) {
   return {
       {"threads", "--threads", "", Group::machine, Effect::none, "render threads",
@@ -148,8 +158,8 @@ static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 360);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;
-  for (const std::vector<Setting>& part :
-       {of_rays(settings), of_probes(settings.probes), of_pictures(settings), of_machine(settings)}) {
+  for (const std::vector<Setting>& part : {of_rays(settings), of_probes(settings.probes),
+                                           of_pictures(settings), of_views(settings), of_machine(settings)}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -34,6 +34,7 @@ struct StageTimes {
   std::array<double, kStageCount> ms{};  // wall milliseconds
   double frame_ms = 0;                   // equals the sum of ms
   double commit_ms = 0;                  // of the stage acceleration: Embree's commits, 0 without any
+  double views_ms = 0;                   // after the frame time: RenderedFrame::further, 0 without any
 
   double& operator[](Stage s) { return ms[static_cast<std::size_t>(s)]; }
   double operator[](Stage s) const { return ms[static_cast<std::size_t>(s)]; }

@@ -7,6 +7,9 @@
 
 namespace herr {
 
+// Texels from row to row of a picture of that width: kernels store whole blocks.
+std::size_t padded_row(int width_px);
+
 struct ViewportImage {
   int width_px = 0, height_px = 0;
   // Over a camera feed alpha is 1; without one it is the coverage by virtual objects. Rows start at multiples

@@ -62,6 +62,10 @@ MemoryUse Renderer::memory() const {
     lobes += bytes_if(scratch->first.lobes) + (scratch->second ? bytes_if(scratch->second->hits.lobes) : 0);
   }
   for (const std::unique_ptr<StripScratch>& scratch : impl.strip_scratch) strips += scratch->bytes();
+  std::int64_t views = 0;
+  for (const BlendedView& view : impl.blended_views) views += view.bytes();
+  for (const BlendScratch& scratch : impl.blend_scratch) views += scratch.bytes();
+  if (impl.outside_work) views += impl.outside_work->bytes();
   return {{"acceleration structures", geometry.acceleration},
           {"surfaces", geometry.surfaces},
           {"textures", geometry.textures},
@@ -75,7 +79,7 @@ MemoryUse Renderer::memory() const {
           {"further lobes", lobes},
           {"adaptive light samples", adaptive},
           {"strips in work", strips},
-          {"outside view", impl.outside_work ? impl.outside_work->bytes() : 0}};
+          {"further views", views}};
 }
 
 }  // namespace herr

@@ -8,10 +8,11 @@ namespace herr {
 namespace {
 
 constexpr int kFilterReach = 2;  // rays: bicubic
+constexpr int kBlendReach = 1;   // pixels, at most a ray each: blended views interpolate the context
 
 // Whether one focus viewport covers a tile and as many rays around it as a filter may read. What it covers is
 // a rectangle: the four corners tell. Several together need not cover what lies between corners.
-bool covered_by_one(const DisplayProfile& profile, const PixelTile& tile, double scale) {
+bool covered_by_one(const DisplayProfile& profile, const PixelTile& tile, double scale, int reach) {
   const Viewport& own = profile.viewports[static_cast<std::size_t>(tile.viewport)];
   const double per_x = (own.tan_right - own.tan_left) / rays_along(own.width_px, scale),
                per_y = (own.tan_up - own.tan_down) / rays_along(own.height_px, scale);
@@ -19,8 +20,8 @@ bool covered_by_one(const DisplayProfile& profile, const PixelTile& tile, double
   for (const Viewport& focus : profile.viewports) {
     pair.viewports = {own, focus};
     bool covered = focus.focus;
-    for (const int x : {tile.x0 - kFilterReach, tile.x1 + kFilterReach}) {
-      for (const int y : {tile.y0 - kFilterReach, tile.y1 + kFilterReach}) {
+    for (const int x : {tile.x0 - reach, tile.x1 + reach}) {
+      for (const int y : {tile.y0 - reach, tile.y1 + reach}) {
         covered = covered && covered_by_focus(pair, 0, own.tan_left + x * per_x, own.tan_up - y * per_y);
       }
     }
@@ -50,8 +51,9 @@ std::vector<PixelTile> Renderer::Impl::pixel_tiles() const {
 void Renderer::Impl::find_covered_tiles() {
   covered_tiles.clear();
   if (plan.polar || settings.covered_pixels) return;
+  const int reach = kFilterReach + (settings.blended_view == Blend::off ? 0 : kBlendReach);
   for (const PixelTile& tile : pixel_tiles()) {
-    covered_tiles.push_back(covered_by_one(profile, tile, settings.scale) ? 1 : 0);
+    covered_tiles.push_back(covered_by_one(profile, tile, settings.scale, reach) ? 1 : 0);
   }
 }
 

@@ -143,6 +143,11 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   for (const double ms : out.times.ms) booked += ms;
   out.times[Stage::other] = std::max(0.0, out.times.frame_ms - booked);
   impl.collect_counters(out);
+
+  // Beside what the headset shows: not of the frame time.
+  const auto finished = SteadyClock::now();
+  if (!impl.make_further_views(sample, out, use.abandon)) return false;
+  if (!out.further.empty()) out.times.views_ms = milliseconds_since(finished);
   return true;
 }
 

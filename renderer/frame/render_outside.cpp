@@ -61,7 +61,8 @@ void Renderer::Impl::set_up_overlay(const FrameSample& sample, const PictureCame
   }
 }
 
-std::int64_t Renderer::Impl::render_outside(const FrameSample& sample, ViewportImage& out) {
+bool Renderer::Impl::render_outside(const FrameSample& sample, RenderedFrame& out,
+                                    const std::atomic<bool>* abandon) {
   OutsideWork& work = *outside_work;
   const OutsideView& view = work.view;
   Pose camera_pose = view.space_from_camera;
@@ -75,25 +76,23 @@ std::int64_t Renderer::Impl::render_outside(const FrameSample& sample, ViewportI
     trace_tile({&work.grid, &work.shading, tile % tiles_x * kTileSide, tile / tiles_x * kTileSide,
                 tile_scratch[w].get(), &work.counters[w], &work.cycles[w], nullptr});
   };
-  threads.run(tiles_x * tiles_y, std::cref(trace));
+  if (!threads.run(tiles_x * tiles_y, std::cref(trace), abandon)) return false;
 
-  if (out.width_px != view.width_px || out.height_px != view.height_px) {
-    out.resize(view.width_px, view.height_px);
-  }
-  out.exposure = shown_scale();
+  ViewportImage& picture = out.further.back().image;
   const PictureCamera camera = picture_camera(view, camera_pose);
   work.screen_lines.clear();
   if (view.overlay) set_up_overlay(sample, camera);
   const auto finish = [&](int job, int worker) {
-    const int y0 = job * kRowsOfJob, y1 = std::min(y0 + kRowsOfJob, out.height_px);
-    average_rays(work, y0, y1, out);
+    const int y0 = job * kRowsOfJob, y1 = std::min(y0 + kRowsOfJob, picture.height_px);
+    average_rays(work, y0, y1, picture);
     draw_lines(camera, geometry->top(), work.screen_lines, y0, y1,
-               work.line_scratch[static_cast<std::size_t>(worker)], out);
+               work.line_scratch[static_cast<std::size_t>(worker)], picture);
   };
-  threads.run((out.height_px + kRowsOfJob - 1) / kRowsOfJob, std::cref(finish));
-  std::int64_t nonfinite = 0;
-  for (const TileCounters& worker : work.counters) nonfinite += worker.nonfinite_values;
-  return nonfinite;
+  const int jobs = (picture.height_px + kRowsOfJob - 1) / kRowsOfJob;
+  if (!threads.run(jobs, std::cref(finish), abandon)) return false;
+  // Its rays are not the frame's, but nothing that is not finite goes unsaid.
+  for (const TileCounters& worker : work.counters) out.counters.nonfinite_values += worker.nonfinite_values;
+  return true;
 }
 
 }  // namespace herr

@@ -36,7 +36,8 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
       boxes(scene_in),
       session_has_camera(session_has_camera_in),
       trace_tile(trace_tile_for(settings.isa)),
-      composite_strip(composite_strip_for(settings.isa)) {
+      composite_strip(composite_strip_for(settings.isa)),
+      blend_strip(blend_strip_for(settings.isa)) {
   threads.inside([&] { geometry = std::make_unique<EmbreeScene>(scene, settings.isa, settings.threads); });
   measure_reach();
 
@@ -73,11 +74,10 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
   allocate_scratch();
+  build_further_views();
   if (plan.probes) build_probes();
   counters.resize(workers);
   cycles.resize(workers);
-  if (settings.outside)
-    outside_work = std::make_unique<OutsideWork>(*settings.outside, viewports, threads.count());
 }
 
 Renderer::Renderer(const Scene& scene, const DisplayProfile& profile, const RenderSettings& settings,

@@ -16,6 +16,7 @@
 #include "renderer/renderer.h"
 #include "renderer/threads/render_threads.h"
 #include "renderer/tiles/tile_job.h"
+#include "renderer/viewports/blended_view.h"
 #include "renderer/viewports/viewport_job.h"
 
 namespace herr {
@@ -44,6 +45,7 @@ struct Renderer::Impl {
 
   TraceTile trace_tile;
   CompositeStrip composite_strip;
+  BlendStrip blend_strip;
 
   // Per frame, rewritten in place.
   std::array<EyeView, 2> eyes;
@@ -58,6 +60,11 @@ struct Renderer::Impl {
   std::vector<int> first_strip;               // of each viewport, then the total
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
+  // Of the pictures beside the viewports, as further_views() lists them.
+  std::vector<PictureOutline> further;
+  std::vector<BlendedView> blended_views;
+  std::unique_ptr<OutsideWork> outside_work;
+
   // With probes only.
   std::unique_ptr<ProbeVolume> probes;
   std::unique_ptr<ProbeMotion> probe_motion;  // where the scene changes
@@ -68,11 +75,10 @@ struct Renderer::Impl {
   std::vector<LightRecord> probe_lights;       // one sample each
   std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
 
-  std::unique_ptr<OutsideWork> outside_work;  // with an outside view only
-
   // Per worker.
   std::vector<std::unique_ptr<TileScratch>> tile_scratch;
   std::vector<std::unique_ptr<StripScratch>> strip_scratch;
+  std::vector<BlendScratch> blend_scratch;  // with blended views only
   std::vector<TileCounters> counters;
   std::vector<StageCycles> cycles;
 
@@ -95,8 +101,12 @@ struct Renderer::Impl {
   void collect_counters(RenderedFrame& out) const;
   void paint_see_through(const ShownColour& colour, ShadingInputs& inputs) const;
 
-  // After the frame (render_outside.cpp): a picture from outside; how many of its values were not finite.
-  std::int64_t render_outside(const FrameSample& sample, ViewportImage& out);
+  // After the frame (further_views.cpp). False: it was given up.
+  void build_further_views();
+  bool make_further_views(const FrameSample& sample, RenderedFrame& out, const std::atomic<bool>* abandon);
+  void set_up_further_views(RenderedFrame& out) const;
+  bool blend_views(RenderedFrame& out, const std::atomic<bool>* abandon);
+  bool render_outside(const FrameSample& sample, RenderedFrame& out, const std::atomic<bool>* abandon);
   void set_up_outside(const FrameSample& sample, const Pose& anchored_from_camera);
   void set_up_overlay(const FrameSample& sample, const PictureCamera& camera);
 

@@ -62,7 +62,7 @@ void add_replay_flags(CLI::App& app, ReplayOptions& options) {
             [&](const std::string& text) { options.out = text; });
   add_setting_flags(app, settings_of(options),
                     {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
-                     SettingGroup::files});
+                     SettingGroup::files, SettingGroup::views});
   add_render_flags(app, options.render);
   app.add_flag_callback(
       "--overwrite", [&] { options.overwrite = true; }, "replace results that are there");
@@ -99,7 +99,8 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
             "file of mode 0600 with the token that clients must show; a must off loopback",
             [&](const std::string& text) { options.auth_token_file = text; });
   add_setting_flags(app, settings_of(options.replay),
-                    {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span});
+                    {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
+                     SettingGroup::views});
   add_render_flags(app, options.replay.render);
   app.add_flag_callback(
       "--keep-going", [&] { options.replay.session.keep_going = true; }, "skip bad rows and images");

@@ -32,6 +32,8 @@ const char* title_of(SettingGroup group) {
       return "Part of the session";
     case SettingGroup::files:
       return "Pictures";
+    case SettingGroup::views:
+      return "Further views";
     case SettingGroup::machine:
       return "Machine";
   }

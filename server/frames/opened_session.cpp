@@ -26,6 +26,19 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
   report.scene_triangles = triangle_count(opened.scene, false);
 }
 
+// Its picture joins those of the viewports, under its own name.
+std::optional<OutsideView> view_of(const ReplayOptions& options, const DisplayProfile& profile) {
+  if (options.view.empty()) return std::nullopt;
+  const OutsideView view = load_view_file(options.view);
+  for (const Viewport& viewport : profile.viewports) {
+    if (viewport.name != view.name) continue;
+    throw InputError(options.view, 0,
+                     "field name is '" + view.name + "', as a viewport of the display profile is called",
+                     "give the view another name");
+  }
+  return view;
+}
+
 }  // namespace
 
 void open_recording(const ReplayOptions& options, const SessionReport& report, OpenedSession& opened) {
@@ -46,8 +59,7 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   report.header = session.header();
   report.findings = session.findings();
   report.profile = options.profile.empty() ? report.header.profile : load_display_profile(options.profile);
-  std::optional<OutsideView> view;
-  if (!options.view.empty()) view = load_view_file(options.view);
+  const std::optional<OutsideView> view = view_of(options, report.profile);
   // In real time a frame of the session is a tick of the display.
   const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
   const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;

@@ -42,7 +42,8 @@ std::vector<std::uint8_t> encoded_look(const LookOptions& options, LookRenderer&
   const ParallelFor parallel_for = [&](int count, const std::function<void(int)>& work) {
     renderer.renderer().parallel_for(count, work);
   };
-  encode_exr({picture}, camera.profile, renderer.sample(camera), metadata, parallel_for, bytes);
+  encode_exr({&picture}, pictures_of_frame(camera.profile, {}), renderer.sample(camera), metadata,
+             parallel_for, bytes);
   return bytes;
 }
 

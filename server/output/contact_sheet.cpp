@@ -12,27 +12,29 @@ constexpr float kBackgroundLinear = 0.02f;  // 8-bit sRGB 39: dark enough to sho
 
 using Texel = std::array<float, 4>;
 
-std::vector<std::size_t> viewports_of_kind(const DisplayProfile& profile, bool focus) {
+// Those of no eye last.
+std::vector<std::size_t> pictures_of_kind(const std::vector<PictureOutline>& outlines, PictureKind kind) {
   std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
-    if (profile.viewports[i].focus == focus) found.push_back(i);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (outlines[i].kind == kind) found.push_back(i);
   }
   std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
-    return profile.viewports[a].eye < profile.viewports[b].eye;
+    return outlines[a].eye && (!outlines[b].eye || *outlines[a].eye < *outlines[b].eye);
   });
   return found;
 }
 
-// Places one row of viewports below what is there.
-void add_row(const DisplayProfile& profile, const std::vector<std::size_t>& row, SheetLayout& layout) {
+// Places one row of pictures below what is there.
+void add_row(const std::vector<PictureOutline>& outlines, const std::vector<std::size_t>& row,
+             SheetLayout& layout) {
   if (row.empty()) return;
   const int count = static_cast<int>(row.size());
   const int width = std::max(1, (kContactSheetWidthPx - (count + 1) * kContactSheetGapPx) / count);
   int x = kContactSheetGapPx, tallest = 0;
   for (const std::size_t index : row) {
-    const Viewport& viewport = profile.viewports[index];
-    const int cell_width = std::min(width, viewport.width_px);
-    const double height = static_cast<double>(viewport.height_px) * cell_width / viewport.width_px;
+    const PictureOutline& picture = outlines[index];
+    const int cell_width = std::min(width, picture.width_px);
+    const double height = static_cast<double>(picture.height_px) * cell_width / picture.width_px;
     const int cell_height = std::max(1, static_cast<int>(std::lround(height)));
     layout.cells.push_back({index, x, layout.height_px, cell_width, cell_height});
     x += cell_width + kContactSheetGapPx;
@@ -95,17 +97,17 @@ void draw_cell_row(const ViewportImage& image, const SheetCell& cell, int y, Srg
 
 }  // namespace
 
-SheetLayout contact_sheet_layout(const DisplayProfile& profile) {
+SheetLayout contact_sheet_layout(const std::vector<PictureOutline>& outlines) {
   SheetLayout layout;
   layout.height_px = kContactSheetGapPx;
-  add_row(profile, viewports_of_kind(profile, false), layout);
-  add_row(profile, viewports_of_kind(profile, true), layout);
+  for (const PictureKind kind : kPictureKinds) add_row(outlines, pictures_of_kind(outlines, kind), layout);
   return layout;
 }
 
-void draw_contact_sheet(const std::vector<ViewportImage>& viewports, const DisplayProfile& profile,
-                        const ParallelFor& parallel_for, Srgb8Image& out) {
-  const SheetLayout layout = contact_sheet_layout(profile);
+void draw_contact_sheet(const std::vector<const ViewportImage*>& pictures,
+                        const std::vector<PictureOutline>& outlines, const ParallelFor& parallel_for,
+                        Srgb8Image& out) {
+  const SheetLayout layout = contact_sheet_layout(outlines);
   out.width_px = layout.width_px;
   out.height_px = layout.height_px;
   out.channels = 3;
@@ -114,7 +116,7 @@ void draw_contact_sheet(const std::vector<ViewportImage>& viewports, const Displ
   out.values.assign(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px),
                     background);
   for (const SheetCell& cell : layout.cells) {
-    parallel_for(cell.height_px, [&](int y) { draw_cell_row(viewports[cell.viewport], cell, y, out); });
+    parallel_for(cell.height_px, [&](int y) { draw_cell_row(*pictures[cell.picture], cell, y, out); });
   }
 }
 

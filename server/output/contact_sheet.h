@@ -1,20 +1,21 @@
-// All viewports of a frame in one picture (paper, Figure 6): context viewports above, focus viewports below,
-// left eye on the left. Each is reduced by an exact box filter in linear light, over a dark background.
+// All pictures of a frame in one (paper, Figure 6): context viewports above, focus viewports below, further
+// views below them, left eye on the left. Each is reduced by an exact box filter in linear light, over a dark
+// background.
 #pragma once
 
+#include "renderer/further_view.h"
 #include "renderer/viewport_image.h"
 #include "server/output/exr_encoder.h"
 #include "server/output/srgb_table.h"
-#include "sessions/format/display_profile.h"
 
 namespace herr {
 
 inline constexpr int kContactSheetWidthPx = 1600;
 inline constexpr int kContactSheetGapPx = 16;
 
-// Where a viewport stands on the sheet.
+// Where a picture stands on the sheet.
 struct SheetCell {
-  std::size_t viewport = 0;
+  std::size_t picture = 0;  // number in the list
   int x_px = 0, y_px = 0, width_px = 0, height_px = 0;
 };
 struct SheetLayout {
@@ -22,14 +23,15 @@ struct SheetLayout {
   std::vector<SheetCell> cells;
 };
 
-// Viewports are never enlarged; the sheet is at most kContactSheetWidthPx wide.
-SheetLayout contact_sheet_layout(const DisplayProfile& profile);
+// Of pictures_of_frame(). None is enlarged; the sheet is at most kContactSheetWidthPx wide.
+SheetLayout contact_sheet_layout(const std::vector<PictureOutline>& outlines);
 
-// `out` is RGB. Cells are drawn through `parallel_for`.
-void draw_contact_sheet(const std::vector<ViewportImage>& viewports, const DisplayProfile& profile,
-                        const ParallelFor& parallel_for, Srgb8Image& out);
+// `pictures` as the outlines list them. `out` is RGB. Cells are drawn through `parallel_for`.
+void draw_contact_sheet(const std::vector<const ViewportImage*>& pictures,
+                        const std::vector<PictureOutline>& outlines, const ParallelFor& parallel_for,
+                        Srgb8Image& out);
 
-// One viewport as RGB, reduced so that its longer side is at most `longest_px`; never enlarged.
+// One picture as RGB, reduced so that its longer side is at most `longest_px`; never enlarged.
 void draw_reduced_picture(const ViewportImage& viewport, int longest_px, Srgb8Image& out);
 
 }  // namespace herr

@@ -49,8 +49,7 @@ void describe_exposure(const ViewportImage& picture, Imf::Header& header) {
   header.insert("herr.exposure_ev", Imf::DoubleAttribute(std::log2(double{picture.exposure})));
 }
 
-void describe_headset(const FrameSample& sample, const Viewport& viewport, Imf::Header& header) {
-  const auto eye = static_cast<std::size_t>(viewport.eye);
+void describe_head(const FrameSample& sample, Imf::Header& header) {
   // OpenEXR has no 64-bit integer attribute: stamps are text.
   header.insert("herr.time_ns", Imf::StringAttribute(std::to_string(sample.t_ns)));
   header.insert("herr.pose_stamp_ns", Imf::StringAttribute(std::to_string(sample.head.stamp_ns)));
@@ -58,6 +57,11 @@ void describe_headset(const FrameSample& sample, const Viewport& viewport, Imf::
   header.insert("herr.head_position_m", Imf::V3dAttribute(vec(sample.head.world_from_head.position)));
   header.insert("herr.head_orientation_xyzw",
                 Imf::StringAttribute(quaternion_text(sample.head.world_from_head.orientation)));
+}
+
+void describe_eye(const FrameSample& sample, Eye of, Imf::Header& header) {
+  const auto eye = static_cast<std::size_t>(of);
+  header.setView(of == Eye::left ? "left" : "right");
   header.insert("herr.eye_position_in_head_m", Imf::V3dAttribute(vec(sample.head_from_eye[eye].position)));
   header.insert("herr.eye_orientation_in_head_xyzw",
                 Imf::StringAttribute(quaternion_text(sample.head_from_eye[eye].orientation)));
@@ -65,35 +69,36 @@ void describe_headset(const FrameSample& sample, const Viewport& viewport, Imf::
   header.insert("herr.gaze_source", Imf::StringAttribute(name_of(sample.gaze.source[eye])));
 }
 
-// The display window: all parts must share one, so it is as large as the largest viewport; the data window of
-// a part is the viewport's own.
-Imath::Box2i display_window(const DisplayProfile& profile) {
+// The display window: all parts must share one, so it is as large as the largest picture; the data window of
+// a part is the picture's own.
+Imath::Box2i display_window(const std::vector<PictureOutline>& outlines) {
   Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(0, 0));
-  for (const Viewport& viewport : profile.viewports) {
-    window.extendBy(Imath::V2i(viewport.width_px - 1, viewport.height_px - 1));
+  for (const PictureOutline& outline : outlines) {
+    window.extendBy(Imath::V2i(outline.width_px - 1, outline.height_px - 1));
   }
   return window;
 }
 
-Imf::Header make_header(const Viewport& viewport, const ViewportImage& picture, const Imath::Box2i& window,
-                        const FrameSample& sample, const PictureMetadata& metadata) {
-  const Imath::V2i last(viewport.width_px - 1, viewport.height_px - 1);
+Imf::Header make_header(const PictureOutline& outline, const ViewportImage& picture,
+                        const Imath::Box2i& window, const FrameSample& sample,
+                        const PictureMetadata& metadata) {
+  const Imath::V2i last(outline.width_px - 1, outline.height_px - 1);
   Imf::Header header(window, Imath::Box2i(Imath::V2i(0, 0), last));
-  header.setName(viewport.name);
+  header.setName(outline.name);
   header.setType(Imf::SCANLINEIMAGE);
-  header.setView(viewport.eye == Eye::left ? "left" : "right");
   header.compression() = kCompression;
   header.zipCompressionLevel() = kZipLevel;
   for (const char* channel : {"R", "G", "B", "A"}) header.channels().insert(channel, Imf::Channel(Imf::HALF));
   describe_run(metadata, header);
   describe_exposure(picture, header);
-  describe_headset(sample, viewport, header);
-  header.insert("herr.viewport_kind", Imf::StringAttribute(viewport.focus ? "focus" : "context"));
-  header.insert("herr.tan_left", Imf::DoubleAttribute(viewport.tan_left));
-  header.insert("herr.tan_right", Imf::DoubleAttribute(viewport.tan_right));
-  header.insert("herr.tan_down", Imf::DoubleAttribute(viewport.tan_down));
-  header.insert("herr.tan_up", Imf::DoubleAttribute(viewport.tan_up));
-  header.insert("herr.edge_blend_deg", Imf::DoubleAttribute(viewport.edge_blend_deg));
+  describe_head(sample, header);
+  if (outline.eye) describe_eye(sample, *outline.eye, header);
+  header.insert("herr.viewport_kind", Imf::StringAttribute(name_of(outline.kind)));
+  header.insert("herr.tan_left", Imf::DoubleAttribute(outline.tan_left));
+  header.insert("herr.tan_right", Imf::DoubleAttribute(outline.tan_right));
+  header.insert("herr.tan_down", Imf::DoubleAttribute(outline.tan_down));
+  header.insert("herr.tan_up", Imf::DoubleAttribute(outline.tan_up));
+  header.insert("herr.edge_blend_deg", Imf::DoubleAttribute(outline.edge_blend_deg));
   return header;
 }
 
@@ -124,25 +129,26 @@ std::int64_t count_nonfinite(const ViewportImage& image) {
 
 }  // namespace
 
-std::int64_t encode_exr(const std::vector<ViewportImage>& viewports, const DisplayProfile& profile,
-                        const FrameSample& sample, const PictureMetadata& metadata,
-                        const ParallelFor& parallel_for, std::vector<std::uint8_t>& out) {
+std::int64_t encode_exr(const std::vector<const ViewportImage*>& pictures,
+                        const std::vector<PictureOutline>& outlines, const FrameSample& sample,
+                        const PictureMetadata& metadata, const ParallelFor& parallel_for,
+                        std::vector<std::uint8_t>& out) {
   std::vector<Imf::Header> headers;
-  const Imath::Box2i window = display_window(profile);
-  for (std::size_t i = 0; i < viewports.size(); ++i) {
-    headers.push_back(make_header(profile.viewports[i], viewports[i], window, sample, metadata));
+  const Imath::Box2i window = display_window(outlines);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    headers.push_back(make_header(outlines[i], *pictures[i], window, sample, metadata));
   }
 
   // Compress each part as a file of its own, all at once.
-  std::vector<std::vector<std::uint8_t>> parts(viewports.size());
-  std::vector<std::int64_t> nonfinite(viewports.size(), 0);
-  parallel_for(static_cast<int>(viewports.size()), [&](int i) {
+  std::vector<std::vector<std::uint8_t>> parts(pictures.size());
+  std::vector<std::int64_t> nonfinite(pictures.size(), 0);
+  parallel_for(static_cast<int>(pictures.size()), [&](int i) {
     const auto part = static_cast<std::size_t>(i);
-    nonfinite[part] = count_nonfinite(viewports[part]);
+    nonfinite[part] = count_nonfinite(*pictures[part]);
     MemoryOutput stream(parts[part]);
     Imf::OutputFile file(stream, headers[part], 0);
-    file.setFrameBuffer(frame_buffer_over(viewports[part]));
-    file.writePixels(viewports[part].height_px);
+    file.setFrameBuffer(frame_buffer_over(*pictures[part]));
+    file.writePixels(pictures[part]->height_px);
   });
 
   // Then bring the compressed chunks together, as they are.

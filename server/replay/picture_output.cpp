@@ -20,10 +20,10 @@ ParallelFor PictureOutput::parallel_for() {
   return [this](int count, const std::function<void(int)>& work) { renderer_.parallel_for(count, work); };
 }
 
-void PictureOutput::encode_pngs(const RenderedFrame& rendered, Cost& cost) {
+void PictureOutput::encode_pngs(const std::vector<const ViewportImage*>& rendered, Cost& cost) {
   renderer_.parallel_for(static_cast<int>(pictures_.size()), [&](int i) {
     const auto index = static_cast<std::size_t>(i);
-    srgb8_from_viewport(rendered.viewports[index], config_.with_alpha, pictures_[index]);
+    srgb8_from_viewport(*rendered[index], config_.with_alpha, pictures_[index]);
     encode_png(pictures_[index], files_[index]);
   });
   for (const Srgb8Image& picture : pictures_) cost.nonfinite_values += picture.nonfinite_values;
@@ -33,16 +33,17 @@ PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSa
                                                const RenderedFrame& rendered) {
   Cost cost;
   const std::optional<std::filesystem::path> contact_sheet = names_.contact_sheet(frame);
+  const std::vector<const ViewportImage*> pictures = rendered.pictures();
   // Encode everything first: that is what write_ms measures.
   const auto start = std::chrono::steady_clock::now();
   config_.metadata.frame = frame;
-  if (config_.format == PictureFormat::png) encode_pngs(rendered, cost);
+  if (config_.format == PictureFormat::png) encode_pngs(pictures, cost);
   if (config_.format == PictureFormat::exr) {
-    cost.nonfinite_values = encode_exr(rendered.viewports, config_.profile, sample, config_.metadata,
-                                       parallel_for(), files_.front());
+    cost.nonfinite_values =
+        encode_exr(pictures, config_.pictures, sample, config_.metadata, parallel_for(), files_.front());
   }
   if (contact_sheet) {
-    draw_contact_sheet(rendered.viewports, config_.profile, parallel_for(), sheet_);
+    draw_contact_sheet(pictures, config_.pictures, parallel_for(), sheet_);
     encode_png(sheet_, sheet_file_);
   }
   const auto encoded = std::chrono::steady_clock::now();

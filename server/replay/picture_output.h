@@ -1,6 +1,6 @@
 // Encodes the pictures of one frame on the render threads and hands the bytes to the writer.
-// Before: Renderer::render_frame. After: FrameWriter. Formats: one EXR with a part per viewport, a PNG per
-// viewport, contact sheets as PNG.
+// Before: Renderer::render_frame. After: FrameWriter. Formats: one EXR with a part per picture, or a PNG per
+// picture; contact sheets as PNG.
 #pragma once
 
 #include <vector>
@@ -18,9 +18,9 @@ class PictureOutput {
  public:
   struct Config {
     PictureFormat format = PictureFormat::png;
-    bool with_alpha = false;  // PNG: keep the coverage (no camera feed behind the picture)
-    DisplayProfile profile;
-    PictureMetadata metadata;  // `frame` is filled in for each frame
+    bool with_alpha = false;               // PNG: keep the coverage (no camera feed behind the picture)
+    std::vector<PictureOutline> pictures;  // as pictures_of_frame() lists them
+    PictureMetadata metadata;              // `frame` is filled in for each frame
   };
   // All three must outlive this object. Loads the picture module for PNG; throws ModuleError.
   PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer);
@@ -33,15 +33,15 @@ class PictureOutput {
   Cost write_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered);
 
  private:
-  void encode_pngs(const RenderedFrame& rendered, Cost& cost);
+  void encode_pngs(const std::vector<const ViewportImage*>& rendered, Cost& cost);
   ParallelFor parallel_for();
 
   Config config_;
   const FrameFiles& names_;
   Renderer& renderer_;
   FrameWriter& writer_;
-  std::vector<Srgb8Image> pictures_;              // per viewport; storage is kept
-  std::vector<std::vector<std::uint8_t>> files_;  // PNG: per viewport; EXR: one
+  std::vector<Srgb8Image> pictures_;              // per picture; storage is kept
+  std::vector<std::vector<std::uint8_t>> files_;  // PNG: per picture; EXR: one
   Srgb8Image sheet_;
   std::vector<std::uint8_t> sheet_file_;
 };

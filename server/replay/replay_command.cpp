@@ -71,6 +71,16 @@ std::string quality_text(const RunStatistics& statistics, const ReplayOptions& o
          range(statistics.polar_width) + "; light samples " + range(statistics.light_samples) + "\n";
 }
 
+// "further views: blended-left 1980x1980, ...", or nothing.
+std::string further_views_text(const SessionReport& report) {
+  std::string text;
+  for (const PictureOutline& view : further_views(report.profile, report.settings)) {
+    text += (text.empty() ? "further views: " : ", ") + view.name + " " + std::to_string(view.width_px) +
+            "x" + std::to_string(view.height_px);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 // The heading and table of one session, and where its files are.
 std::string report_text(const SessionReport& report, const ReplayOptions& options) {
   const RunStatistics& statistics = report.statistics;
@@ -84,6 +94,7 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
   if (statistics.frames > 0 && options.policy != QualityPolicy{})
     text += quality_text(statistics, options) + "\n";
+  text += further_views_text(report);
   text += "results: " + printable(report.out_folder.string()) + "\n";
   if (report.state != ReplayState::done && is_reproducible(options)) {
     text += "to go on with it: the same command and --resume\n";

@@ -128,7 +128,7 @@ void SessionReplay::note_failure() {
 void SessionReplay::start_output() {
   const bool resume = options_.resume && path_exists(folder_.checkpoint_json());
   lock_.emplace(folder_.prepare(options_.format, resume ? EarlierResults::resume : EarlierResults::replace));
-  files_.emplace(folder_, options_, report_.profile, report_.range);
+  files_.emplace(folder_, options_, report_.pictures(), report_.range);
   step_.emplace(options_, report_, opened_);
   tracker_.emplace(*opened_.session, *opened_.renderer, report_.range.first);
   if (can_resume()) fingerprint_ = fingerprint_of(report_, options_, opened_.scene);
@@ -207,7 +207,7 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
   PictureOutput::Config config;
   config.format = options_.format;
   config.with_alpha = !report_.plan.camera;
-  config.profile = report_.profile;
+  config.pictures = report_.pictures();
   config.metadata.session = printable(report_.name);
   config.metadata.scene = printable(report_.scene_name);
   config.metadata.program = program_with_version();

@@ -3,13 +3,13 @@
 namespace herr {
 
 FrameFiles::FrameFiles(const OutputFolder& folder, const ReplayOptions& options,
-                       const DisplayProfile& profile, const FrameRange& range)
+                       const std::vector<PictureOutline>& pictures, const FrameRange& range)
     : folder_(folder),
       sheet_(options.sheet),
       sheet_frame_(options.sheet == SheetChoice::middle ? range.middle() : options.sheet_frame) {
   if (options.format == PictureFormat::exr) suffixes_ = {".exr"};
   if (options.format != PictureFormat::png) return;
-  for (const Viewport& viewport : profile.viewports) suffixes_.push_back("." + viewport.name + ".png");
+  for (const PictureOutline& picture : pictures) suffixes_.push_back("." + picture.name + ".png");
 }
 
 std::filesystem::path FrameFiles::picture(std::int64_t frame, std::size_t index) const {

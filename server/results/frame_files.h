@@ -8,20 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "renderer/further_view.h"
 #include "server/results/output_folder.h"
 #include "server/settings/frame_range.h"
 #include "server/settings/replay_options.h"
-#include "sessions/format/display_profile.h"
 
 namespace herr {
 
 class FrameFiles {
  public:
-  FrameFiles(const OutputFolder& folder, const ReplayOptions& options, const DisplayProfile& profile,
-             const FrameRange& range);
+  // `pictures` as pictures_of_frame() lists them.
+  FrameFiles(const OutputFolder& folder, const ReplayOptions& options,
+             const std::vector<PictureOutline>& pictures, const FrameRange& range);
 
   std::size_t pictures_per_frame() const { return suffixes_.size(); }
-  // `index` < pictures_per_frame(): with PNG the viewport's, with EXR 0.
+  // `index` < pictures_per_frame(): with PNG as they are listed, with EXR 0.
   std::filesystem::path picture(std::int64_t frame, std::size_t index) const;
   // None for frames without a contact sheet.
   std::optional<std::filesystem::path> contact_sheet(std::int64_t frame) const;

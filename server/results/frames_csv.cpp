@@ -57,6 +57,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("dropped_frames", record.dropped_frames);
   visit("repeated_ticks", record.repeated_ticks);
   visit("stutter", record.stutter);
+  visit("views_ms", record.times.views_ms);
 }
 
 std::string text_of(std::int64_t value) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/frame_plan.h"
+#include "renderer/further_view.h"
 #include "renderer/memory_use.h"
 #include "renderer/render_settings.h"
 #include "server/process/exit_code.h"
@@ -28,6 +29,9 @@ struct PlanChange {
 };
 
 struct SessionReport {
+  // All pictures of a frame: the headset's viewports, then what --blended-view and the like ask for.
+  std::vector<PictureOutline> pictures() const { return pictures_of_frame(profile, settings); }
+
   std::string name;  // of the session's folder
   std::filesystem::path session_folder, scene_file, out_folder;
   ReplayState state = ReplayState::done;

@@ -42,6 +42,20 @@ Json profile_json(const DisplayProfile& profile) {
   return {{"name", profile.name}, {"display_hz", profile.display_hz}, {"viewports", viewports}};
 }
 
+// Pictures of a frame beside the viewports.
+Json further_views_json(const SessionReport& report) {
+  Json views = Json::array();
+  for (const PictureOutline& view : further_views(report.profile, report.settings)) {
+    const Json eye = view.eye ? Json(*view.eye == Eye::left ? "left" : "right") : Json(nullptr);
+    views.push_back({{"name", view.name},
+                     {"width_px", view.width_px},
+                     {"height_px", view.height_px},
+                     {"kind", name_of(view.kind)},
+                     {"eye", eye}});
+  }
+  return views;
+}
+
 }  // namespace
 
 const char* name_of(ReplayState state) {
@@ -102,6 +116,7 @@ Json subject_json(const SessionReport& report, const ReplayOptions& options) {
             {"file", report.scene_file.string()},
             {"triangles", report.scene_triangles}}},
           {"profile", profile_json(report.profile)},
+          {"further_views", further_views_json(report)},
           {"settings", settings_json(resolved_options(options, report))}};
 }
 

@@ -152,12 +152,13 @@ HttpResponse Endpoints::picture(const HttpRequest& request) {
   for (std::size_t eye = 0; eye < kPolarPictures.size(); ++eye) {
     if (name == std::string(kPolarPictures[eye]) + ".png") return polar_picture(*pictures, eye);
   }
-  const std::vector<Viewport>& viewports = pictures->subject->profile.viewports;
-  const auto found = std::find_if(viewports.begin(), viewports.end(),
-                                  [&](const Viewport& viewport) { return viewport.name + ".png" == name; });
-  if (found == viewports.end()) return plain(404, "404 no such viewport; /v1/status lists them");
+  const std::vector<PictureOutline> outlines = pictures->subject->pictures();
+  const auto found = std::find_if(outlines.begin(), outlines.end(), [&](const PictureOutline& outline) {
+    return outline.name + ".png" == name;
+  });
+  if (found == outlines.end()) return plain(404, "404 no such picture; /v1/status lists them");
   HttpResponse response = png_of(*pictures);
-  response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - viewports.begin()),
+  response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - outlines.begin()),
                                 full != request.query.end() && full->second == "1");
   return response;
 }

@@ -45,7 +45,7 @@ std::string LatestPicture::encode_once(Encoded& encoded, std::int64_t sequence,
 std::string LatestPicture::png(const ServedPictures& pictures, std::size_t index, bool full) {
   const std::lock_guard lock(mutex_);
   return encode_once(cache_[{index, full}], pictures.sequence, [&] {
-    const ViewportImage& viewport = pictures.frame.viewports.at(index);
+    const ViewportImage& viewport = *pictures.frame.pictures().at(index);
     if (full) {
       srgb8_from_viewport(viewport, pictures.coverage, image_);
     } else {

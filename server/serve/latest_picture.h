@@ -1,6 +1,6 @@
-// The newest frame's viewports as PNG files for people who look in: reduced to 512 pixels or in full size,
+// The newest frame's pictures as PNG files for people who look in: reduced to 512 pixels or in full size,
 // each encoded at most once for a frame and only when somebody asks.
-// Before: ServedPictures of the board. After: GET /v1/frames/latest/{viewport}.png.
+// Before: ServedPictures of the board. After: GET /v1/frames/latest/{picture}.png.
 #pragma once
 
 #include <array>
@@ -18,13 +18,13 @@
 namespace herr {
 
 inline constexpr int kReducedPicturePx = 512;
-// Names of the polar buffers' pictures, per eye; no viewport can have them.
+// Names of the polar buffers' pictures, per eye; no other picture has them.
 inline constexpr std::array<const char*, 2> kPolarPictures{"polar-left", "polar-right"};
 
 // Thread-safe; one caller encodes while the others wait. Call it on a thread of low priority.
 class LatestPicture {
  public:
-  // The bytes of the PNG of viewport `index` of `pictures`. Without a camera feed the full size has alpha,
+  // The bytes of the PNG of picture `index` of the frame. Without a camera feed the full size has alpha,
   // the reduced one a dark background.
   std::string png(const ServedPictures& pictures, std::size_t index, bool full);
   // Of the polar buffer of eye 0 or 1, over the feed as a dark grey. `pictures` must have it.

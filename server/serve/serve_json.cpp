@@ -57,6 +57,7 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"frame_ms", record.times.frame_ms},
           {"stages_ms", stages},
           {"sample_ms", record.sample_ms},
+          {"views_ms", record.times.views_ms},
           {"pose_age_ms", optional_json(record.pose_age_ms)},
           {"gaze_age_ms", optional_json(record.gaze_age_ms)},
           {"camera_age_ms", optional_json(record.camera_age_ms)},

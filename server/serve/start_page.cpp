@@ -92,11 +92,11 @@ std::string figure(const std::string& name, int width_px, int height_px, const s
 std::string pictures_section(const ServeSnapshot& snapshot, bool polar) {
   const SessionReport& subject = *snapshot.subject;
   std::string html = "<h2>Newest frame</h2>\n<div class=\"pictures\">\n";
-  for (const Viewport& viewport : subject.profile.viewports) {
-    // Names of viewports are of [a-z0-9_].
-    html += figure(viewport.name, viewport.width_px, viewport.height_px,
-                   words_of(viewport.name.c_str()) + ", " + std::to_string(viewport.width_px) + " × " +
-                       std::to_string(viewport.height_px));
+  for (const PictureOutline& picture : subject.pictures()) {
+    // Names of pictures are of [a-z0-9_-].
+    html += figure(picture.name, picture.width_px, picture.height_px,
+                   words_of(picture.name.c_str()) + ", " + std::to_string(picture.width_px) + " × " +
+                       std::to_string(picture.height_px));
   }
   for (const char* name : kPolarPictures) {
     if (!polar) break;

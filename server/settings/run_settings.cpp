@@ -78,7 +78,8 @@ TextSetting sheet_choice(ReplayOptions& options) {
 std::vector<Setting> of_reading(ReplayOptions& o) {
   return {
       {"profile", "--profile", "", Group::session, Effect::pictures,
-       "display profile: xr1, xr1-half or a file", path_setting(o.profile, "NAME|FILE", "xr1-half"), "the session's"},
+       "display profile: xr1, xr1-half or a file", path_setting(o.profile, "NAME|FILE", "xr1-half"),
+       "the session's"},
       {"sampling", "--sampling", "", Group::session, Effect::pictures,
        "headset state: latest, predict or interpolate",
        one_of(o.session.sampling, {name_of(SamplingMode::latest), name_of(SamplingMode::predict),
@@ -120,9 +121,14 @@ std::vector<Setting> of_files(ReplayOptions& o) {
               {name_of(PictureFormat::png), name_of(PictureFormat::exr), name_of(PictureFormat::none)})},
       {"contact_sheet", "--contact-sheet", "", Group::files, Effect::none,
        "all viewports in one picture: none, all, middle or a frame number", sheet_choice(o)},
-      {"view", "--view", "", Group::files, Effect::pictures,
-       "a further picture, of a camera outside the headset that this file places: the scene, with head, gaze "
-       "and frusta drawn in",
+  };
+}
+
+std::vector<Setting> of_views(ReplayOptions& o) {
+  return {
+      {"view", "--view", "", Group::views, Effect::pictures,
+       "a further picture, from a camera outside the headset that this file places (fields: "
+       "server/settings/README.md): the scene, with head, gaze and frusta drawn in",
        path_setting(o.view, "FILE", "overview.view.json"), "none"},
   };
 }
@@ -131,7 +137,8 @@ std::vector<Setting> of_files(ReplayOptions& o) {
 
 std::vector<Setting> settings_of(ReplayOptions& options) {
   std::vector<Setting> all = settings_of(options.render);
-  for (const std::vector<Setting>& part : {of_reading(options), of_time(options), of_files(options)}) {
+  for (const std::vector<Setting>& part :
+       {of_reading(options), of_time(options), of_files(options), of_views(options)}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

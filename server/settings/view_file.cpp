@@ -118,7 +118,7 @@ std::string view_text(const OutsideView& view) {
   for (const double value :
        {pose.position.x, pose.position.y, pose.position.z, pose.orientation.x, pose.orientation.y,
         pose.orientation.z, pose.orientation.w, view.fov_deg, view.frusta_m}) {
-    text += ' ' + shortest_text(value);
+    text += ' ' + shortest_text(value + 0.0);  // -0 is 0
   }
   return text;
 }

@@ -18,7 +18,7 @@ namespace herr {
 // Not thread-safe.
 struct RunStatistics {
   std::array<LatencyHistogram, kStageCount> stages;
-  LatencyHistogram frame, sample, write, wait;
+  LatencyHistogram frame, sample, views, write, wait;
   LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
   // Their "milliseconds" are columns, light samples, degrees per second and arc minutes.
   LatencyHistogram polar_width, light_samples, head_deg_s;

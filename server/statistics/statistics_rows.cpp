@@ -18,6 +18,13 @@ constexpr std::array kDistributions{
     DistributionRow{"sample", "ms", Group::latency,
                     "time spent sampling the session, camera images decoded, before the frame", &Run::sample,
                     [](const Record& r) -> Value { return r.sample_ms; }},
+    DistributionRow{"views", "ms", Group::latency,
+                    "wall time of making the further views, where there are any, after the frame",
+                    &Run::views,
+                    [](const Record& r) -> Value {
+                      if (!(r.times.views_ms > 0)) return std::nullopt;
+                      return r.times.views_ms;
+                    }},
     DistributionRow{"write", "ms", Group::latency,
                     "wall time of encoding one frame's pictures on the render threads, after the frame",
                     &Run::write, [](const Record& r) -> Value { return r.write_ms; }},

@@ -63,7 +63,8 @@ FACE = {
         "scenes/model/voxel_grid.h",
     ),
     "renderer": (
-        "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/memory_use.h", "renderer/outside_view.h",
+        "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/further_view.h", "renderer/memory_use.h",
+        "renderer/outside_view.h",
         "renderer/polar_picture.h", "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h",
         "renderer/setting.h", "renderer/settings_list.h", "renderer/stage_times.h", "renderer/timing.h",
         "renderer/viewport_image.h",

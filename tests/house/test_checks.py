@@ -5,6 +5,7 @@ import shutil
 import unittest
 import unittest.mock
 
+import check_credits
 import check_format
 import check_layers
 import check_readme
@@ -332,6 +333,57 @@ class FormatRules(Tree):
         self.write(".clang-format", "BasedOnStyle: Nobody\n")
         self.write("sessions/good.cpp", "int f() { return 1; }\n")
         self.assertNotEqual(self.findings(), [])
+
+
+class CreditRules(Tree):
+    LINKED = {"libembree3.so.3": "herr", "libc.so.6": "herr", "libstdc++.so.6": "herr"}
+
+    def setUp(self):
+        super().setUp()
+        self.write("renderer/a.cpp", "#include <embree3/rtcore.h>\n#include <sys/stat.h>\n#include <vector>\n#include <unistd.h>\n")
+        self.write("README.md", "# A program\n## Licence and credits\n[Embree](https://www.embree.org)\n")
+
+    def findings(self, linked=None):
+        return list(check_credits.findings(self.root, self.LINKED if linked is None else linked))
+
+    def test_a_tree_with_its_credits_has_no_findings(self):
+        self.assertEqual(self.findings(), [])
+
+    def test_a_linked_library_without_credit_is_found(self):
+        self.expect_one(self.findings({**self.LINKED, "libz.so.1": "herr"}), "README.md", "leave out zlib")
+
+    def test_an_included_library_without_credit_is_found(self):
+        self.write("server/b.cpp", "#include <nlohmann/json.hpp>\n")
+        self.expect_one(self.findings(), "README.md", "leave out JSON for Modern C++")
+
+    def test_a_packaged_file_without_credit_is_found(self):
+        self.write("server/CMakeLists.txt", "find_file(CHART x PATHS /usr/share/javascript/chart.js)\n")
+        self.expect_one(self.findings(), "README.md", "leave out Chart.js")
+
+    def test_a_font_without_credit_is_found(self):
+        self.write("scripts/install-packages", "packages=(fonts-dejavu-core)\n")
+        self.expect_one(self.findings(), "README.md", "leave out DejaVu")
+
+    def test_what_no_row_knows_is_found(self):
+        self.expect_one(self.findings({**self.LINKED, "libnew.so.1": "herr"}), "herr", "libnew.so.1", "no row")
+        self.write("server/b.cpp", "#include <novel.h>\n")
+        self.expect_one(self.findings(), "server/b.cpp:1", "novel.h", "no row")
+
+    def test_a_credit_for_nothing_is_found(self):
+        self.write("README.md", "## Credits\nEmbree, Expat, CLI11\n")
+        found = self.findings()
+        self.assertEqual(len(found), 2, found)
+        self.assertIn("name CLI11, which nothing", found[0])
+        self.assertIn("name Expat, which nothing", found[1])
+
+    def test_credits_elsewhere_in_the_page_do_not_count(self):
+        self.write("README.md", "# About Embree\n## Credits\nnobody\n## Embree\n")
+        self.expect_one(self.findings(), "leave out Embree")
+        self.write("README.md", "# About Embree\n")
+        self.expect_one(self.findings(), "no section of credits")
+
+    def test_a_program_names_what_it_links(self):
+        self.assertTrue(any(name.startswith("libc.so") for name in check_credits.linked_objects(shutil.which("readelf"))))
 
 
 if __name__ == "__main__":

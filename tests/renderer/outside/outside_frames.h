@@ -2,7 +2,6 @@
 // Before: test_scenes.h. After: tests of what it shows, and of what it leaves as it is.
 #pragma once
 
-#include "renderer/frame/renderer_impl.h"
 #include "tests/renderer/half_pixels.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -31,9 +30,7 @@ inline ViewportImage outside_picture(const Scene& scene, const RenderSettings& s
   Renderer renderer(scene, small_profile(), settings, sample.cameras[0].has_value());
   RenderedFrame frame;
   render_with(renderer, scene, sample, frame);
-  ViewportImage picture;
-  renderer.internals().render_outside(sample, picture);
-  return picture;
+  return frame.further.at(0).image;
 }
 
 }  // namespace herr::test

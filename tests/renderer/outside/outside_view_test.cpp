@@ -165,8 +165,6 @@ std::vector<RenderedFrame> walk(Renderer& renderer, const Scene& scene, int fram
     scene_state_at(scene, 0.05 * i, state);
     const FrameQuality quality{i % 2 == 0 ? 4 : 2, i % 3 == 0 ? 64 : 40, 0};
     EXPECT_TRUE(renderer.render_frame(sample, state, quality, all[static_cast<std::size_t>(i)]));
-    ViewportImage nobodys;
-    if (renderer.settings().outside) renderer.internals().render_outside(sample, nobodys);
   }
   return all;
 }

@@ -27,11 +27,11 @@ std::uint8_t pixel(const Srgb8Image& sheet, int x, int y) {
 }
 
 TEST(ContactSheet, ContextViewportsLieAboveFocusViewportsAndTheLeftEyeIsOnTheLeft) {
-  const SheetLayout layout = contact_sheet_layout(xr1_profile());
+  const SheetLayout layout = contact_sheet_layout(pictures_of_frame(xr1_profile(), {}));
   ASSERT_EQ(layout.cells.size(), 4u);
   const DisplayProfile profile = xr1_profile();
   for (std::size_t i = 0; i < 4; ++i) {
-    const Viewport& viewport = profile.viewports[layout.cells[i].viewport];
+    const Viewport& viewport = profile.viewports[layout.cells[i].picture];
     EXPECT_EQ(viewport.focus, i >= 2);
     EXPECT_EQ(viewport.eye, i % 2 == 0 ? Eye::left : Eye::right);
   }
@@ -46,7 +46,7 @@ TEST(ContactSheet, ContextViewportsLieAboveFocusViewportsAndTheLeftEyeIsOnTheLef
 }
 
 TEST(ContactSheet, SmallViewportsAreNotEnlarged) {
-  const SheetLayout layout = contact_sheet_layout(small_profile());
+  const SheetLayout layout = contact_sheet_layout(pictures_of_frame(small_profile(), {}));
   EXPECT_EQ(layout.cells[0].width_px, 40);
   EXPECT_EQ(layout.cells[2].width_px, 32);
   EXPECT_EQ(layout.cells[2].height_px, 18);
@@ -60,9 +60,9 @@ TEST(ContactSheet, AConstantPictureStaysConstantInAnyScale) {
   for (const Viewport& viewport : profile.viewports)
     pictures.push_back(constant_picture(viewport, 0.5f, 1.0f));
   Srgb8Image sheet;
-  draw_contact_sheet(pictures, profile, one_after_another, sheet);
+  draw_contact_sheet(pointers_to(pictures), pictures_of_frame(profile, {}), one_after_another, sheet);
   // 0.5 encodes to 188; its neighbours lie 0.5 % away in linear light, float sums are good to 1e-5.
-  for (const SheetCell& cell : contact_sheet_layout(profile).cells) {
+  for (const SheetCell& cell : contact_sheet_layout(pictures_of_frame(profile, {})).cells) {
     for (int y = 0; y < cell.height_px; ++y) {
       for (int x = 0; x < cell.width_px; ++x) ASSERT_EQ(pixel(sheet, cell.x_px + x, cell.y_px + y), 188);
     }
@@ -75,7 +75,7 @@ TEST(ContactSheet, WhatIsNotCoveredShowsTheBackground) {
   for (const Viewport& viewport : profile.viewports)
     pictures.push_back(constant_picture(viewport, 0.0f, 0.0f));
   Srgb8Image sheet;
-  draw_contact_sheet(pictures, profile, one_after_another, sheet);
+  draw_contact_sheet(pointers_to(pictures), pictures_of_frame(profile, {}), one_after_another, sheet);
   for (const std::uint8_t value : sheet.values) ASSERT_EQ(value, sheet.values.front());
   EXPECT_GT(sheet.values.front(), 0);
 }
@@ -93,7 +93,7 @@ TEST(ContactSheet, AveragesInLinearLight) {
     }
   }
   Srgb8Image sheet;
-  draw_contact_sheet(pictures, profile, one_after_another, sheet);
+  draw_contact_sheet(pointers_to(pictures), pictures_of_frame(profile, {}), one_after_another, sheet);
   EXPECT_EQ(pixel(sheet, 16 + 100, 16 + 100), 188);
 }
 

@@ -48,7 +48,8 @@ Frame test_frame() {
 
 std::vector<std::uint8_t> encoded(const Frame& frame, const ParallelFor& parallel_for = one_after_another) {
   std::vector<std::uint8_t> file;
-  encode_exr(frame.pictures, frame.profile, frame.sample, frame.metadata, parallel_for, file);
+  encode_exr(pointers_to(frame.pictures), pictures_of_frame(frame.profile, {}), frame.sample, frame.metadata,
+             parallel_for, file);
   return file;
 }
 
@@ -119,7 +120,8 @@ TEST(ExrEncoder, CountsNanAndInf) {
   frame.pictures[1].row(3)[5] = 0x7E01;
   frame.pictures[3].row(0)[0] = 0xFC00;
   std::vector<std::uint8_t> file;
-  EXPECT_EQ(encode_exr(frame.pictures, frame.profile, frame.sample, frame.metadata, one_after_another, file),
+  EXPECT_EQ(encode_exr(pointers_to(frame.pictures), pictures_of_frame(frame.profile, {}), frame.sample,
+                       frame.metadata, one_after_another, file),
             2);
 }
 

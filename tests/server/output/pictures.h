@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "renderer/further_view.h"
 #include "renderer/viewport_image.h"
 #include "server/output/exr_encoder.h"
 #include "server/output/srgb_table.h"
@@ -51,6 +53,12 @@ inline DisplayProfile small_profile(int context_px = 40, int focus_width_px = 32
     profile.viewports.push_back(focus);
   }
   return profile;
+}
+
+inline std::vector<const ViewportImage*> pointers_to(const std::vector<ViewportImage>& pictures) {
+  std::vector<const ViewportImage*> pointers;
+  for (const ViewportImage& picture : pictures) pointers.push_back(&picture);
+  return pointers;
 }
 
 inline void one_after_another(int count, const std::function<void(int)>& work) {
