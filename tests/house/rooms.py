@@ -7,7 +7,7 @@ ROOMS = {
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check/roles", "import/check"),
     "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "environment", "document", "changes"),
     "renderer": ("settings", "simd", "threads", "feed", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
-                 "surfaces", "lighting", "tracing", "probe_updates", "viewports", "frame", "bench"),
+                 "surfaces", "lighting", "tracing", "probe_updates", "viewports", "outside", "frame", "bench"),
     "server": ("text", "diagrams", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/acuity", "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
@@ -64,6 +64,7 @@ FACE = {
     ),
     "renderer": (
         "renderer/bench_frame.h", "renderer/cpu_use.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/further_view.h", "renderer/memory_use.h",
+        "renderer/outside_view.h",
         "renderer/polar_picture.h", "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h",
         "renderer/setting.h", "renderer/settings_list.h", "renderer/settings_presets.h", "renderer/stage_times.h", "renderer/timing.h",
         "renderer/viewport_image.h",
