@@ -186,7 +186,7 @@ struct ShadingInputs {
   float environment[3] = {};
   float smallest_irradiance[3] =
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
-  float largest_ratio = kLargestRatio;  // of catchers; 1 where no feed is there that could grow brighter
+  float largest_ratio = kLargestRatio;     // of catchers; 1 where no feed is there that could grow brighter
   bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
   bool debug_tiles = false;
   float shown_white = 1;  // radiance that is shown as white: what is painted, not lit, has colours times it
