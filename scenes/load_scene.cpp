@@ -40,6 +40,19 @@ void light_by_default(DefaultLight light, Scene& scene) {
   scene.ambient = scene.environment = glm::vec3(0.2f);
 }
 
+// The outermost probes of a model alone stand half a spacing outside it: its surfaces are seen from there,
+// where those of a room are seen from within.
+void put_probes_around(Scene& scene) {
+  if (scene.instances.empty()) return;
+  Bounds box = scene_bounds(scene);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int inner = scene.probes.counts[static_cast<std::size_t>(axis)] - 2;
+    const double spacing = (box.upper[axis] - box.lower[axis]) / inner;
+    box.lower[axis] -= spacing, box.upper[axis] += spacing;
+  }
+  scene.probes.box = box;
+}
+
 Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light) {
   Scene scene;
   scene.name = file.stem().string();
@@ -49,6 +62,7 @@ Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels, De
     scene.objects.push_back({scene.name, {}, 0, static_cast<std::uint32_t>(scene.instances.size()), true});
   scene.lights = std::move(content.lights);
   light_by_default(light, scene);
+  put_probes_around(scene);
   return scene;
 }
 
@@ -63,6 +77,7 @@ Scene load_bare_vox(const std::filesystem::path& file, DefaultLight light) {
   for (Instance& instance : scene.instances)
     instance.world_from_object = compose(metres, instance.world_from_object);
   light_by_default(light, scene);
+  put_probes_around(scene);
   return scene;
 }
 

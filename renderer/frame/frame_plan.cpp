@@ -213,6 +213,9 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
              std::to_string(settings.probes.rays) + " rays each",
          scene.instances.empty() ? "no surface to light" : "switched off by settings");
+  bool ambient = false;
+  decide(ambient, scene.ambient != glm::vec3{0.0f} && !plan.probes, "constant ambient light",
+         "the same from all sides", plan.probes ? "probes gather light in its place" : "the scene has none");
   decide(plan.catcher_probes, plan.probes && t.catchers_ever > 0, "probes of catchers alone",
          "indirect light changes the feed on catchers",
          t.catchers_ever > 0 ? "probes are off" : "no catcher");
@@ -235,6 +238,13 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.camera, settings.camera && session_has_camera, "camera composite",
          "the session has a camera feed",
          session_has_camera ? "switched off by settings" : "the session has no camera feed");
+  // Catchers mirror virtual objects alone.
+  const bool shows = (plan.mirror_rays && t.reflecting > 0) || plan.refraction;
+  decide(plan.mirrored_feed, plan.camera && shows, kMirroredFeed,
+         "inside the camera's view; beyond it the environment, or a catcher's colour",
+         shows ? "no camera feed is shown: they show the environment"
+               : "no object reflects, and none is transparent",
+         !plan.camera || !shows);
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
   check_forced(settings, plan);
   return plan;

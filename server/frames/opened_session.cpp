@@ -5,6 +5,7 @@
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
 #include "server/process/exit_code.h"
+#include "server/results/memory_parts.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -64,7 +65,8 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   if (const std::string glow = glow_without_light(opened.scene, report.plan); !glow.empty()) {
     opened.scene.warnings.push_back(printable(report.scene_file.string()) + ": " + glow);
   }
-  report.memory = opened.renderer->memory();
+  report.memory = memory_parts(*opened.renderer, opened.scene, {});
+  report.load = process_load();
   report.settings = opened.renderer->settings();
 }
 

@@ -72,9 +72,13 @@ bool is_scene(const std::filesystem::path& path) {
   return path_exists(path) && !is_folder(path) && !is_header(path);  // opening it says what else is wrong
 }
 
-}  // namespace
+void add_acuity(InspectReport& report) {
+  report.acuity = acuity_facts(report.settings, report.profile);
+  if (report.acuity && report.session && report.frames)
+    add_recorded_acuity(report.settings, report.profile, *report.session, *report.frames, *report.acuity);
+}
 
-InspectReport inspect(const InspectOptions& options) {
+InspectReport inspected(const InspectOptions& options) {
   InspectReport report;
   report.path = options.path;
   report.settings = options.render;
@@ -90,6 +94,14 @@ InspectReport inspect(const InspectOptions& options) {
   report.profile = options.profile.empty() ? xr1_profile() : load_display_profile(options.profile);
   report.scene_file = options.path;
   inspect_scene(options, false, report);
+  return report;
+}
+
+}  // namespace
+
+InspectReport inspect(const InspectOptions& options) {
+  InspectReport report = inspected(options);
+  add_acuity(report);
   return report;
 }
 
