@@ -96,6 +96,7 @@ int average_frames(const BenchOptions& options, Subject& subject) {
       RenderSettings settings = options.render;
       settings.polar_width = row.polar_width;
       settings.polar_height = row.polar_height;
+      settings.polar_acuity = row.acuity;
       settings.light_samples = kTableLightSamples[i];
       subject.step->rewind();  // a renderer is built on the scene as it was loaded
       build_renderer(settings, subject.report, subject.opened);

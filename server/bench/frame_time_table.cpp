@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kSizeWidth = 14, kCellWidth = 22;
 
 std::string size_text(const FrameTimeRow& row) {
+  if (row.acuity) return "acuity";
   return std::to_string(2 * row.polar_width) + "x" + std::to_string(row.polar_height);
 }
 
@@ -45,7 +46,7 @@ std::string cpu_cell(const BenchRun& run, const BenchSubject& subject) {
 }  // namespace
 
 std::vector<FrameTimeRow> empty_table(const RenderSettings& settings, bool one_size) {
-  if (one_size) return {{settings.polar_width, settings.polar_height, {}, {}}};
+  if (one_size) return {{settings.polar_width, settings.polar_height, {}, {}, settings.polar_acuity}};
   return {{1576 / 2, 768, {}, {}}, {2048 / 2, 1024, {}, {}}};
 }
 

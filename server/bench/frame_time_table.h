@@ -21,6 +21,7 @@ struct FrameTimeRow {
   std::array<BenchRun, kTableLightSamples.size()> cells;
   // What renderer, scene and pictures of each cell hold.
   std::array<std::int64_t, kTableLightSamples.size()> memory_bytes{};
+  bool acuity = false;  // of each frame what it needs, up to the size above
 };
 
 // The sizes to measure: that of `settings` alone where it was asked for, else the paper's two.

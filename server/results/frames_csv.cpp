@@ -34,6 +34,12 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("gaze_source_right", record.gaze_source[1]);
   visit("theta_max_left_deg", record.theta_max_deg[0]);
   visit("theta_max_right_deg", record.theta_max_deg[1]);
+  visit("k_radial_left_per_deg", record.k_radial[0]);
+  visit("k_radial_right_per_deg", record.k_radial[1]);
+  visit("k_angular_left_per_deg", record.k_angular[0]);
+  visit("k_angular_right_per_deg", record.k_angular[1]);
+  visit("k_angular_at_left_deg", record.k_angular_at_deg[0]);
+  visit("k_angular_at_right_deg", record.k_angular_at_deg[1]);
   visit("missed", record.missed);
   auto& decision = record.decision;
   visit("polar_width", decision.quality.polar_width);

@@ -37,6 +37,10 @@ Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+Json of_eyes_json(const std::array<std::optional<double>, 2>& values) {
+  return {{"left", optional_json(values[0])}, {"right", optional_json(values[1])}};
+}
+
 Json statistics_json(const RunStatistics& statistics) {
   Json json = latencies_json(statistics);
   json["load"] = load_json(statistics, process_load());
@@ -67,6 +71,8 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"camera_age_ms", optional_json(record.camera_age_ms)},
           {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
           {"polar_width", record.decision.quality.polar_width},
+          {"k_radial_per_deg", of_eyes_json(record.k_radial)},
+          {"k_angular_per_deg", of_eyes_json(record.k_angular)},
           {"light_samples", record.decision.quality.light_samples},
           {"allowed_probes", record.decision.quality.probes},
           {"quality_reason", name_of(record.decision.reason)},

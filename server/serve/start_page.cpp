@@ -58,6 +58,7 @@ std::string latency_section(const RunStatistics& window) {
   }
   row("frame", window.frame, true);
   row("CPU, all threads", window.cpu);
+  if (window.views.count() > 0) row("further views, after the frame", window.views);
   row("sampling the session", window.sample);
   row("motion to photon", window.motion_to_photon);
   row("age of pose", window.pose_age);

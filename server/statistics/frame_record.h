@@ -32,6 +32,8 @@ struct FrameRecord {
   SampleSource pose_source = SampleSource::held;
   std::array<SampleSource, 2> gaze_source{SampleSource::held, SampleSource::held};
   std::array<double, 2> theta_max_deg{};
+  // Per eye, as reached_acuity() has them; none without polar buffers, and of an eye without viewports.
+  std::array<std::optional<double>, 2> k_radial, k_angular, k_angular_at_deg;
   QualityDecision decision;  // which quality the frame had, and why
   double head_deg_s = 0;     // how fast the head moved (motion_policy.h)
   // How well feed and virtual objects agree (feed_registration.h); none without a feed.

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "renderer/settings_presets.h"
 #include "server/bench/session_sequence.h"
 
 namespace herr {
@@ -47,13 +48,14 @@ TEST(FrameTimeTable, StatesEachCellWithItsRatio) {
   EXPECT_EQ(json["table"][5]["light_samples"], 256);
   EXPECT_EQ(json["table"][5]["ratio"], 1.5);  // 3000 / 2000
   EXPECT_EQ(json["seconds"], 10);
-  const std::string text = frame_times_table(two_rows(), BenchSubject(), 10);
+  BenchSubject direct;
+  direct.settings = direct_light_settings();
+  const std::string text = frame_times_table(two_rows(), direct, 10);
   EXPECT_NE(text.find("1576x768"), std::string::npos) << text;
   EXPECT_NE(text.find("160.0 (1.25)"), std::string::npos) << text;
   EXPECT_NE(text.find("3000.0 (1.50)"), std::string::npos) << text;
   EXPECT_EQ(text.find("probe update"), std::string::npos) << text;
-  BenchSubject with_probes;
-  with_probes.settings.probes.on = true;
+  const BenchSubject with_probes;
   EXPECT_NE(frame_times_table(two_rows(), with_probes, 10).find("probe update"), std::string::npos);
 }
 

@@ -128,6 +128,7 @@ TEST(ExrEncoder, AFurtherViewIsAPartAndWhatNoEyeSeesNamesNone) {
   EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.head_position_m").value(),
             Imath::V3d(1.0, 1.5, -2.25));
   EXPECT_FALSE(header.hasView());
+  EXPECT_EQ(header.findTypedAttribute<Imf::DoubleAttribute>("herr.edge_blend_deg"), nullptr);
   EXPECT_EQ(header.findTypedAttribute<Imf::V3dAttribute>("herr.gaze_in_head"), nullptr);
   const auto texels = texels_of(file, 4, 50, 7);
   EXPECT_TRUE(std::equal(texels.begin(), texels.begin() + 4L * 50, frame.pictures[4].row(0)));

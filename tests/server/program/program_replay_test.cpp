@@ -1,7 +1,10 @@
 // The program as its users run it: files, exit codes, one line for each mistake.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -30,7 +33,9 @@ class Program : public ::testing::Test {
     return run_program(root(), arguments, before);
   }
   Outcome replay(const std::string& flags, const std::string& before = "") const {
-    return herr("replay walk --profile small.profile.json --polar 128x64 --threads 2 " + flags, before);
+    return herr(
+        "replay walk --profile small.profile.json --preset direct --polar 128x64 --threads 2 " + flags,
+        before);
   }
 
   nlohmann::json summary(const std::string& out) const {
@@ -89,7 +94,8 @@ TEST_F(Program, PicturesAreTheSameBytesWithAnyNumberOfThreadsAndInEveryRun) {
     const auto files = files_below(root() / "a" / "walk" / "frames");
     ASSERT_EQ(files.size(), format == "png" ? 16u : 4u);
     for (const std::string threads : {"1", "2", "4"}) {
-      ASSERT_EQ(herr("replay walk --profile small.profile.json --polar 128x64 --frames 4 --overwrite --out b "
+      ASSERT_EQ(herr("replay walk --profile small.profile.json --preset direct --polar 128x64 --frames 4 "
+                     "--overwrite --out b "
                      "--format " +
                      format + " --threads " + threads)
                     .exit_code,
@@ -137,8 +143,9 @@ TEST_F(Program, BadInputEndsWithThreeAndWritesNothing) {
 
 TEST_F(Program, OneBadSessionDoesNotStopTheOthers) {
   fs::create_directories(root() / "empty");
-  const Outcome outcome =
-      herr("replay empty walk --profile small.profile.json --polar 128x64 --frames 2 --out o --json");
+  const Outcome outcome = herr(
+      "replay empty walk --profile small.profile.json --preset direct --polar 128x64 --frames 2 --out o "
+      "--json");
   EXPECT_EQ(outcome.exit_code, 3);
   const auto json = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(json["sessions"].size(), 2u);
@@ -160,8 +167,8 @@ TEST_F(Program, ADiskThatRefusesEndsWithSeventyFiveAndLeavesNoHalfFiles) {
 
 TEST_F(Program, ASignalEndsTheRunAfterTheFrameAndTheSummarySaysSo) {
   write_small_session(root() / "long", 20);
-  const Outcome outcome =
-      herr("replay long --profile small.profile.json --out o --format none", "timeout -s INT 1");
+  const Outcome outcome = herr(
+      "replay long --profile small.profile.json --preset direct --out o --format none", "timeout -s INT 1");
   // `timeout` answers 124 for its child; --preserve-status would need the child's own code.
   EXPECT_EQ(outcome.exit_code, 124) << outcome.err;
   const auto json = nlohmann::json::parse(content_of(root() / "o/long/summary.json"));
@@ -180,6 +187,99 @@ TEST_F(Program, UsageErrorsAreOneLineAndExitCodeTwo) {
     EXPECT_EQ(outcome.err.find("herr: "), 0u) << flags;
     EXPECT_EQ(outcome.out, "") << flags;
   }
+}
+
+// The columns of frames.csv with these names, row by row.
+std::vector<std::vector<double>> columns_of(const fs::path& csv, const std::vector<std::string>& names) {
+  std::ifstream file(csv);
+  std::vector<std::size_t> places;
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    if (places.empty()) {
+      for (const std::string& name : names) {
+        places.push_back(
+            static_cast<std::size_t>(std::find(cells.begin(), cells.end(), name) - cells.begin()));
+      }
+      continue;
+    }
+    rows.emplace_back();
+    for (const std::size_t place : places) rows.back().push_back(std::stod(cells.at(place)));
+  }
+  return rows;
+}
+
+const std::vector<std::string> kAcuityColumns{"theta_max_left_deg",
+                                              "k_radial_left_per_deg",
+                                              "k_angular_left_per_deg",
+                                              "k_angular_at_left_deg",
+                                              "k_radial_right_per_deg",
+                                              "k_angular_right_per_deg",
+                                              "polar_width"};
+
+// 64 columns an eye over ln(theta_max + 1), and of 64 rows the least of (theta + 1) / sin(theta).
+TEST_F(Program, FramesTellTheAcuityThatTheyReach) {
+  ASSERT_EQ(replay("--frames 3 --format none --contact-sheet none --out o").exit_code, 0);
+  const auto rows = columns_of(root() / "o/walk/frames.csv", kAcuityColumns);
+  ASSERT_EQ(rows.size(), 3u);
+  double least = 1e300;
+  for (double theta = 0.01; theta < 54; theta += 0.01) {
+    least = std::min(least, 64 * (theta + 1) / (360 * std::sin(theta * std::acos(-1.0) / 180)));
+  }
+  for (const auto& row : rows) {
+    EXPECT_NEAR(row[0], 54.7356, 1e-4) << "the corner of 45 x 45 degrees, seen from the middle";
+    EXPECT_NEAR(row[1], 64 / std::log(row[0] + 1), 2e-6);
+    EXPECT_NEAR(row[2], least, 1e-4);
+    EXPECT_NEAR(row[3], 21.042, 1e-3);
+    EXPECT_EQ(row[4], row[1]);
+    EXPECT_EQ(row[5], row[2]);
+    EXPECT_EQ(row[6], 64);
+  }
+  const auto quality = summary("o")["quality"];
+  EXPECT_NEAR(quality["k_radial"]["min"].get<double>(), rows[0][1], 2e-6);
+  EXPECT_NEAR(quality["k_angular"]["p50"].get<double>(), rows[0][2], 0.005 * rows[0][2]);
+  EXPECT_EQ(quality["k_radial"]["count"], 3);
+  EXPECT_NE(summary("o")["definitions"]["k_angular"].get<std::string>().find("theta + 1"), std::string::npos);
+}
+
+TEST_F(Program, PolarAcuityReachesTheAcuityFunctionAndSaysSo) {
+  const std::string acuity = "replay walk --profile small.profile.json --polar acuity --frames 2 ";
+  const Outcome outcome = herr(acuity + "--out o");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("polar acuity"), std::string::npos) << outcome.out;
+  // 200 ln(55.7356) = 804.06: 805 columns, 200.23.
+  EXPECT_NE(outcome.out.find("acuity: k radial 200.2 at least, 200.2 median; k angular 200.2 at least"),
+            std::string::npos)
+      << outcome.out;
+  for (const auto& row : columns_of(root() / "o/walk/frames.csv", kAcuityColumns)) {
+    for (const std::size_t k : {1, 2, 4, 5}) {
+      EXPECT_GE(row[k], 200);
+      EXPECT_LT(row[k], 200.3);
+    }
+    EXPECT_EQ(row[6], 805);
+  }
+  const auto settings = summary("o")["settings"];
+  EXPECT_EQ(settings["polar"], "acuity");
+  EXPECT_EQ(settings["polar_width_per_eye"], 1040) << "at most";
+  EXPECT_EQ(settings["polar_height"], 1174);
+  // The same pictures as of a buffer of that size.
+  ASSERT_EQ(
+      herr("replay walk --profile small.profile.json --polar 1610x1174 --frames 2 --out sized").exit_code, 0);
+  for (const std::string& file : files_below(root() / "o/walk/frames")) {
+    EXPECT_TRUE(content_of(root() / "o/walk/frames" / file) ==
+                content_of(root() / "sized/walk/frames" / file))
+        << file;
+  }
+  // Another size is another picture: a run does not go on with it.
+  EXPECT_EQ(herr("replay walk --profile small.profile.json --polar 1610x1174 --frames 2 --out o --resume")
+                .exit_code,
+            2);
+  EXPECT_EQ(herr(acuity + "--out o --resume").exit_code, 0);
+  const Outcome wrong = herr("replay walk --polar accuity --out x");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("or acuity"), std::string::npos) << wrong.err;
 }
 
 TEST_F(Program, ALostReaderIsNoErrorAndAFullStdoutIsOne) {
@@ -205,7 +305,8 @@ TEST_F(Program, SynthMakesASessionThatReplaysAndIsTheSameForTheSameSeed) {
   for (const std::string& file : files) {
     EXPECT_TRUE(content_of(root() / "made" / file) == content_of(root() / "before" / file)) << file;
   }
-  const Outcome outcome = herr("replay made --profile small.profile.json --polar 128x64 --frames 3 --out o");
+  const Outcome outcome =
+      herr("replay made --profile small.profile.json --preset direct --polar 128x64 --frames 3 --out o");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 

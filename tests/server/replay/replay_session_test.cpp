@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/settings_presets.h"
 #include "server/process/stop_signal.h"
 #include "tests/server/small_session.h"
 #include "tests/temporary_folder.h"
@@ -31,6 +32,7 @@ class ReplaySession : public ::testing::Test {
     options_.format = PictureFormat::none;
     options_.sheet = SheetChoice::none;
     options_.overwrite = true;
+    options_.render = direct_light_settings();
     options_.render.polar_width = 64;
     options_.render.polar_height = 64;
     options_.render.threads = 1;
@@ -139,14 +141,18 @@ TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
     const auto file = OIIO::ImageInput::open((root() / "o/walk/frames/frame_000000.exr").string());
     return file ? std::string(file->spec().get_string_attribute("herr.settings")) : "no picture";
   };
-  EXPECT_EQ(header(), "polar 128x64, light samples 1, reflections, camera, isa sse4, profile small");
+  EXPECT_EQ(
+      header(),
+      "polar 128x64, light samples 1, occlusion rays 0, reflections, no probes, camera, isa sse4, profile "
+      "small");
   options_.render.light_samples = 16;
   options_.render.adaptive_min_samples = 4;
   options_.render.seed = 7;
   options_.session.sampling = SamplingMode::interpolate;
-  EXPECT_EQ(header(),
-            "polar 128x64, light samples 16, reflections, camera, first light samples 4, seed 7, isa sse4, "
-            "profile small, sampling interpolate");
+  EXPECT_EQ(
+      header(),
+      "polar 128x64, light samples 16, occlusion rays 0, reflections, no probes, camera, first light samples "
+      "4, seed 7, isa sse4, profile small, sampling interpolate");
 }
 
 TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
