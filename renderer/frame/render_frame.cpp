@@ -11,9 +11,9 @@
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
-#include "renderer/cpu_use.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
 #include "renderer/viewports/gaze_marker.h"
 

@@ -63,14 +63,14 @@ FACE = {
         "scenes/model/voxel_grid.h",
     ),
     "renderer": (
-        "renderer/bench_frame.h", "renderer/cpu_use.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/further_view.h", "renderer/memory_use.h",
+        "renderer/bench_frame.h", "renderer/frame_counters.h", "renderer/frame_plan.h", "renderer/further_view.h", "renderer/memory_use.h",
         "renderer/outside_view.h",
         "renderer/polar_picture.h", "renderer/probe_counts.h", "renderer/render_settings.h", "renderer/renderer.h",
         "renderer/setting.h", "renderer/settings_list.h", "renderer/settings_presets.h", "renderer/stage_times.h", "renderer/timing.h",
         "renderer/viewport_image.h",
         "renderer/bench/calibration_rays.h", "renderer/foveation/gaze_frame.h", "renderer/foveation/polar_map.h",
         "renderer/foveation/reached_acuity.h",
-        "renderer/probes/probe_reader.h",
+        "renderer/probes/probe_reader.h", "renderer/threads/cpu_use.h",
     ),
     "server": (),
 }
