@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,13 @@ struct BenchResult {
   double pixels_frame_ms = 0, pixels_bare_ms = 0;  // resample and composite; bare kernel
   double ratio = 0, rays_ratio = 0;                // medians over frames of frame / bare, interleaved
   std::vector<Kind> kinds;
+  std::optional<double> cpu_ms;  // CPU time of the process during a frame, as frame_ms; none: not told
   double ns_per_pixel = 0, bare_ns_per_pixel = 0;
   StageTimes median_times;
   FrameCounters counters;            // of all measured frames together
   int measured_frames = 0;           // frames x repeats
   FramePlan plan;                    // with each trait that the plan of some frame had
+  std::int64_t picture_bytes = 0;    // that the pictures of a frame hold
   std::int64_t most_probe_rays = 0;  // of a frame that updates every probe its budget allows, each set
 };
 
@@ -49,6 +52,8 @@ struct BenchRun {
   int frames = 0;
   double frame_ms = 0, bare_ms = 0;  // means over the frames
   double probe_ms = 0;               // likewise: the stages that update probes
+  std::optional<double> cpu_ms;      // likewise: CPU time of the process during a frame; none: not told
+  std::int64_t picture_bytes = 0;    // that the pictures of a frame hold
   double ratio() const { return bare_ms > 0 ? frame_ms / bare_ms : 0; }
 };
 

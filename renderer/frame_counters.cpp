@@ -16,6 +16,11 @@ constexpr std::array kRows{
     CounterRow{"cut_paths", "paths",
                "Paths through glass that ended at a limit and took the light from outside for the rest.",
                &FrameCounters::cut_paths},
+    CounterRow{
+        "light_beyond_feed", "samples",
+        "Samples of real surfaces where virtual light is more than the feed carries: its rest is added "
+        "by the surface's stated colour.",
+        &FrameCounters::light_beyond_feed},
     CounterRow{"commits", "scenes", "Embree scenes committed.", &FrameCounters::commits},
     CounterRow{"instances_moved", "instances", "Instances that stand elsewhere than in the frame before.",
                &FrameCounters::instances_moved},

@@ -21,6 +21,9 @@ struct FrameCounters {
   // Light through glass that was followed no further: it brings the probes' light, without probes the
   // environment.
   std::int64_t cut_paths = 0;
+  // Samples of real surfaces on which virtual lights add more than four times the feed shows, or where no
+  // real light is known: there the surface's stated colour carries the rest.
+  std::int64_t light_beyond_feed = 0;
   std::int64_t commits = 0;  // Embree scenes committed
   std::int64_t instances_moved = 0, instances_spawned = 0, instances_removed = 0;
   std::int64_t instances_restyled = 0;  // another material, or another mesh

@@ -35,6 +35,7 @@ struct PlanEntry {
 };
 
 inline constexpr const char* kColouredRatio = "coloured catcher ratio";
+inline constexpr const char* kMirroredFeed = "feed in mirrors and glass";
 
 struct FramePlan {
   // What the kernels are chosen by.
@@ -56,6 +57,7 @@ struct FramePlan {
   bool catchers = false;
   bool catchers_occlude =
       false;  // catchers can shadow one another: needs a second shadow ray where the first is blocked
+  bool virtual_lights = false;  // some light is not in the feed: what the ratio cannot carry is added to it
   bool coloured_ratio = false;  // some light is coloured: the catcher ratio needs three channels
   int adaptive_min_samples =
       0;                // where samples are adaptive, how many are traced for every hit; 0: they never are
@@ -64,6 +66,7 @@ struct FramePlan {
   bool specular = false;        // some material has a specular lobe
   bool detail_levels = false;   // some mesh has coarser forms
   bool camera = false;
+  bool mirrored_feed = false;  // rays of mirrors and glass show the camera feed
   bool gaze_marker = false;
   LightSampler light_sampler = LightSampler::jittered;
   std::vector<PlanEntry> entries;  // all of the above, for people
@@ -78,6 +81,10 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
 
 // Entries that the settings could force on without changing the picture (RenderSettings::force).
 std::vector<std::string> left_out(const FramePlan& plan);
+
+// One line that names the glowing objects whose light reaches nothing around them, and not the camera feed:
+// probes alone carry it. Empty where they run, where nothing glows, or where there is no catcher.
+std::string glow_without_light(const Scene& scene, const FramePlan& plan);
 
 // Entries of `after` that run where those of `before` do not, or the other way round.
 std::vector<PlanEntry> differing_entries(const FramePlan& before, const FramePlan& after);

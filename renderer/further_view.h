@@ -33,7 +33,7 @@ struct PictureOutline {
   PictureKind kind = PictureKind::context;
   int width_px = 0, height_px = 0;
   double tan_left = 0, tan_right = 0, tan_down = 0, tan_up = 0;  // as of a Viewport
-  double edge_blend_deg = 0;                                     // of a focus viewport
+  double edge_blend_deg = 0;                                     // of a viewport
 };
 
 // A picture beside the viewports, of one frame.

@@ -1,5 +1,6 @@
-// What the user can choose about a render; one struct, each field with its default and a sentence. Ranges,
-// flags and names stand in settings_list.cpp: a new field has a row there.
+// What the user can choose about a render; one struct, each field with its default and a sentence. The
+// defaults are the paper's frame. Ranges, flags and names stand in settings/settings_list.cpp: a new field
+// has a row there. Settings that go together by a name stand in settings/settings_presets.cpp.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +24,14 @@ enum class ResampleFilter : std::uint8_t { nearest, bilinear, bicubic };
 enum class Blend : std::uint8_t { off, context, focus };
 enum class Isa : std::uint8_t { best, sse4, avx2, avx512 };
 
+// Polar buffers that reach the acuity function have this size at most (foveation/reached_acuity.h): columns
+// for a display that reaches to straight behind the gaze, rows for the circle that asks for the most, 21.0
+// degrees off the gaze.
+inline constexpr int kMostAcuityWidth = 1040, kAcuityHeight = 1174;
+
 // Light that bounces between surfaces, gathered by a grid of probes over time.
 struct ProbeSettings {
-  bool on = false;
+  bool on = true;
   int rays = 64;                    // per probe and update
   int budget = 0;                   // probes updated in a frame, in turn; 0 = all
   double hysteresis_tau_s = 0.365;  // time constant of what probes remember; 0 = nothing
@@ -41,24 +47,30 @@ struct RenderSettings {
   double scale = 1;        // rays per viewport pixel and axis; without foveation only
   int polar_width = 788;   // radial samples per eye (the paper's "1576x768" counts both eyes)
   int polar_height = 768;  // angular samples, an even number
-  int light_samples = 1;   // per light and hit; 1 = centre of the light, hard shadows
+  // In place of both sizes: the columns of each frame and eye, and kAcuityHeight rows, that reach
+  // 200 / (theta + 1) samples per degree everywhere on the display.
+  bool polar_acuity = false;
+  int light_samples = 1;  // per light and hit; 1 = centre of the light, hard shadows
   // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
   // 0: all strata everywhere.
   int adaptive_min_samples = 0;
   // random: independent places on the light, what strata are measured against.
   LightSampler light_sampler = LightSampler::jittered;
-  int occlusion_rays = 0;           // short rays of ambient occlusion per first hit; 0: none
+  int occlusion_rays = 1;           // short rays of ambient occlusion per first hit; 0: none
   double occlusion_radius_m = 0.3;  // how far they reach
   // Rays from the eye are this many times as wide as their samples: textures and voxels are read at the level
   // that this asks for. 0: the finest.
   double ray_width = 1;
   double detail_error = 0.5;   // samples that a simplified mesh may lie off; 0: full meshes only
   bool covered_pixels = true;  // without foveation: trace context pixels that a focus viewport covers
-  bool reflections = true;     // trace one mirror bounce where a material asks for it
-  bool refraction = true;      // follow light through transparent materials; off: they are opaque
-  bool camera = true;          // composite over the camera feed where the session has one
-  bool gaze_marker = false;    // red circle around the gaze direction in every viewport
-  bool debug_tiles = false;    // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  // Each hit takes the mean of what the short rays of hits nearby found on the same surface: of up to nine
+  // times as many.
+  bool occlusion_smoothing = true;
+  bool reflections = true;   // trace one mirror bounce where a material asks for it
+  bool refraction = true;    // follow light through transparent materials; off: they are opaque
+  bool camera = true;        // composite over the camera feed where the session has one
+  bool gaze_marker = false;  // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;  // colour the polar buffer in tiles of 15 degrees (Figure 6)
   // Painted over the feed, or where one would be seen: times the catcher's ratio, so that shadows show. None:
   // the feed is shown.
   std::optional<ShownColour> see_through_colour;

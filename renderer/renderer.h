@@ -31,8 +31,10 @@ class ProbeReader;  // probes/probe_reader.h
 // What may change from frame to frame. No choice of it allocates.
 struct FrameQuality {
   int light_samples = 1;  // per light and hit, 1 ... 4096
-  int polar_width = 0;    // radial samples per eye, 1 ... as many as the settings say; 0: that many
-  int probes = 0;         // updated at most, of those that the settings' budget allows; 0: as many as it does
+  // Radial samples per eye, 1 ... as many as the settings say; 0: that many. With polar_acuity those of the
+  // eye that needs more, up to its need; the other eye has the same share of its own need.
+  int polar_width = 0;
+  int probes = 0;  // updated at most, of those that the settings' budget allows; 0: as many as it does
 };
 
 // One rendered frame. Reuse it for every frame: its storage is kept.
@@ -44,6 +46,9 @@ struct RenderedFrame {
   FrameQuality quality;                   // of this frame, every number resolved; probes 0 without probes
   ProbeCounts probes;                     // all 0 without probes
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
+  std::optional<double> cpu_ms;      // of all threads of the process meanwhile (cpu_use.h); none: not told
+  std::array<int, 2> polar_width{};  // per eye: columns of the polar buffer; 0 without
+  int polar_height = 0;              // rows
 
   // As pictures_of_frame() lists them; they stay this frame's.
   std::vector<const ViewportImage*> pictures() const;
@@ -73,7 +78,9 @@ class Renderer {
   const RenderSettings& settings() const;  // threads and isa resolved to what runs
   int threads() const;
   MemoryUse memory() const;           // as of now; of the plan's parts those left out hold 0 bytes
-  FrameQuality full_quality() const;  // what a frame has when nothing less is asked for
+  FrameQuality full_quality() const;  // what a frame has at most
+  // What the frame of `sample` has when nothing less is asked for; below the above with polar_acuity alone.
+  FrameQuality full_quality(const FrameSample& sample) const;
 
   // With the quality that the settings ask for, or one of this frame's own. A width below that of the
   // settings gives the bytes that a renderer built for it gives. `abandon` (may be null) is asked before each

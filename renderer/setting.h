@@ -40,11 +40,15 @@ struct WordSetting {
   std::vector<std::string> words;
 };
 
-// Width and height of the polar buffers, written WIDTHxHEIGHT with the width of both eyes together.
+// Width and height of the polar buffers, written WIDTHxHEIGHT with the width of both eyes together; or the
+// word `following`: as each frame asks for, up to a size that stands in their place then.
 struct SizeSetting {
   int* width_per_eye = nullptr;
   int* height = nullptr;
   int widest_per_eye = 0, highest = 0;
+  bool* follows = nullptr;
+  std::string following;
+  int following_per_eye = 0, following_height = 0;
 };
 
 // Words that only the setting understands. `set` throws std::invalid_argument as set_text() does.
@@ -64,6 +68,7 @@ struct Setting {
   std::string sentence;  // what it does, or what its flag does; says what each word means
   std::variant<NumberSetting, WordSetting, SizeSetting, TextSetting> value;
   std::string otherwise = {};  // what holds where an optional number or a text is none: "the profile's"
+  std::string back_flag = {};  // of a switch that a preset turns: the flag that brings the default back
 };
 
 // A value as JSON has it; std::monostate: none.

@@ -40,6 +40,19 @@ void light_by_default(DefaultLight light, Scene& scene) {
   scene.ambient = scene.environment = glm::vec3(0.2f);
 }
 
+// The outermost probes of a model alone stand half a spacing outside it: its surfaces are seen from there,
+// where those of a room are seen from within.
+void put_probes_around(Scene& scene) {
+  if (scene.instances.empty()) return;
+  Bounds box = scene_bounds(scene);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int inner = scene.probes.counts[static_cast<std::size_t>(axis)] - 2;
+    const double spacing = (box.upper[axis] - box.lower[axis]) / inner;
+    box.lower[axis] -= spacing, box.upper[axis] += spacing;
+  }
+  scene.probes.box = box;
+}
+
 Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light) {
   Scene scene;
   scene.name = file.stem().string();
@@ -49,6 +62,7 @@ Scene load_bare_gltf(const std::filesystem::path& file, TexturePixels pixels, De
     scene.objects.push_back({scene.name, {}, 0, static_cast<std::uint32_t>(scene.instances.size()), true});
   scene.lights = std::move(content.lights);
   light_by_default(light, scene);
+  put_probes_around(scene);
   return scene;
 }
 
@@ -63,6 +77,7 @@ Scene load_bare_vox(const std::filesystem::path& file, DefaultLight light) {
   for (Instance& instance : scene.instances)
     instance.world_from_object = compose(metres, instance.world_from_object);
   light_by_default(light, scene);
+  put_probes_around(scene);
   return scene;
 }
 
@@ -71,6 +86,24 @@ std::string lower_case_extension(const std::filesystem::path& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
+}
+
+// What a document that has real surfaces and virtual lights alone means for the feed on them.
+void warn_of_virtual_light_alone(const std::filesystem::path& file, Scene& scene) {
+  const bool all = std::all_of(scene.lights.begin(), scene.lights.end(),
+                               [](const AreaLight& light) { return light.is_virtual; });
+  const bool catchers = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                    [](const Instance& instance) { return instance.catcher; });
+  if (scene.lights.empty() || !all || !catchers) return;
+  const bool dark = scene.ambient == glm::vec3(0.0f) && scene.environment == glm::vec3(0.0f) &&
+                    scene.environment_map.rgba.empty();
+  scene.warnings.push_back(printable(file.string()) + ": every light is virtual: " +
+                           (dark ? "the document states no light of the real room, so that virtual light is "
+                                   "added to the feed by the "
+                                   "catchers' stated colours; state the room's lamps, or ambient"
+                                 : "the feed counts as lit by ambient alone (with probes by environment); "
+                                   "state the room's lamps, or "
+                                   "all of their light as ambient"));
 }
 
 // No vertex may lie so far out that the ray tracer's floats overflow.
@@ -99,6 +132,7 @@ Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, Defaul
     scene = read_scene_document(file, pixels);
     if (light == DefaultLight::above && scene.lights.empty())
       scene.warnings.push_back(no_lights_warning(file));
+    warn_of_virtual_light_alone(file, scene);
   } else if (extension == ".gltf" || extension == ".glb") {
     scene = load_bare_gltf(file, pixels, light);
   } else if (extension == ".vox") {

@@ -36,7 +36,7 @@ class Curve:
 class Frame:
     """The plane of a diagram: degrees to both sides of the gaze, densities by their logarithm."""
 
-    def __init__(self, most_deg, lowest, highest, size=(820, 460), margins=(64, 24, 20, 96)):
+    def __init__(self, most_deg, lowest, highest, size=(820, 480), margins=(64, 24, 20, 116)):
         self.most_deg, self.lowest, self.highest, self.size = most_deg, lowest, highest, size
         self.left, self.top = margins[0], margins[2]
         self.right, self.bottom = size[0] - margins[1], size[1] - margins[3]
@@ -62,11 +62,13 @@ class Frame:
         return parts
 
     def path(self, curve):
-        """The curve to both sides, mirrored; clipped to the plane."""
-        inside = [(deg, min(max(density, self.lowest), self.highest)) for deg, density in curve.points
-                  if 0 <= deg <= self.most_deg and density > 0]
+        """The curve to both sides, mirrored; what leaves the plane is left out."""
+        inside = [(deg, density) for deg, density in curve.points
+                  if 0 <= deg <= self.most_deg and self.lowest <= density <= self.highest]
         both = [(-deg, density) for deg, density in reversed(inside)] + inside
-        steps = " L".join("{:.1f} {:.1f}".format(*self.at(*point)) for point in both)
+        at = ["{:.1f} {:.1f}".format(*self.at(*point)) for point in both]
+        half = len(inside)
+        steps = " L".join(at) if not inside or inside[0][0] == 0 else " L".join(at[:half]) + " M" + " L".join(at[half:])
         if not curve.filled:
             return f'<path d="M{steps}" fill="none" stroke="{colour(curve.rgb)}" stroke-width="{curve.width}" stroke-dasharray="{curve.dash}"/>'
         first, last = self.at(both[0][0], self.lowest), self.at(both[-1][0], self.lowest)
@@ -151,12 +153,12 @@ def facet(view, ring, next_ring, phi, next_phi, rgb):
 
 def acuity_volume(points, title, sharp_density=60, far_deg=45, sectors=60):
     """Figure 5: `points` (eccentricity, density) from 0 outwards, turned about the gaze."""
-    size = (820, 650)
+    size = (820, 570)
     most = points[-1][0]
     highest = points[0][1]
     view = View(turn_deg=-25, above_deg=24, scale=300 / most, height_scale=1.2 * most / highest,
-                middle=(430, 455))
-    rings = rings_of(points, sharp_density, far_deg)
+                middle=(430, 375))
+    rings = [*rings_of(points, sharp_density, far_deg), (most, 0.0)]  # down to the ground
     facets = []
     for ring, next_ring in zip(rings, rings[1:]):
         rgb = BLUE if ring[0] >= far_deg else RED if next_ring[1] >= sharp_density else GREEN

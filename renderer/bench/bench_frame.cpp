@@ -116,7 +116,7 @@ struct Series {
 };
 
 struct Measurements {
-  Series frame, bare, ratio, rays_frame, rays_bare, rays_ratio, pixels_frame, pixels_bare;
+  Series frame, cpu, bare, ratio, rays_frame, rays_bare, rays_ratio, pixels_frame, pixels_bare;
   std::array<Series, kRayKinds> kind_bare;
   std::array<Series, kStageCount> stages;
 
@@ -139,6 +139,13 @@ std::array<double, kRayKinds> bare_kinds_ms(BareSide& bare) {
   std::array<double, kRayKinds> ms{};
   for (std::size_t k = 0; k < kRayKinds; ++k) ms[k] = bare.rays_ms(k);
   return ms;
+}
+
+std::int64_t bytes_of_pictures(const RenderedFrame& frame) {
+  std::int64_t sum = 0;
+  for (const ViewportImage& viewport : frame.viewports) sum += bytes_of(viewport.rgba_half);
+  for (const FurtherView& view : frame.further) sum += bytes_of(view.image.rgba_half);
+  return sum;
 }
 
 double millions_per_second(double items, double ms) {
@@ -198,7 +205,8 @@ std::vector<BenchResult::Kind> kinds_of(const BenchResult& result, const Measure
 BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) {
   Renderer::Impl& impl = renderer.internals();
   BenchRun run;
-  double frames_ms = 0, bare_ms = 0, probes_ms = 0;
+  double frames_ms = 0, bare_ms = 0, probes_ms = 0, cpu_ms = 0;
+  bool cpu_told = true;
   RenderedFrame out;
   sequence.render(0, out);
   while (frames_ms < 1e3 * seconds) {
@@ -206,6 +214,8 @@ BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) 
     for (int i = 0; i < sequence.frames(); ++i, ++run.frames) {
       sequence.render(i, out);
       frames_ms += out.times.frame_ms;
+      cpu_ms += out.cpu_ms.value_or(0);
+      cpu_told = cpu_told && out.cpu_ms;
       probes_ms += out.times[Stage::probe_rays] + out.times[Stage::probe_update];
       BareSide bare(impl, out.counters);
       const std::array<double, kRayKinds> kinds_ms = bare_kinds_ms(bare);
@@ -214,6 +224,8 @@ BenchRun bench_run(Renderer& renderer, BenchSequence& sequence, double seconds) 
   }
   const double count = std::max(run.frames, 1);
   run.frame_ms = frames_ms / count, run.bare_ms = bare_ms / count, run.probe_ms = probes_ms / count;
+  if (cpu_told) run.cpu_ms = cpu_ms / count;
+  run.picture_bytes = bytes_of_pictures(out);
   return run;
 }
 
@@ -233,6 +245,7 @@ BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeat
       const std::array<double, kRayKinds> kinds_ms = bare_kinds_ms(bare);
       const double pixels_ms = bare.pixels_ms();
       measured.add(static_cast<std::size_t>(i), out.times, kinds_ms, pixels_ms);
+      if (out.cpu_ms) measured.cpu.add(static_cast<std::size_t>(i), *out.cpu_ms);
       result.counters += out.counters;
       ++result.measured_frames;
     }
@@ -241,6 +254,8 @@ BenchResult bench_frames(Renderer& renderer, BenchSequence& sequence, int repeat
   const double pixels = static_cast<double>(result.counters.viewport_pixels) /
                         static_cast<double>(std::max(result.measured_frames, 1));
   result.frame_ms = measured.frame.value(), result.bare_ms = measured.bare.value();
+  if (!measured.cpu.of_frame.empty()) result.cpu_ms = measured.cpu.value();
+  result.picture_bytes = bytes_of_pictures(out);
   result.ratio = measured.ratio.value();
   result.rays_frame_ms = measured.rays_frame.value(), result.rays_bare_ms = measured.rays_bare.value();
   result.rays_ratio = measured.rays_ratio.value();

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "renderer/feed/feed_view.h"
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_samples.h"
 #include "renderer/foveation/radiance_buffer.h"
@@ -45,7 +46,8 @@ struct RayGrid {
       0;  // polar: between pixels in the middle of the eye's finest viewport; planar: between its rays
   float ray_width = 1;  // of the cones of rays against their samples
   TexelSink sink;
-  std::uint32_t key = 0;  // frame, eye and seed
+  const FeedInScene* feed = nullptr;  // what mirrors and glass show of the camera's image; null: nothing
+  std::uint32_t key = 0;              // frame, eye and seed
   // Planar: rays pass through place (x, y) of each pixel, shifted by numbers of the pixel and this key.
   bool jitter = false;
   float jitter_x = 0.5f, jitter_y = 0.5f;

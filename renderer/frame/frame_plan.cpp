@@ -8,6 +8,7 @@
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/geometry/surface_details.h"
 #include "renderer/probes/probe_grid.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 struct Traits {
   std::size_t catchers_ever = 0, instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0,
               transparent = 0, textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0,
-              blended = 0, back_face_culling = 0, further_lobes = 0;
+              blended = 0, back_face_culling = 0, further_lobes = 0, glowing = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -36,6 +37,11 @@ bool lies_flat(const TriangleMesh& mesh) {
   return highest <= kFlatShare * glm::length(normal) * farthest;
 }
 
+bool glows(const Scene& scene, const Instance& instance) {
+  return instance.present && !instance.catcher &&
+         scene.materials[instance.material].emission != glm::vec3{0.0f};
+}
+
 Traits traits_of(const Scene& scene) {
   Traits traits;
   for (const Instance& instance : scene.instances) {
@@ -43,6 +49,7 @@ Traits traits_of(const Scene& scene) {
     if (!instance.present) continue;
     ++traits.instances;
     const Material& material = scene.materials[instance.material];
+    traits.glowing += glows(scene, instance) ? 1 : 0;
     if (instance.kind == ShapeKind::voxels) ++traits.voxels;
     const bool is_mesh = instance.kind == ShapeKind::mesh;
     if (instance.kind == ShapeKind::sphere || instance.kind == ShapeKind::box) ++traits.shapes;
@@ -206,9 +213,24 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) + ", " +
              std::to_string(settings.probes.rays) + " rays each",
          scene.instances.empty() ? "no surface to light" : "switched off by settings");
+  bool ambient = false;
+  decide(ambient, scene.ambient != glm::vec3{0.0f} && !plan.probes, "constant ambient light",
+         "the same from all sides", plan.probes ? "probes gather light in its place" : "the scene has none");
   decide(plan.catcher_probes, plan.probes && t.catchers_ever > 0, "probes of catchers alone",
          "indirect light changes the feed on catchers",
          t.catchers_ever > 0 ? "probes are off" : "no catcher");
+  bool glow = false;
+  decide(glow, plan.probes && t.glowing > 0, "light of glowing objects",
+         share(t.glowing, t.instances, "glow; probes carry their light"),
+         t.glowing > 0 ? share(t.glowing, t.instances, "glow; without probes their light reaches nothing")
+                       : "nothing glows");
+  const auto virtual_lights = std::count_if(scene.lights.begin(), scene.lights.end(),
+                                            [](const AreaLight& l) { return l.is_virtual; });
+  const std::string of_lights = std::to_string(virtual_lights) + " of " +
+                                std::to_string(scene.lights.size()) +
+                                (virtual_lights == 1 ? " lights is virtual" : " lights are virtual");
+  decide(plan.virtual_lights, t.catchers > 0 && virtual_lights > 0, "virtual lights on the feed", of_lights,
+         virtual_lights > 0 ? of_lights + ", and no catcher receives them" : "no light is virtual");
   const bool coloured = plan.catcher_probes || !all_light_is_grey(scene);
   decide(plan.coloured_ratio, t.catchers > 0 && coloured, kColouredRatio,
          plan.catcher_probes ? "surfaces colour the light between them" : "some light is coloured",
@@ -219,6 +241,13 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          !session_has_camera ? "the session has no camera feed"
          : painted           ? "one colour is painted in its place"
                              : "switched off by settings");
+  // Catchers mirror virtual objects alone.
+  const bool shows = (plan.mirror_rays && t.reflecting > 0) || plan.refraction;
+  decide(plan.mirrored_feed, plan.camera && shows, kMirroredFeed,
+         "inside the camera's view; beyond it the environment, or a catcher's colour",
+         shows ? "no camera feed is shown: they show the environment"
+               : "no object reflects, and none is transparent",
+         !plan.camera || !shows);
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
   check_forced(settings, plan);
   return plan;
@@ -230,6 +259,25 @@ std::vector<std::string> left_out(const FramePlan& plan) {
     if (entry.unneeded && !entry.runs) names.push_back(entry.name);
   }
   return names;
+}
+
+std::string glow_without_light(const Scene& scene, const FramePlan& plan) {
+  constexpr std::size_t kNamed = 5;
+  if (plan.probes || !plan.catchers) return {};
+  std::vector<std::string> names;
+  for (const Instance& instance : scene.instances) {
+    if (!glows(scene, instance)) continue;
+    const std::string object = instance.name.substr(0, instance.name.find('/'));
+    if (std::find(names.begin(), names.end(), object) == names.end()) names.push_back(object);
+  }
+  if (names.empty()) return {};
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i)
+    text += (i == 0 ? "\"" : ", \"") + printable(names[i]) + "\"";
+  if (names.size() > kNamed) text += " and " + std::to_string(names.size() - kNamed) + " more";
+  return text + (names.size() == 1 ? " glows" : " glow") +
+         (names.size() == 1 ? ", but lights" : ", but light") +
+         " neither the camera feed nor other objects: probes are off";
 }
 
 std::vector<PlanEntry> differing_entries(const FramePlan& before, const FramePlan& after) {

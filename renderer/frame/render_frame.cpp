@@ -6,14 +6,15 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
+#include "renderer/cpu_use.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/tiles/finite_lanes.h"
-#include "renderer/viewports/camera_feed.h"
 #include "renderer/viewports/gaze_marker.h"
 
 namespace herr {
@@ -23,6 +24,12 @@ using SteadyClock = std::chrono::steady_clock;
 
 double milliseconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+}
+
+std::optional<double> cpu_ms_since(std::optional<std::int64_t> start_ns) {
+  const std::optional<std::int64_t> now_ns = process_cpu_ns();
+  if (!start_ns || !now_ns) return std::nullopt;
+  return static_cast<double>(*now_ns - *start_ns) * 1e-6;
 }
 
 // Runs one serial stage and books its time.
@@ -118,8 +125,10 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   out.counters = {};
   std::fill(impl.counters.begin(), impl.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
+  const std::optional<std::int64_t> cpu_start_ns = process_cpu_ns();
 
   timed(out.times, Stage::polar_rays, [&] { impl.follow_gaze(sample); });
+  out.quality.polar_width = std::min(out.quality.polar_width, impl.full_width());
   const SceneUpdate update =
       timed(out.times, Stage::acceleration, [&] { return impl.update_acceleration(sample, state); });
   count(update, out.counters);
@@ -131,13 +140,16 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
   if (impl.plan.probes && use.pass) impl.view_probes();
   if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
+  timed(out.times, Stage::viewports, [&] { impl.set_up_feeds(sample); });
   timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
   if (!impl.trace_tiles(out.times, use)) return false;
-  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
+  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
   require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
 
+  // Within the wall time, so that it is never more than that on every core.
+  out.cpu_ms = cpu_ms_since(cpu_start_ns);
   out.times.frame_ms = milliseconds_since(start);
   double booked = 0;
   for (const double ms : out.times.ms) booked += ms;
@@ -161,16 +173,6 @@ void Renderer::skip_frame(const FrameSample& sample, const SceneState& state) {
   nobodys.quality = full_quality();
   impl_->update_scene(state, nobodys.quality);
   impl_->update_probes(sample, state, nobodys);
-}
-
-// Where each eye looks, in its own space, and how far from there its viewports reach.
-void Renderer::Impl::follow_gaze(const FrameSample& sample) {
-  for (const Eye eye : kEyes) {
-    const auto e = static_cast<std::size_t>(eye);
-    const glm::dquat head_from_eye = sample.head_from_eye[e].orientation;
-    eyes[e].gaze = gaze_frame(glm::conjugate(head_from_eye) * sample.gaze.head_direction[e]);
-    eyes[e].theta_max_deg = theta_max_deg(eyes[e].gaze, profile.viewports, eye);
-  }
 }
 
 void Renderer::Impl::place_eyes(const FrameSample& sample) {
@@ -210,8 +212,9 @@ void Renderer::Impl::choose_details() {
     detail_eyes[e].position = pose.position + geometry->anchor();
     detail_eyes[e].gaze = pose.orientation * eyes[e].gaze.gaze;
     detail_eyes[e].foveated = plan.polar;
-    const PolarMap map = PolarMap::up_to(std::max(eyes[e].theta_max_deg, 1e-3));
-    if (plan.polar) detail_eyes[e].samples_per_deg = map.radial_density(0.0, settings.polar_width);
+    const double theta_max_deg = eyes[e].theta_max_deg;
+    if (!plan.polar) continue;
+    detail_eyes[e].samples_per_deg = polar_map(theta_max_deg).radial_density(0.0, full_width(theta_max_deg));
   }
   details.choose(
       detail_eyes, settings.detail_error,
@@ -234,6 +237,7 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.lights = lights;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
+  shading.occlusion_smoothing = settings.occlusion_smoothing;
   const EnvironmentImage& outside = scene.environment_map;
   const float turn = outside.turn_deg / 360.0f;
   shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
@@ -248,6 +252,9 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   }
   shading.paints_see_through = settings.see_through_colour.has_value();
   if (shading.paints_see_through) paint_see_through(*settings.see_through_colour, shading);
+  // An overlay without a feed darkens by its coverage: it cannot make brighter what lies behind it.
+  shading.largest_ratio =
+      plan.virtual_lights && !settings.camera && !shading.paints_see_through ? 1.0f : kLargestRatio;
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
   shading.shown_white = 1.0f / shown_scale();
@@ -261,11 +268,13 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
     const std::uint32_t key = frame_key(sample.t_ns - sample.start_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
-      samples[i]->update(PolarMap::up_to(std::max(view.theta_max_deg, 1e-3)), polar_width);
+      samples[i]->update(polar_map(view.theta_max_deg), width_of(view, polar_width));
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }
+    const FeedInScene& feed = feeds[static_cast<std::size_t>(eye)];
+    grids[i].feed = plan.mirrored_feed && feed.view.image ? &feed : nullptr;
     grids[i].ray_width = static_cast<float>(settings.ray_width);
     grids[i].jitter = pass && pass->jitter;
     if (grids[i].jitter) set_jitter(*pass, static_cast<int>(i), grids[i]);
@@ -306,7 +315,7 @@ bool Renderer::Impl::trace_tiles(StageTimes& times, const FrameUse& use) {
   return whole;
 }
 
-void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& out) {
+void Renderer::Impl::set_up_viewports(RenderedFrame& out) {
   out.viewports.resize(profile.viewports.size());
   for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
     const Viewport& viewport = profile.viewports[i];
@@ -335,15 +344,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
       // Each pixel has a texel of its own: no filter has anything to do.
       if (job.one_texel_per_pixel()) job.filter = ResampleFilter::nearest;
     }
-    job.feed = {};
-    if (!plan.camera || !sample.cameras[eye]) continue;
-    const SampledCamera& camera = *sample.cameras[eye];
-    job.feed.white = 1.0f / shown_scale();
-    job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
-    job.feed.model = camera.model;
-    job.feed.camera_from_eye =
-        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
-    job.feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
+    job.feed = feeds[eye].view;
   }
 }
 
@@ -375,7 +376,11 @@ void Renderer::Impl::collect_counters(RenderedFrame& out) const {
   for (const Viewport& v : profile.viewports) {
     total.viewport_pixels += static_cast<std::int64_t>(v.width_px) * v.height_px;
   }
-  for (std::size_t eye = 0; eye < eyes.size(); ++eye) out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+  for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
+    out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
+    out.polar_width[eye] = plan.polar ? samples[eye]->width() : 0;
+  }
+  out.polar_height = plan.polar ? settings.polar_height : 0;
 }
 
 }  // namespace herr

@@ -38,6 +38,7 @@ void Renderer::Impl::set_up_outside(const FrameSample& sample, const Pose& ancho
   work.shading = shading;
   work.shading.debug_tiles = work.shading.paints_see_through = false;
   work.shading.background_is_environment = work.shading.paints_catchers = true;
+  work.shading.largest_ratio = kLargestRatio;
   const ShownColour usual = settings.see_through_colour.value_or(kPink);
   paint_see_through(work.view.see_through.value_or(usual), work.shading);
   std::fill(work.counters.begin(), work.counters.end(), TileCounters{});

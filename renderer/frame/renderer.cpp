@@ -12,6 +12,7 @@ namespace {
 
 RenderSettings resolved(RenderSettings settings, const Scene& scene) {
   check_settings(settings);
+  if (settings.polar_acuity) settings.polar_width = kMostAcuityWidth, settings.polar_height = kAcuityHeight;
   if (settings.threads == 0) settings.threads = available_threads();
   settings.isa = resolve_isa(settings.isa);
   if (!settings.feed_distance_m) settings.feed_distance_m = kUsualFeedDistance_m;

@@ -2,6 +2,7 @@
 // frame loop allocates nothing.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -58,6 +59,7 @@ struct Renderer::Impl {
   ShadingInputs shading;
   std::vector<ViewportJob> viewport_jobs;     // one per viewport
   std::vector<int> first_strip;               // of each viewport, then the total
+  std::array<FeedInScene, 2> feeds;           // per eye
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
   // Of the pictures beside the viewports, as further_views() lists them.
@@ -73,6 +75,7 @@ struct Renderer::Impl {
   std::array<ProbeView, 2> probe_views;        // all geometry; catchers alone
   std::array<ShadingInputs, 2> probe_shading;  // likewise
   std::vector<LightRecord> probe_lights;       // one sample each
+  std::vector<LightRecord> real_probe_lights;  // of these, those that are not virtual
   std::vector<std::vector<ProbeLanes>> probe_radiance;  // per worker
 
   // Per worker.
@@ -93,9 +96,19 @@ struct Renderer::Impl {
   LightReach light_reach() const;  // of lights, for this frame
   void update_scene(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
+  // Columns at this frame's full quality: of an eye, of the eye that needs the most; of an eye where that one
+  // has `polar_width`.
+  int full_width(double theta_max_deg) const;
+  int full_width() const {
+    return std::max(full_width(eyes[0].theta_max_deg), full_width(eyes[1].theta_max_deg));
+  }
+  int width_of(const EyeView& eye, int polar_width) const;
+  // An eye without viewports has a map, too.
+  static PolarMap polar_map(double theta_max_deg) { return PolarMap::up_to(std::max(theta_max_deg, 1e-3)); }
+  void set_up_feeds(const FrameSample& sample);
   void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);
   bool trace_tiles(StageTimes& times, const FrameUse& use);
-  void set_up_viewports(const FrameSample& sample, RenderedFrame& out);
+  void set_up_viewports(RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;

@@ -1,6 +1,7 @@
 // Stage: probes. Rays of this frame's probes against last frame's light, blended into what they have
 // gathered, then published for all that follows in this frame. Also how a renderer sets its probes up.
 #include <algorithm>
+#include <iterator>
 
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
@@ -41,6 +42,7 @@ void Renderer::Impl::build_probes() {
   probe_kernels = probe_kernels_for(settings.isa);
   plan_probes();
   probe_lights.reserve(scene.lights.size());
+  real_probe_lights.reserve(scene.lights.size());
   probe_radiance.resize(static_cast<std::size_t>(threads.count()));
   for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
   place_for_probes();
@@ -69,12 +71,16 @@ void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& sta
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns - sample.start_ns, kProbeKey, settings.seed),
                          probes->node_directions);
+  real_probe_lights.clear();
   light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), light_reach(), probe_lights);
+  // Catchers alone stand for the real room, in which no virtual light shines.
+  std::copy_if(probe_lights.begin(), probe_lights.end(), std::back_inserter(real_probe_lights),
+               [](const LightRecord& light) { return !light.is_virtual; });
   view_probes();
   for (std::size_t set = 0; set < probes->sets.size(); ++set) {
     ShadingInputs& by_probes = probe_shading[set] = shading;
     by_probes.plan = &probe_plan;
-    by_probes.lights = probe_lights;
+    by_probes.lights = set == 0 ? probe_lights : real_probe_lights;
     by_probes.probes = &probe_views[set];
     by_probes.catcher_probes = nullptr;
   }
@@ -158,7 +164,7 @@ void Renderer::Impl::update_probes(const FrameSample& sample, const SceneState& 
 
 std::int64_t Renderer::Impl::probe_bytes() const {
   if (!probes) return 0;
-  std::int64_t sum = probes->bytes() + bytes_of(probe_lights);
+  std::int64_t sum = probes->bytes() + bytes_of(probe_lights) + bytes_of(real_probe_lights);
   if (probe_motion) sum += probe_motion->bytes();
   for (const auto& radiance : probe_radiance) sum += bytes_of(radiance);
   return sum;

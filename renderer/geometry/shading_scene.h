@@ -113,6 +113,7 @@ inline constexpr int kMostOrderedSamples = 256;
 
 struct LightRecord {
   LightKind kind = LightKind::box;
+  bool is_virtual = false;  // catchers receive it with the virtual objects in place, and not without them
   float centre[3] = {};
   float lower[3] = {}, size[3] = {};      // the box, for stratified samples
   float intensity[3] = {};                // W/sr; of a sun W/m^2

@@ -64,7 +64,7 @@ HWY_INLINE void sum_seen(const std::array<Lane<std::uint8_t>, kMostOrderedSample
 // what hides the light does not pass there. Takes three of them at least. Elsewhere undecided hits ask.
 HWY_NOINLINE inline void predict(const TileJob& job, const LightRecord& light, int s, int count) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
-  const bool catchers = job.shading->plan->catchers_occlude;
+  const bool catchers = job.shading->plan->catchers_occlude && !light.is_virtual;
   const KnownNeighbours known = known_neighbours(light, s);
   Lane<std::uint8_t>&sum = adaptive.sum, &sum_without = adaptive.sum_without;
   sum_seen(adaptive.saw, known, count, sum);
@@ -132,7 +132,7 @@ HWY_NOINLINE inline void first_visibility(const TileJob& job, const LightRecord&
     const MF lit = facing(hits, slot, to_light);
     push_shadow_rays(scratch.queue, hits, slot, to_light, hn::AndNot(borrows(adaptive, s, slot, lit), lit));
   }
-  find_visibility(job, hits, kind);
+  find_visibility(job, light, hits, kind);
   for (int slot = 0; slot < count; slot += kLanes) {
     const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
     const MF borrowed = borrows(adaptive, s, slot, lit);
@@ -158,7 +158,7 @@ HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord&
     const V3 to_light = way_to_light(light, s, hits, slot);
     push_shadow_rays(scratch.queue, hits, slot, to_light, hn::And(asks, facing(hits, slot, to_light)));
   }
-  find_visibility(job, hits, kind);
+  find_visibility(job, light, hits, kind);
 }
 
 // Writes down what each hit saw of sample `s`.

@@ -1,12 +1,15 @@
 // Stage: ambient occlusion. A few short rays per hit, cosine-weighted about the normal; the share that meets
 // nothing within the radius multiplies indirect light. All hits of a 4x4 block of samples turn the same local
 // directions into their own frames: rays of a packet then stay together, which makes them twice as fast as
-// directions of their own, at the price of noise that is the same over the block.
+// directions of their own, at the price of noise that is the same over the block. Three by three blocks
+// divide strata of directions among them, and each hit takes the mean over such a group
+// (occlusion_smoothing-inl.h). Source of that: Keller and Heidrich, "Interleaved Sampling", 2001.
 #pragma once
 
 #include <cmath>
 
 #include "renderer/lighting/direct_light-inl.h"
+#include "renderer/lighting/occlusion_smoothing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -29,19 +32,41 @@ HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
   return mul_add(set(local[0]), right, mul_add(set(local[1]), up, scale(n, set(local[2]))));
 }
 
-// Direction `ray` of `rays`, cosine-distributed (Malley's method): radii stratified, angles by the golden
-// ratio, both shifted by random numbers of the block.
-HWY_INLINE void local_direction(std::uint32_t key, int ray, int rays, float local[3]) {
-  const auto random = [&](std::uint32_t counter) {
-    return hn::GetLane(unit_float(hash(hn::Set(kU, key), counter)));
-  };
+// Where a 4x4 block stands: it takes one of the nine strata into which three by three blocks divide each
+// ray's.
+struct OcclusionBlock {
+  std::uint32_t random = 0;  // key of its own random numbers
+  std::uint32_t frame = 0;   // key of those of all blocks
+  int stratum = 0;           // of kOcclusionStrata
+};
+constexpr int kOcclusionStrata = 9;
+
+// Direction `ray` of `rays`, cosine-distributed (Malley's method): radii stratified, with a random place in
+// each stratum; angles by the golden ratio, turned by a random number of the frame.
+HWY_INLINE void local_direction(const OcclusionBlock& block, int ray, int rays, float local[3]) {
+  const auto random = [](std::uint32_t key, std::uint32_t counter)
+                          HWY_ATTR { return hn::GetLane(unit_float(hash(hn::Set(kU, key), counter))); };
   constexpr float kGolden = 0.618033989f, kTwoPi = 6.28318531f;
-  const float area = (static_cast<float>(ray) + random(1)) / static_cast<float>(rays);
-  const float turn = random(2) + kGolden * static_cast<float>(ray);
+  const auto place = static_cast<float>(kOcclusionStrata * ray + block.stratum);
+  const float area = (place + random(block.random, 1)) / static_cast<float>(kOcclusionStrata * rays);
+  const float turn = random(block.frame, 2) + kGolden * place;
   const float radius = std::sqrt(area);
   local[0] = radius * std::cos(kTwoPi * turn);
   local[1] = radius * std::sin(kTwoPi * turn);
   local[2] = std::sqrt(std::max(0.0f, 1.0f - area));
+}
+
+// Which stratum a block has changes from frame to frame, so that each block sees all directions in time.
+HWY_INLINE OcclusionBlock occlusion_block(const TileJob& job, std::size_t packet) {
+  const int x = job.scratch->packet_x[packet], y = job.scratch->packet_y[packet] & ~3;
+  OcclusionBlock block;
+  block.frame = job.grid->key;
+  block.random =
+      job.grid->key ^ ((static_cast<std::uint32_t>(y << 16) | static_cast<std::uint32_t>(x)) * 0x9e3779b9u);
+  const float first = hn::GetLane(unit_float(hash(hn::Set(kU, block.frame), 3)));
+  const int place = x / 4 % 3 + 3 * (y / 4 % 3);
+  block.stratum = (place + static_cast<int>(kOcclusionStrata * first)) % kOcclusionStrata;
+  return block;
 }
 
 // One ray per hit of first hits [0, count), into the queue. A direction that the interpolated normal bends
@@ -56,10 +81,9 @@ HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
     const int slot = p * kLanes;
     const MF surface = hn::Or(of_kind(hits, slot, HitKind::object), of_kind(hits, slot, HitKind::catcher));
     if (hn::AllFalse(kF, surface)) continue;
-    const auto i = static_cast<std::size_t>(p);
-    const auto block = static_cast<std::uint32_t>((scratch.packet_y[i] & ~3) << 16 | scratch.packet_x[i]);
     float local[3];
-    local_direction(job.grid->key ^ (block * 0x9e3779b9u), ray, job.shading->occlusion_rays, local);
+    local_direction(occlusion_block(job, static_cast<std::size_t>(p)), ray, job.shading->occlusion_rays,
+                    local);
     const V3 n = load3(hits.normal, slot);
     const V3 g = load3(hits.geometric_normal, slot);
     const V3 direction = from_local(n, local);
@@ -82,10 +106,11 @@ HWY_NOINLINE inline void ambient_occlusion(const TileJob& job, int packets) {
   for (int ray = 0; ray < rays; ++ray) {
     queue_occlusion_rays(job, ray, packets);
     trace_visibility(
-        job, hits, RayKind::occlusion, RayKind::catcher_occlusion,
+        job, hits, true, RayKind::occlusion, RayKind::catcher_occlusion,
         [&](std::size_t hit, float passes) { hits.open[hit] -= share * (1.0f - passes); },
         [&](std::size_t hit, float passes) { hits.open_without[hit] -= share * (1.0f - passes); });
   }
+  if (job.shading->occlusion_smoothing) smooth_occlusion(job, packets);
 }
 
 }  // namespace HWY_NAMESPACE

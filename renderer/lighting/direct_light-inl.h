@@ -20,7 +20,7 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
     }
     for (int s = 0; s < light.samples; ++s) {
       queue_shadow_rays(job, light, s, hits, count);
-      find_visibility(job, hits, kind);
+      find_visibility(job, light, hits, kind);
       for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, hits, slot);
     }
   }

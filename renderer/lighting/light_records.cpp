@@ -85,6 +85,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     if (light.intensity_w_sr == glm::vec3{0.0f}) continue;
     LightRecord record;
     record.kind = light.kind;
+    record.is_virtual = light.is_virtual;
     const glm::vec3 centre(light.centre - anchor);
     for (int axis = 0; axis < 3; ++axis) {
       record.centre[axis] = centre[axis];
@@ -129,6 +130,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
 glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes) {
   glm::vec3 sum{0.0f};
   for (const AreaLight& light : lights) {
+    if (light.is_virtual) continue;
     if (light.kind == LightKind::sun) {
       sum += light.intensity_w_sr;
       continue;

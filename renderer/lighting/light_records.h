@@ -30,9 +30,9 @@ struct LightReach {
 void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, LightSampling sampling,
                    const LightReach& reach, std::vector<LightRecord>& out);
 
-// Irradiance that these lights would give, unblocked and head on, at the point of `boxes` (world
-// space) farthest from each, per channel: a scale of what catchers receive that no light near
-// one of them can blow up.
+// Irradiance that the real ones of these lights would give, unblocked and head on, at the point of `boxes`
+// (world space) farthest from each, per channel: a scale of what catchers receive that no light near one of
+// them can blow up.
 glm::vec3 farthest_irradiance(std::span<const AreaLight> lights, std::span<const Bounds> boxes);
 
 }  // namespace herr

@@ -61,8 +61,8 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const TileScratch& scratch = *job.scratch;
   const V3 to_light = way_to_light(light, s, hits, slot);
   const VF visible = load(&scratch.visible[slot]);
-  const VF counts =
-      job.shading->plan->catchers ? hn::Max(visible, load(&scratch.visible_without[slot])) : visible;
+  const bool counts_twice = job.shading->plan->catchers && !light.is_virtual;
+  const VF counts = counts_twice ? hn::Max(visible, load(&scratch.visible_without[slot])) : visible;
   const MF lit = hn::And(facing(hits, slot, to_light), hn::Gt(counts, hn::Zero(kF)));
   if (hn::AllFalse(kF, lit)) return;
   const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-36f));
@@ -78,13 +78,15 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   V3 f = reflectance<kLobe>(hits, slot, n, shining_from<kLobe>(light, s, hits, slot, direction, turn2), n_l,
                             turn2);
   if (job.shading->plan->catchers) {
-    // On a catcher the sum is irradiance itself, twice: with the virtual objects and without.
+    // On a catcher the sum is irradiance itself, twice: with all that is virtual, lights too, and without.
     const MF catcher = of_kind(hits, slot, HitKind::catcher);
     if (!hn::AllFalse(kF, catcher)) {
       const VF one = set(1.0f);
       f = select(catcher, V3{one, one, one}, f);
-      const VF alone = hn::Mul(geometry, load(&scratch.visible_without[slot]));
-      add_to(hits.direct_without, slot, scale(set3(light.intensity), alone));
+      if (!light.is_virtual) {
+        const VF alone = hn::Mul(geometry, load(&scratch.visible_without[slot]));
+        add_to(hits.direct_without, slot, scale(set3(light.intensity), alone));
+      }
     }
   }
   const V3 arrives = scale(set3(light.intensity), seen);
@@ -104,10 +106,11 @@ HWY_NOINLINE inline void queue_shadow_rays(const TileJob& job, const LightRecord
   }
 }
 
-HWY_NOINLINE inline void find_visibility(const TileJob& job, const HitBatch& hits, RayKind kind) {
+HWY_NOINLINE inline void find_visibility(const TileJob& job, const LightRecord& light, const HitBatch& hits,
+                                         RayKind kind) {
   TileScratch& scratch = *job.scratch;
   trace_visibility(
-      job, hits, kind, RayKind::catcher_shadow,
+      job, hits, !light.is_virtual, kind, RayKind::catcher_shadow,
       [&](std::size_t hit, float passes) { scratch.visible[hit] = passes; },
       [&](std::size_t hit, float passes) { scratch.visible_without[hit] = passes; });
 }

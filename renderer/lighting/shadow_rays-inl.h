@@ -170,13 +170,15 @@ HWY_INLINE void trace_occlusion(const TileJob& job, const HitBatch& hits, const 
 }
 
 // Traces the queue's rays against everything, and those of catchers that are blocked against catchers alone:
-// what blocks a catcher may be another catcher, which is there without the virtual objects too. Calls
-// blocked(hit, passes) and blocked_without(hit, passes).
+// what blocks a catcher may be another catcher, which is there without the virtual objects too. What is not
+// there without them (`real` = false) is asked for once only. Calls blocked(hit, passes) and
+// blocked_without(hit, passes).
 template <typename Blocked, typename BlockedWithout>
-HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, RayKind kind, RayKind catcher_kind,
-                                 const Blocked& blocked, const BlockedWithout& blocked_without) {
+HWY_INLINE void trace_visibility(const TileJob& job, const HitBatch& hits, bool real, RayKind kind,
+                                 RayKind catcher_kind, const Blocked& blocked,
+                                 const BlockedWithout& blocked_without) {
   TileScratch& scratch = *job.scratch;
-  const bool catchers_occlude = job.shading->plan->catchers_occlude;
+  const bool catchers_occlude = job.shading->plan->catchers_occlude && real;
   if (catchers_occlude) scratch.blocked->count = 0, scratch.blocked->salt = scratch.queue.salt;
   // Probes of catchers alone know no virtual object.
   const unsigned mask = kind == RayKind::catcher_probe_shadow ? kCatcherMask : kAllMask;

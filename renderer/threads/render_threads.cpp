@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string>
 
+#include "renderer/cpu_use.h"
 #include "sessions/files/input_file.h"
 
 namespace herr {

@@ -8,9 +8,6 @@
 
 namespace herr {
 
-// The number of threads this process may use: its CPU affinity, narrowed by a cgroup CPU quota.
-int available_threads();
-
 class RenderThreads {
  public:
   // 1 ... 512 threads, the caller of run() being one of them.

@@ -5,23 +5,12 @@
 
 #include <cstring>
 
+#include "renderer/lighting/catcher_ratio-inl.h"
 #include "renderer/lighting/refractions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
-constexpr float kPi = 3.14159265f;
-
-// E_with / E_without where there is light to compare, clamped and snapped.
-HWY_INLINE VF catcher_ratio(VF with_objects, VF without, float smallest) {
-  const VF one = set(1.0f);
-  const VF ratio = hn::Min(hn::Div(with_objects, hn::Max(without, set(1e-30f))), set(kLargestRatio));
-  const MF keep =
-      hn::Or(hn::Le(without, set(smallest)), hn::Lt(hn::Abs(hn::Sub(ratio, one)), set(kSnapToOne)));
-  return hn::IfThenElse(keep, one, ratio);
-}
 
 // Replaces what is not finite by 0 and counts it; keeps the rest within the range of half.
 HWY_INLINE VF finite_half(VF value, MF lanes, std::int64_t& nonfinite) {
@@ -60,6 +49,16 @@ HWY_INLINE Texel painted_texel(const Texel& texel, const V3& behind) {
       {zero, zero, zero}};
 }
 
+// What the feed keeps on catchers, and what is added to it.
+HWY_INLINE Texel catcher_texel(const TileJob& job, int slot, MF catcher) {
+  const FramePlan& plan = *job.shading->plan;
+  const CatcherLight at =
+      catcher_light(*job.shading, job.scratch->first, slot, plan.occlusion, plan.catcher_mirrors);
+  job.counters->light_beyond_feed +=
+      static_cast<std::int64_t>(hn::CountTrue(kF, hn::And(at.beyond, catcher)));
+  return {at.added, at.ratio};
+}
+
 // What the first hits themselves show and keep.
 HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
   const ShadingInputs& shading = *job.shading;
@@ -77,32 +76,10 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
-    const bool occlusion = shading.plan->occlusion;
-    const VF open = occlusion ? hn::Max(load(&hits.open[slot]), zero) : one;
-    const VF open_without = occlusion ? hn::Max(load(&hits.open_without[slot]), zero) : one;
-    const bool probes = shading.catcher_probes != nullptr;
-    const auto ratio = [&](const Lane<float>& with_objects, const Lane<float>& without,
-                           const Lane<float>& around, const Lane<float>& around_without,
-                           std::size_t channel) HWY_ATTR {
-      const VF pi = set(kPi), ambient = set(kPi * shading.ambient[channel]);
-      const VF all = probes ? hn::Mul(pi, load(&around[slot])) : ambient;
-      const VF all_without = probes ? hn::Mul(pi, load(&around_without[slot])) : ambient;
-      return catcher_ratio(hn::MulAdd(all, open, load(&with_objects[slot])),
-                           hn::MulAdd(all_without, open_without, load(&without[slot])),
-                           shading.smallest_irradiance[channel]);
-    };
-    const V3 ratios{ratio(hits.direct.x, hits.direct_without.x, hits.indirect.x, hits.indirect_without.x, 0),
-                    ratio(hits.direct.y, hits.direct_without.y, hits.indirect.y, hits.indirect_without.y, 1),
-                    ratio(hits.direct.z, hits.direct_without.z, hits.indirect.z, hits.indirect_without.z, 2)};
-    texel.ratio = select(catcher, ratios, texel.ratio);
-    if (shading.plan->catcher_mirrors) {
-      texel.light = select(catcher, load3(hits.mirrored, slot), texel.light);
-    }
-    if (shading.paints_catchers) {
-      const Texel painted = painted_texel(texel, set3(shading.see_through));
-      texel.light = select(catcher, painted.light, texel.light);
-      texel.ratio = select(catcher, painted.ratio, texel.ratio);
-    }
+    Texel real = catcher_texel(job, slot, catcher);
+    if (shading.paints_catchers) real = painted_texel(real, set3(shading.see_through));
+    texel.ratio = select(catcher, real.ratio, texel.ratio);
+    texel.light = select(catcher, real.light, texel.light);
   }
   return texel;
 }

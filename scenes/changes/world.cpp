@@ -333,6 +333,7 @@ std::optional<ChangeProblem> World::set_light(const SceneChange& wanted) {
   if (to.centre) light.centre = *to.centre;
   if (to.size) light.size = *to.size;
   if (to.direction) light.direction = *to.direction;
+  if (to.is_virtual) light.is_virtual = *to.is_virtual;
   return std::nullopt;
 }
 

@@ -43,9 +43,10 @@ LightChange parse_light_change(const JsonObject& object) {
     if (!(length > 1e-9)) object.fail("direction", "is 0", "write the vector along which the light shines");
     change.direction = direction / length;
   }
-  if (!change.intensity_w_sr && !change.centre && !change.size && !change.direction) {
+  if (object.has("virtual")) change.is_virtual = object.boolean_or("virtual", false);
+  if (!change.intensity_w_sr && !change.centre && !change.size && !change.direction && !change.is_virtual) {
     object.fail(nullptr, "changes nothing about the light",
-                "write intensity_w_sr, centre, size or direction");
+                "write intensity_w_sr, centre, size, direction or virtual");
   }
   return change;
 }
@@ -89,8 +90,8 @@ SceneChange parse_change(const JsonObject& object, const char* stamp_key) {
       object.allow_only({stamp_key, "op", "name", "translation", "rotation_xyzw", "scale"});
       break;
     case ChangeKind::set_light:
-      object.allow_only(
-          {stamp_key, "op", "name", "intensity_w_sr", "irradiance_w_m2", "centre", "size", "direction"});
+      object.allow_only({stamp_key, "op", "name", "intensity_w_sr", "irradiance_w_m2", "centre", "size",
+                         "direction", "virtual"});
       break;
     case ChangeKind::set_material:
       object.allow_only({stamp_key, "op", "name", "material"});

@@ -48,7 +48,7 @@ std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& c
 
 void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   entry.allow_only({"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material",
-                    "detail_levels", "present", "animation", "path"});
+                    "detail_levels", "present", "animation", "path", "virtual_lights"});
   const Placement placement = parse_placement_change(entry).apply({});
   const std::string name = entry.text_or("name", "");
   const bool catcher = entry.boolean_or("catcher", false);
@@ -74,8 +74,14 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
                       parse_path(entry, placement)};
   const glm::dmat4x3 world_from_gltf = object.start().matrix();
   std::map<std::uint32_t, std::uint32_t> changed;
+  const bool virtual_lights = entry.boolean_or("virtual_lights", false);
   for (const AreaLight& light : known->content.lights) {
     scene.lights.push_back(placed_light(world_from_gltf, light));
+    scene.lights.back().is_virtual = virtual_lights;
+  }
+  if (virtual_lights && known->content.lights.empty()) {
+    scene.warnings.push_back(printable(entry.file().string()) + ": " + entry.where() +
+                             ": virtual_lights means nothing: the glTF file has no light");
   }
   if (!known->content.lights.empty() && !object.path.empty()) {
     scene.warnings.push_back(printable(entry.file().string()) + ": " + entry.where() +

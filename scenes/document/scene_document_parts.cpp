@@ -294,9 +294,10 @@ PlaybackRequest parse_playback(const JsonObject& object) {
 
 AreaLight parse_light(const JsonObject& object) {
   object.allow_only({"name", "kind", "centre", "size", "intensity_w_sr", "irradiance_w_m2", "direction",
-                     "inner_cone_deg", "outer_cone_deg", "range_m", "path"});
+                     "inner_cone_deg", "outer_cone_deg", "range_m", "path", "virtual"});
   AreaLight light;
   light.name = object.text_or("name", object.where());
+  light.is_virtual = object.boolean_or("virtual", false);
   light.kind = parse_light_kind(object);
   if (light.kind == LightKind::sun) {
     light.intensity_w_sr = glm::vec3(object.vec3("irradiance_w_m2", 0, kBrightest));

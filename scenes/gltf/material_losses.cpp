@@ -49,7 +49,7 @@ void MaterialLosses::add(const GltfMaterial& from, const MeanRoughness& mean) {
     say(from, "has a smooth clear coat: it shows lamps, but mirrors nothing of what stands around it");
   if (coat || sheen) {
     const std::string layers = coat && sheen ? "clear coat and sheen" : coat ? "clear coat" : "sheen";
-    say(from, "has " + layers + ", which light between surfaces (--probes) leaves out");
+    say(from, "has " + layers + ", which light between surfaces (probes) leaves out");
   }
 }
 

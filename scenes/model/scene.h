@@ -83,6 +83,8 @@ enum class LightKind : std::uint8_t { box, spot, sun };
 struct AreaLight {
   std::string name;
   LightKind kind = LightKind::box;
+  // Part of the virtual world: it lights real surfaces, but the camera feed does not show its light yet.
+  bool is_virtual = false;
   glm::dvec3 centre{0.0};
   glm::vec3 size{0.0f};            // metres, >= 0 per axis
   glm::vec3 intensity_w_sr{0.0f};  // >= 0; of a sun: irradiance in W/m^2 on a surface that faces it

@@ -18,6 +18,7 @@ struct LightChange {
   std::optional<glm::vec3> intensity_w_sr;  // of a sun: irradiance
   std::optional<glm::dvec3> centre, direction;
   std::optional<glm::vec3> size;
+  std::optional<bool> is_virtual;
 };
 
 struct SceneChange {

@@ -17,6 +17,7 @@
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
+#include "server/results/memory_parts.h"
 #include "server/results/output_folder.h"
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
@@ -66,10 +67,18 @@ void open(const BenchOptions& options, Subject& subject) {
   subject.described.settings = report.settings;
 }
 
+// What the measurement has taken of the machine, while its renderer stands.
+void note_memory(std::int64_t picture_bytes, Subject& subject) {
+  const PictureMemory pictures{picture_bytes, camera_bytes(subject.step->sample()), 0};
+  subject.described.memory = memory_parts(*subject.opened.renderer, subject.opened.scene, pictures);
+  subject.described.load = process_load();
+}
+
 // The whole sequence many times over: medians.
 int measure_frames(const BenchOptions& options, Subject& subject) {
   Renderer& renderer = *subject.opened.renderer;
   const BenchResult result = bench_frames(renderer, *subject.sequence, options.repeats);
+  note_memory(result.picture_bytes, subject);
   const BenchSubject& described = subject.described;
   print_result(options.json ? json_text(bench_json(result, described)) : bench_table(result, described));
   const std::string excess =
@@ -87,12 +96,15 @@ int average_frames(const BenchOptions& options, Subject& subject) {
       RenderSettings settings = options.render;
       settings.polar_width = row.polar_width;
       settings.polar_height = row.polar_height;
+      settings.polar_acuity = row.acuity;
       settings.light_samples = kTableLightSamples[i];
       subject.step->rewind();  // a renderer is built on the scene as it was loaded
       build_renderer(settings, subject.report, subject.opened);
       subject.step->rewind();
       subject.described.settings = subject.opened.renderer->settings();
       row.cells[i] = bench_run(*subject.opened.renderer, *subject.sequence, options.seconds);
+      note_memory(row.cells[i].picture_bytes, subject);
+      row.memory_bytes[i] = total_bytes(subject.described.memory);
     }
   }
   const BenchSubject& described = subject.described;

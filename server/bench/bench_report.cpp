@@ -9,6 +9,7 @@
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
+#include "server/statistics/load_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 
@@ -166,11 +167,16 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
     }
     stages[name_of(stage)] = entry;
   }
+  const std::optional<double> cpu_ms = result.cpu_ms;
+  std::optional<double> share;
+  if (cpu_ms) share = cpu_share(*cpu_ms, result.frame_ms, subject.load.cores);
   Json json{{"format_version", 1},
             {"program", program_with_version()},
             {"frame_ms", result.frame_ms},
             {"raw_ms", result.bare_ms},
             {"ratio", result.ratio},
+            {"cpu_ms", cpu_ms ? Json(*cpu_ms) : Json(nullptr)},
+            {"cpu_share", share ? Json(*share) : Json(nullptr)},
             {"rays_frame_ms", result.rays_frame_ms},
             {"rays_raw_ms", result.rays_bare_ms},
             {"rays_ratio", result.rays_ratio},
@@ -185,21 +191,26 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
             {"counters", counters_json(result)},
             {"frames", result.frames}};
   add_subject(subject, settings_text(subject.settings), json);
+  add_memory(subject, json);
   json["definitions"] = {
       {"frame_ms", "median over frames of each frame's median wall time"},
       {"raw_ms",
        "the same rays through bare Embree packets and the same pixels through a bare "
        "fetch-blend-store kernel, timed in alternation with the frames"},
       {"ratio", "median over frames of frame / raw; rays_ratio likewise without the pixels"},
+      {"cpu_ms", "CPU time of the whole process during a frame, of the same frames as frame_ms"},
       {"counters", "means over all measured frames: the whole sequence, as often as it was repeated"},
       {"ns_per_pixel", "wall time of the viewports stage per viewport pixel, all threads together"}};
+  json["definitions"].update(load_definitions_json());
+  json["definitions"]["cpu_share"] = "cpu_ms / (frame_ms x cores)";
   return json;
 }
 
 std::string bench_table(const BenchResult& result, const BenchSubject& subject) {
   return subject_text(subject, settings_text(subject.settings)) + ", " + std::to_string(result.frames) +
          " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result) + "\n" +
-         counter_rows_text(result);
+         counter_rows_text(result) + "\n" + cpu_text(result.cpu_ms, result.frame_ms, subject.load.cores) +
+         "\n" + memory_text(subject);
 }
 
 }  // namespace herr

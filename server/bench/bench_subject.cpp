@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "server/results/summary_json.h"
+#include "server/statistics/load_json.h"
+#include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
 
@@ -34,6 +37,19 @@ void add_subject(const BenchSubject& subject, const std::string& settings, nlohm
   json["isa"] = name_of(subject.settings.isa);
   json["threads"] = subject.settings.threads;
   json["cpu"] = subject.cpu_name;
+}
+
+std::string memory_text(const BenchSubject& subject) {
+  return fixed_text(static_cast<double>(total_bytes(subject.memory)) * 1e-6, 1) +
+         " MB in renderer, scene and pictures; at most " + peak_text(subject.load) +
+         " resident in the whole process so far\n";
+}
+
+void add_memory(const BenchSubject& subject, nlohmann::ordered_json& json) {
+  json["cores"] = subject.load.cores;
+  json["peak_resident_bytes"] = nullptr;
+  if (subject.load.peak_resident_bytes) json["peak_resident_bytes"] = *subject.load.peak_resident_bytes;
+  json["memory_bytes"] = memory_json(subject.memory);
 }
 
 }  // namespace herr

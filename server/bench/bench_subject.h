@@ -5,7 +5,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "renderer/memory_use.h"
 #include "renderer/render_settings.h"
+#include "server/process/process_load.h"
 #include "sessions/format/display_profile.h"
 
 namespace herr {
@@ -15,6 +17,9 @@ struct BenchSubject {
   std::int64_t triangles = 0;
   DisplayProfile profile;
   RenderSettings settings;  // threads and isa resolved
+  // After the measurement:
+  MemoryUse memory;  // of scene, pictures and the renderer measured last
+  ProcessLoad load;
 };
 
 // "model name" of /proc/cpuinfo, or "unknown".
@@ -24,5 +29,10 @@ std::string cpu_name();
 std::string subject_text(const BenchSubject& subject, const std::string& settings);
 // Adds the same to `json`.
 void add_subject(const BenchSubject& subject, const std::string& settings, nlohmann::ordered_json& json);
+
+// One line: what scene, renderer and pictures hold, and the most that was ever resident.
+std::string memory_text(const BenchSubject& subject);
+// {"cores", "peak_resident_bytes", "memory_bytes"} into `json`.
+void add_memory(const BenchSubject& subject, nlohmann::ordered_json& json);
 
 }  // namespace herr

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ inline constexpr std::array<int, 3> kTableLightSamples{1, 64, 256};
 struct FrameTimeRow {
   int polar_width = 788, polar_height = 768;  // per eye
   std::array<BenchRun, kTableLightSamples.size()> cells;
+  // What renderer, scene and pictures of each cell hold.
+  std::array<std::int64_t, kTableLightSamples.size()> memory_bytes{};
+  bool acuity = false;  // of each frame what it needs, up to the size above
 };
 
 // The sizes to measure: that of `settings` alone where it was asked for, else the paper's two.

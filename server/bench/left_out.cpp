@@ -8,6 +8,7 @@
 
 #include "renderer/timing.h"
 #include "server/process/version.h"
+#include "server/results/memory_parts.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/text/number_text.h"
@@ -111,7 +112,6 @@ LeftOutResult measure_left_out(const LeftOutSubject& subject, SessionSequence& s
   };
   const std::unique_ptr<Renderer> planned = renderer(subject.settings);
   LeftOutResult result;
-  result.memory = planned->memory();
   result.instants = sequence.frames();
   result.repeats = repeats;
   const std::vector<std::string> names = left_out(planned->plan());
@@ -130,6 +130,8 @@ LeftOutResult measure_left_out(const LeftOutSubject& subject, SessionSequence& s
         entry.added_bytes = planned_bytes(pair.full->memory()) - planned_bytes(pair.planned->memory());
       }
       times.add(pair, prepared, repeats);
+      const PictureMemory pictures{frame_bytes(pair.planned_frame), camera_bytes(prepared.sample()), 0};
+      result.memory = memory_parts(*pair.planned, subject.scene, pictures);
     }
     planned_ms.insert(planned_ms.end(), times.planned_ms.begin(), times.planned_ms.end());
     entry.time_ratio = median(times.ratios);

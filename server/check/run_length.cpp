@@ -42,8 +42,9 @@ std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& c
 }
 
 std::string settings_line(const CheckFingerprint& fingerprint) {
-  constexpr std::array<std::string_view, 6> kAlwaysTold{"--scene",         "--profile", "--polar",
-                                                        "--light-samples", "--isa",     "--threads"};
+  constexpr std::array<std::string_view, 8> kAlwaysTold{"--scene",         "--profile",        "--polar",
+                                                        "--light-samples", "--occlusion-rays", "--probes",
+                                                        "--isa",           "--threads"};
   // A check writes no pictures and has no policy.
   constexpr std::array<std::string_view, 3> kNeverTold{"--format", "--contact-sheet", "--polar-floor"};
   const Fingerprint::Entries defaults = setting_entries({});

@@ -5,6 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "renderer/settings_list.h"
+#include "renderer/settings_presets.h"
 #include "server/cli/flags.h"
 #include "server/cli/setting_flags.h"
 #include "server/settings/flag_values.h"
@@ -17,6 +19,27 @@ namespace {
 constexpr std::array<std::string_view, 13> kOfTheCommand{
     "--against", "--baseline", "--save",  "--only",        "--run-seconds", "--frames",   "--overwrite",
     "--json",    "--markdown", "--junit", "--annotations", "--measure",     "--slow-down"};
+
+// Adds the flags of what --preset chooses between, as it is: another build may know no preset, or begin with
+// another one. Returns their names, which are then no longer taken from the line.
+std::vector<std::string> add_flags_of_preset(RenderSettings render, std::vector<std::string>& flags) {
+  std::vector<std::string> names{"--preset"};
+  RenderSettings direct = direct_light_settings(), paper;
+  const std::vector<Setting> rows = settings_of(render), some = settings_of(direct), all = settings_of(paper);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Setting& row = rows[i];
+    if (text_of(some[i]) == text_of(all[i])) continue;
+    names.push_back(row.flag);
+    if (!is_switch(row)) {
+      flags.insert(flags.end(), {row.flag, text_of(row)});
+      continue;
+    }
+    names.push_back(row.back_flag);
+    const bool changed = (text_of(row) == "on") != row.flag.starts_with("--no-");
+    flags.push_back(changed ? row.flag : row.back_flag);
+  }
+  return names;
+}
 
 void add_comparison_flags(CLI::App& app, CheckOptions& options) {
   file_flag(app, "--against", "compare with this other build of herr, in alternating runs",
@@ -84,14 +107,16 @@ void add_check_flags(CLI::App& app, CheckOptions& options) {
   add_comparison_flags(app, options);
   add_report_flags(app, options);
   add_forced_flags(app);
+  add_preset_flags(app, replay.render);
   add_setting_flags(app, settings_of(replay),
                     {SettingGroup::session, SettingGroup::look, SettingGroup::span});
   add_render_flags(app, replay.render);
   add_hidden_flags(app, options);
 }
 
-std::vector<std::string> measured_run_arguments(const CLI::App& app) {
+std::vector<std::string> measured_run_arguments(const CLI::App& app, const RenderSettings& render) {
   std::vector<std::string> flags, session;
+  const std::vector<std::string> of_preset = add_flags_of_preset(render, flags);
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() == 0) continue;
     if (option->get_positional()) {
@@ -100,6 +125,7 @@ std::vector<std::string> measured_run_arguments(const CLI::App& app) {
     }
     const std::string name = "--" + option->get_lnames().front();  // get_name() is empty for a hidden one
     if (std::find(kOfTheCommand.begin(), kOfTheCommand.end(), name) != kOfTheCommand.end()) continue;
+    if (std::find(of_preset.begin(), of_preset.end(), name) != of_preset.end()) continue;
     flags.push_back(name);
     if (option->get_items_expected_max() > 0) flags.push_back(option->results().back());
   }

@@ -16,7 +16,8 @@ namespace herr {
 void add_check_flags(CLI::App& app, CheckOptions& options);
 
 // What was given on the line, parsed by `app`, that a measured run must know: session and settings, not what
-// to compare with or where to write.
-std::vector<std::string> measured_run_arguments(const CLI::App& app);
+// to compare with or where to write. Of what presets choose between, as it is in `render`, every flag: two
+// builds may have other defaults.
+std::vector<std::string> measured_run_arguments(const CLI::App& app, const RenderSettings& render);
 
 }  // namespace herr

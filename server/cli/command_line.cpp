@@ -28,6 +28,7 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_preset_flags(app, options.render);
   add_render_flags(app, options.render);
   value_flag(app, "--frames", "N", "frames of the session to measure, spread over it (default 8)",
              [&](const std::string& text) {
@@ -66,11 +67,14 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
                options.probes.updates =
                    static_cast<int>(parse_whole_number("--probe-updates", text, 1, 100000));
              });
+  app.add_flag_callback(
+      "--no-probes", [&] { options.render.probes.on = false; }, "the frame plan without probes");
   const std::vector<Setting> settings = settings_of(options.render);
   add_setting_flag(app, setting_named(settings, "probe_rays"));
   add_setting_flags(app, settings, {SettingGroup::machine});
   app.add_flag_callback(
-      "--overwrite", [&] { options.probes.overwrite = true; }, "replace the folder of an earlier --probes");
+      "--overwrite", [&] { options.overwrite = options.probes.overwrite = true; },
+      "replace what an earlier --probes or --acuity-plot wrote");
 }
 
 // What no single flag of bench can know.
@@ -98,10 +102,14 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_preset_flags(app, options.render);
   add_setting_flags(app, settings_of(options.render), {SettingGroup::look, SettingGroup::rays});
-  add_quality_flag(app, options.render);
   app.add_flag_callback(
       "--decode", [&] { options.decode = true; }, "read every picture whole, not only its header");
+  file_flag(
+      app, "--acuity-plot",
+      "new .svg file: samples per degree over eccentricity, against the acuity function and the display",
+      [&](const std::string& text) { options.acuity_plot = text; });
   add_probe_dump_flags(app, options);
   app.add_flag_callback(
       "--strict", [&] { options.strict = true; }, "a stream that was cut off is an error");
@@ -222,8 +230,12 @@ void check_required(const ReplayOptions& options) {
 
 void check_required(const InspectOptions& options) {
   non_empty("PATH", options.path.native());
-  if (!options.probes.folder.empty()) return;
-  if (options.probes.overwrite) throw UsageError("--overwrite: nothing is written; give --probes DIR");
+  if (!options.probes.folder.empty()) {
+    if (!options.render.probes.on) throw UsageError("--no-probes: conflicts with --probes; give one of them");
+    return;
+  }
+  if (options.overwrite && options.acuity_plot.empty())
+    throw UsageError("--overwrite: nothing is written; give --probes DIR or --acuity-plot FILE");
   if (options.probes.updates != kDefaultProbeUpdates)
     throw UsageError("--probe-updates: nothing is updated; give --probes DIR");
 }
@@ -262,7 +274,8 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->bench;
   }
   if (parser->check_command->parsed()) {
-    parser->check.run_arguments = measured_run_arguments(*parser->check_command);
+    parser->check.run_arguments =
+        measured_run_arguments(*parser->check_command, parser->check.run.replay.render);
     check_check_options(parser->check);
     return parser->check;
   }

@@ -60,6 +60,7 @@ void add_replay_flags(CLI::App& app, ReplayOptions& options) {
   add_session_flags(app, options);
   file_flag(app, "--out", "folder for results; each session gets a folder in it (default out)",
             [&](const std::string& text) { options.out = text; });
+  add_preset_flags(app, options.render);
   add_setting_flags(app, settings_of(options),
                     {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
                      SettingGroup::files, SettingGroup::views});
@@ -98,6 +99,7 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
   file_flag(app, "--auth-token-file",
             "file of mode 0600 with the token that clients must show; a must off loopback",
             [&](const std::string& text) { options.auth_token_file = text; });
+  add_preset_flags(app, options.replay.render);
   add_setting_flags(app, settings_of(options.replay),
                     {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
                      SettingGroup::views});

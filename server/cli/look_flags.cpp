@@ -107,11 +107,11 @@ void add_look_flags(CLI::App& app, LookOptions& options) {
       ->type_name("");
   add_picture_flags(app, options);
   add_camera_flags(app, options);
+  add_preset_flags(app, options.render);
   const std::vector<Setting> settings = settings_of(options.render);
   for (const char* name : {"light_samples", "first_light_samples", "occlusion_rays", "occlusion_radius_m",
                            "reflections", "refraction", "ray_width", "detail_error", "seed"})
     add_setting_flag(app, setting_named(settings, name));
-  add_quality_flag(app, options.render);
   add_setting_flags(app, settings, {SettingGroup::probes, SettingGroup::machine});
 }
 

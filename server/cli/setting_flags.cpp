@@ -2,13 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
 #include "renderer/settings_list.h"
+#include "renderer/settings_presets.h"
 #include "server/cli/flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
@@ -57,7 +57,10 @@ std::string value_name(const Setting& setting) {
     return name;
   }
   if (const auto* text = std::get_if<TextSetting>(&setting.value)) return text->form;
-  return std::holds_alternative<SizeSetting>(setting.value) ? "WxH" : "NAME";
+  if (const auto* size = std::get_if<SizeSetting>(&setting.value)) {
+    return size->follows != nullptr ? "WxH|" + size->following : "WxH";
+  }
+  return "NAME";
 }
 
 void read_text(const Setting& setting, const std::string& text) {
@@ -68,12 +71,26 @@ void read_text(const Setting& setting, const std::string& text) {
   }
 }
 
-// The flag that does not change a switch's default, where there is one.
-void add_no_probes_flag(CLI::App& app, RenderSettings& render) {
-  app.add_flag_callback(
-         "--no-probes", [&render] { render.probes.on = false; },
-         "constant ambient light instead (the default)")
-      ->group(title_of(SettingGroup::probes));
+// "paper: the paper's frame; direct: direct light alone".
+std::string presets_text(const std::vector<SettingsPreset>& presets) {
+  std::string text;
+  for (const SettingsPreset& preset : presets) {
+    text += (text.empty() ? "" : "; ") + preset.name + ": " + preset.sentence;
+  }
+  return text;
+}
+
+void add_preset_flag(CLI::App& app, const std::string& flag, const std::string& what,
+                     const std::vector<SettingsPreset>& presets, RenderSettings& render) {
+  value_flag(app, flag, "NAME",
+             what + " by name, which other flags override wherever they stand: " + presets_text(presets) +
+                 " (default " + presets.front().name + ")",
+             [flag, &presets, &render](const std::string& text) {
+               std::vector<std::string> names;
+               for (const SettingsPreset& preset : presets) names.push_back(preset.name);
+               apply_preset(presets.at(parse_word(flag, text, names)), render);
+             })
+      ->group("Settings by name");
 }
 
 }  // namespace
@@ -83,6 +100,10 @@ void add_setting_flag(CLI::App& app, const Setting& setting) {
     const bool value = !setting.flag.starts_with("--no-");
     app.add_flag_callback(
            setting.flag, [setting, value] { set_value(setting, value); }, setting.sentence)
+        ->group(title_of(setting.group));
+    if (setting.back_flag.empty()) return;
+    app.add_flag_callback(
+           setting.back_flag, [setting, value] { set_value(setting, !value); }, "the default, after a preset")
         ->group(title_of(setting.group));
     return;
   }
@@ -99,20 +120,14 @@ void add_setting_flags(CLI::App& app, const std::vector<Setting>& settings,
   }
 }
 
-void add_quality_flag(CLI::App& app, RenderSettings& render) {
-  value_flag(app, "--quality", "NAME", "shadows: hard, soft or ultra, that is 1, 64 or 256 light samples",
-             [&render](const std::string& text) {
-               constexpr std::array<int, 3> kSamples{1, 64, 256};
-               render.light_samples = kSamples.at(parse_word("--quality", text, {"hard", "soft", "ultra"}));
-             })
-      ->group(title_of(SettingGroup::rays));
+void add_preset_flags(CLI::App& app, RenderSettings& render) {
+  add_preset_flag(app, "--preset", "settings", frame_presets(), render);
+  add_preset_flag(app, "--quality", "shadows", shadow_presets(), render);
 }
 
 void add_render_flags(CLI::App& app, RenderSettings& render) {
   add_setting_flags(app, settings_of(render),
                     {SettingGroup::rays, SettingGroup::probes, SettingGroup::machine});
-  add_quality_flag(app, render);
-  add_no_probes_flag(app, render);
 }
 
 }  // namespace herr

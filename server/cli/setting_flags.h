@@ -21,8 +21,9 @@ void add_setting_flag(CLI::App& app, const Setting& setting);
 void add_setting_flags(CLI::App& app, const std::vector<Setting>& settings,
                        std::initializer_list<SettingGroup> groups);
 
-// --quality: light samples by name.
-void add_quality_flag(CLI::App& app, RenderSettings& render);
+// --preset and --quality: settings by name. Flags take effect in the order in which they are added, wherever
+// they stand on the line: a command adds this one before any flag that may override it.
+void add_preset_flags(CLI::App& app, RenderSettings& render);
 // What every command that renders shares: rays, probes and the machine.
 void add_render_flags(CLI::App& app, RenderSettings& render);
 

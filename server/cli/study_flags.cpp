@@ -112,6 +112,7 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
       "--strict", [&] { options.reading.strict = true; }, "a stream that was cut off is an error");
   app.add_flag_callback(
       "--json", [&] { options.json = true; }, "the report on stdout as JSON");
+  add_preset_flags(app, options.render);
   add_render_flags(app, options.render);
 }
 

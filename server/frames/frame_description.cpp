@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/foveation/reached_acuity.h"
 #include "server/frames/feed_registration.h"
 #include "server/quality/motion_policy.h"
 
@@ -27,6 +28,18 @@ std::optional<double> camera_age_ms(const FrameSample& sample) {
   return oldest;
 }
 
+void describe_acuity(const RenderedFrame& rendered, FrameRecord& record) {
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    const double theta_max_deg = rendered.theta_max_deg[eye];
+    if (rendered.polar_width[eye] == 0 || !(theta_max_deg > 0)) continue;
+    const ReachedAcuity reached =
+        reached_acuity(theta_max_deg, rendered.polar_width[eye], rendered.polar_height);
+    record.k_radial[eye] = reached.k_radial;
+    record.k_angular[eye] = reached.k_angular;
+    record.k_angular_at_deg[eye] = reached.k_angular_at_deg;
+  }
+}
+
 void describe_feed(const FrameSample& sample, const SessionReport& report, FrameRecord& record) {
   if (!report.plan.camera) return;
   const auto feed = feed_registration(sample, report.header.cameras,
@@ -48,6 +61,8 @@ FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const 
   record.counters = rendered.counters;
   record.probes = rendered.probes;
   record.theta_max_deg = rendered.theta_max_deg;
+  record.cpu_ms = rendered.cpu_ms;
+  describe_acuity(rendered, record);
   record.pose_source = sample.head.source;
   record.gaze_source = sample.gaze.source;
   record.pose_age_ms = age_ms(sample.head.age_ns);

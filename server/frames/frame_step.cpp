@@ -20,7 +20,7 @@ void FrameStep::prepare(std::int64_t frame) {
   sample_ = opened_.session->sample(t_ns);
   sampled_ns_ = steady_now_ns();
   opened_.player->advance(*opened_.session, t_ns);
-  decision_ = controller_->decide(sample_.head_speed);
+  decision_ = controller_->decide(sample_.head_speed, opened_.renderer->full_quality(sample_).polar_width);
 }
 
 bool FrameStep::render(RenderedFrame& out, const std::atomic<bool>* abandon, const FramePacing& pacing) {

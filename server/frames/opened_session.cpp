@@ -5,6 +5,7 @@
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
 #include "server/process/exit_code.h"
+#include "server/results/memory_parts.h"
 #include "server/settings/view_file.h"
 #include "sessions/files/input_error.h"
 
@@ -78,7 +79,11 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
     open_recording(options, report, opened);  // from its start again
   }
   report.plan = opened.renderer->plan();
-  report.memory = opened.renderer->memory();
+  if (const std::string glow = glow_without_light(opened.scene, report.plan); !glow.empty()) {
+    opened.scene.warnings.push_back(printable(report.scene_file.string()) + ": " + glow);
+  }
+  report.memory = memory_parts(*opened.renderer, opened.scene, {});
+  report.load = process_load();
   report.settings = opened.renderer->settings();
 }
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "server/inspect/acuity/acuity_json.h"
+#include "server/inspect/mirror_words.h"
 #include "server/inspect/time_plot.h"
 #include "server/process/exit_code.h"
 #include "server/process/version.h"
@@ -245,6 +247,7 @@ Json scene_json(const InspectReport& report) {
           {"texture_pixels", scene.texture_pixels},
           {"lights", scene.lights},
           {"moving_lights", scene.moving_lights},
+          {"virtual_lights", scene.virtual_lights},
           {"moving_objects", scene.moving_objects},
           {"ambient", vector_json(scene.ambient)},
           {"environment", vector_json(scene.environment)},
@@ -296,6 +299,9 @@ Json inspect_json(const InspectReport& report) {
   if (report.scene) json["scene"] = scene_json(report);
   json["settings"] = settings_text(report.settings);
   if (report.plan) json["plan"] = plan_json(*report.plan);
+  if (report.acuity) json["acuity"] = acuity_json(*report.acuity);
+  if (!report.acuity_plot.empty()) json["acuity"]["plot"] = report.acuity_plot.string();
+  if (report.plan) json["mirrors_and_glass"] = mirror_words(report);
   if (report.probes) json["probes"] = probe_dump_json(*report.probes);
   return json;
 }

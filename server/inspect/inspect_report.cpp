@@ -21,6 +21,8 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
     report.plan = plan_frame(scene, options.render, session_has_camera);
     for (const std::string& warning : scene.warnings)
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    if (const std::string glow = glow_without_light(scene, *report.plan); !glow.empty())
+      report.findings.add(Severity::warning, InputError(report.scene_file, 0, glow, "switch probes on"));
     if (report.scene->degenerate_triangles > 0)
       report.findings.add(Severity::note, InputError(report.scene_file, 0,
                                                      std::to_string(report.scene->degenerate_triangles) +
@@ -70,9 +72,13 @@ bool is_scene(const std::filesystem::path& path) {
   return path_exists(path) && !is_folder(path) && !is_header(path);  // opening it says what else is wrong
 }
 
-}  // namespace
+void add_acuity(InspectReport& report) {
+  report.acuity = acuity_facts(report.settings, report.profile);
+  if (report.acuity && report.session && report.frames)
+    add_recorded_acuity(report.settings, report.profile, *report.session, *report.frames, *report.acuity);
+}
 
-InspectReport inspect(const InspectOptions& options) {
+InspectReport inspected(const InspectOptions& options) {
   InspectReport report;
   report.path = options.path;
   report.settings = options.render;
@@ -88,6 +94,14 @@ InspectReport inspect(const InspectOptions& options) {
   report.profile = options.profile.empty() ? xr1_profile() : load_display_profile(options.profile);
   report.scene_file = options.path;
   inspect_scene(options, false, report);
+  return report;
+}
+
+}  // namespace
+
+InspectReport inspect(const InspectOptions& options) {
+  InspectReport report = inspected(options);
+  add_acuity(report);
   return report;
 }
 

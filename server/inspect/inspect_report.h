@@ -7,6 +7,7 @@
 #include <string>
 
 #include "renderer/frame_plan.h"
+#include "server/inspect/acuity/acuity_facts.h"
 #include "server/inspect/inspect_options.h"
 #include "server/inspect/scene_facts.h"
 #include "server/settings/frame_range.h"
@@ -24,9 +25,11 @@ struct InspectReport {
   std::optional<SceneFacts> scene;           // none: not named, or it cannot be read
   std::optional<FramePlan> plan;             // as soon as there is a scene
   RenderSettings settings;
-  std::optional<Scene> loaded;      // the scene, where its probes are asked for
-  std::optional<ProbeDump> probes;  // what was written of them
-  FindingList findings;             // of the session and of the scene
+  std::optional<AcuityFacts> acuity;  // none without foveation
+  std::filesystem::path acuity_plot;  // that was written; empty: none
+  std::optional<Scene> loaded;        // the scene, where its probes are asked for
+  std::optional<ProbeDump> probes;    // what was written of them
+  FindingList findings;               // of the session and of the scene
 
   bool sound() const { return findings.first_error() == nullptr; }
 };

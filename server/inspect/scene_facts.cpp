@@ -81,8 +81,10 @@ SceneFacts facts_of(const Scene& scene) {
     facts.texture_bytes += 4 * pixels;
   }
   facts.lights = static_cast<std::int64_t>(scene.lights.size());
-  for (const AreaLight& light : scene.lights)
+  for (const AreaLight& light : scene.lights) {
     facts.moving_lights += light.path_radius_m > 0 && light.path_period_s != 0 ? 1 : 0;
+    facts.virtual_lights += light.is_virtual ? 1 : 0;
+  }
   for (const PlacedObject& object : scene.objects) facts.moving_objects += object.path.empty() ? 0 : 1;
   facts.ambient = scene.ambient;
   facts.environment = scene.environment;

@@ -35,7 +35,7 @@ struct SceneFacts {
   std::int64_t degenerate_triangles = 0;  // of the stored ones: without area, no ray can hit them
   std::int64_t materials = 0, mirrors = 0, emitters = 0;
   std::int64_t textures = 0, texture_pixels = 0;
-  std::int64_t lights = 0, moving_lights = 0;
+  std::int64_t lights = 0, moving_lights = 0, virtual_lights = 0;
   std::int64_t moving_objects = 0;  // that follow a path
   glm::vec3 ambient{0.0f}, environment{0.0f};
   std::optional<Exposure> exposure;  // the document's

@@ -78,9 +78,10 @@ std::string scene_text(const InspectReport& report) {
   text += named_line("textures", std::to_string(scene.textures) + ", " +
                                      fixed_text(static_cast<double>(scene.texture_pixels) * 1e-6, 2) +
                                      " Mpx, " + megabytes(scene.texture_bytes));
-  text += named_line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
-                                   " on a path; ambient " + point(scene.ambient) + ", environment " +
-                                   point(scene.environment));
+  text +=
+      named_line("lights", std::to_string(scene.lights) + ", " + std::to_string(scene.moving_lights) +
+                               " on a path, " + std::to_string(scene.virtual_lights) + " virtual; ambient " +
+                               point(scene.ambient) + ", environment " + point(scene.environment));
   if (scene.exposure) {
     text += named_line("exposure", scene.exposure->automatic ? "by the first frame of the session"
                                                              : shortest_text(scene.exposure->ev) + " EV");

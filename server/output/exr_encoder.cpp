@@ -98,7 +98,9 @@ Imf::Header make_header(const PictureOutline& outline, const ViewportImage& pict
   header.insert("herr.tan_right", Imf::DoubleAttribute(outline.tan_right));
   header.insert("herr.tan_down", Imf::DoubleAttribute(outline.tan_down));
   header.insert("herr.tan_up", Imf::DoubleAttribute(outline.tan_up));
-  header.insert("herr.edge_blend_deg", Imf::DoubleAttribute(outline.edge_blend_deg));
+  if (outline.kind == PictureKind::context || outline.kind == PictureKind::focus) {
+    header.insert("herr.edge_blend_deg", Imf::DoubleAttribute(outline.edge_blend_deg));
+  }
   return header;
 }
 

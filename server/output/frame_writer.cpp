@@ -80,6 +80,14 @@ std::int64_t FrameWriter::bytes_written() const {
   return bytes_written_;
 }
 
+std::int64_t FrameWriter::bytes_held() const {
+  const std::lock_guard lock(mutex_);
+  std::size_t sum = 0;
+  for (const Job& job : queue_) sum += job.bytes.capacity();
+  for (const std::vector<std::uint8_t>& bytes : spare_) sum += bytes.capacity();
+  return static_cast<std::int64_t>(sum);
+}
+
 void FrameWriter::rethrow_failure() {
   if (failure_) std::rethrow_exception(failure_);
 }

@@ -43,6 +43,8 @@ class FrameWriter {
   // Of submit() alone.
   std::int64_t files_written() const;
   std::int64_t bytes_written() const;
+  // Room of what waits in the queue, and of buffers that are used again.
+  std::int64_t bytes_held() const;
 
  private:
   enum class Kind { picture, row, checkpoint };

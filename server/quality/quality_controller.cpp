@@ -1,5 +1,7 @@
 #include "server/quality/quality_controller.h"
 
+#include <algorithm>
+
 #include "server/quality/motion_policy.h"
 
 namespace herr {
@@ -13,9 +15,12 @@ QualityController::QualityController(QualityPolicy policy, const QualityLimits& 
   deadline_.emplace(config);
 }
 
-QualityDecision QualityController::decide(const HeadSpeed& motion) {
-  QualityDecision wish{limits_.full, QualityReason::fixed, {}, {}};
-  if (policy_.motion) wish = quality_for_motion(motion, limits_);
+QualityDecision QualityController::decide(const HeadSpeed& motion, int widest) {
+  QualityLimits limits = limits_;
+  limits.full.polar_width = std::min(widest, limits.full.polar_width);
+  limits.narrowest = std::min(limits.narrowest, limits.full.polar_width);
+  QualityDecision wish{limits.full, QualityReason::fixed, {}, {}};
+  if (policy_.motion) wish = quality_for_motion(motion, limits);
   if (!deadline_) return wish;
   QualityDecision decision = deadline_->decide(wish.quality);
   // All of a wish for less was granted: it is motion that decided.

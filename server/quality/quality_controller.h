@@ -13,7 +13,9 @@ class QualityController {
  public:
   QualityController(QualityPolicy policy, const QualityLimits& limits, double target_ms);
 
-  QualityDecision decide(const HeadSpeed& motion);
+  QualityDecision decide(const HeadSpeed& motion) { return decide(motion, limits_.full.polar_width); }
+  // Of a frame that can use no more than `widest` columns.
+  QualityDecision decide(const HeadSpeed& motion, int widest);
   // Of the frame decided last. Without a deadline it changes nothing.
   void observe(const FrameCost& cost);
 

@@ -29,6 +29,13 @@ void PictureOutput::encode_pngs(const std::vector<const ViewportImage*>& rendere
   for (const Srgb8Image& picture : pictures_) cost.nonfinite_values += picture.nonfinite_values;
 }
 
+std::int64_t PictureOutput::bytes_held() const {
+  std::int64_t sum = bytes_of(sheet_.values) + bytes_of(sheet_file_);
+  for (const Srgb8Image& picture : pictures_) sum += bytes_of(picture.values);
+  for (const std::vector<std::uint8_t>& file : files_) sum += bytes_of(file);
+  return sum;
+}
+
 PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSample& sample,
                                                const RenderedFrame& rendered) {
   Cost cost;

@@ -32,6 +32,8 @@ class PictureOutput {
   };
   Cost write_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered);
 
+  std::int64_t bytes_held() const;  // storage that is kept from frame to frame
+
  private:
   void encode_pngs(const std::vector<const ViewportImage*>& rendered, Cost& cost);
   ParallelFor parallel_for();

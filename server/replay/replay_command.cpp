@@ -14,6 +14,7 @@
 #include "server/settings/option_checks.h"
 #include "server/settings/quality_target.h"
 #include "server/statistics/latency_table.h"
+#include "server/statistics/load_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
@@ -71,6 +72,25 @@ std::string quality_text(const RunStatistics& statistics, const ReplayOptions& o
          range(statistics.polar_width) + "; light samples " + range(statistics.light_samples) + "\n";
 }
 
+// "load: 152.3 ms of CPU for each frame, 97.8 % of 2 cores; memory: ..."
+std::string load_text(const SessionReport& report) {
+  return "load: " + cpu_text(report.statistics, report.load.cores) +
+         "\nmemory: " + fixed_text(static_cast<double>(total_bytes(report.memory)) * 1e-6, 1) +
+         " MB in renderer, scene and pictures; at most " + peak_text(report.load) +
+         " resident in the whole process so far\n";
+}
+
+// "acuity: k radial 183.6 at least, 190.2 median; k angular 131.0 at least, 131.0 median; ..."
+std::string acuity_text(const RunStatistics& statistics) {
+  const auto figures = [](const LatencyHistogram& values) {
+    return fixed_text(static_cast<double>(values.min_ns()) * 1e-6, 1) + " at least, " +
+           fixed_text(values.quantile_ns(0.5) * 1e-6, 1) + " median";
+  };
+  return "acuity: k radial " + figures(statistics.k_radial) + "; k angular " + figures(statistics.k_angular) +
+         "\n(samples per degree times theta + 1, worst circle, worse eye; 200 / (theta + 1) asks for "
+         "200)\n\n";
+}
+
 // "further views: blended-left 1980x1980, ...", or nothing.
 std::string further_views_text(const SessionReport& report) {
   std::string text;
@@ -94,6 +114,8 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
   if (statistics.frames > 0 && options.policy != QualityPolicy{})
     text += quality_text(statistics, options) + "\n";
+  if (statistics.k_radial.count() > 0) text += acuity_text(statistics);
+  text += load_text(report) + "\n";
   text += further_views_text(report);
   text += "results: " + printable(report.out_folder.string()) + "\n";
   if (report.state != ReplayState::done && is_reproducible(options)) {

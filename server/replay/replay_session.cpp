@@ -23,6 +23,7 @@
 #include "server/results/fingerprint.h"
 #include "server/results/frame_files.h"
 #include "server/results/frames_csv.h"
+#include "server/results/memory_parts.h"
 #include "server/results/output_folder.h"
 #include "server/results/run_state.h"
 #include "server/results/settings_report.h"
@@ -77,6 +78,7 @@ class SessionReplay {
   void restore(const RunState& state, std::optional<TimeNs> last_frame_ns);
   void close_output();
   void describe_run();
+  PictureMemory picture_memory() const;
   void note_failure();
   void add_run_warnings();
   void note_plan(std::int64_t frame);
@@ -317,9 +319,18 @@ void SessionReplay::close_output() {
   sync_folder(folder_.path());
 }
 
+PictureMemory SessionReplay::picture_memory() const {
+  PictureMemory memory{frame_bytes(rendered_), 0, 0};
+  if (step_) memory.camera = camera_bytes(step_->sample());
+  if (pictures_) memory.encoders += pictures_->bytes_held();
+  if (writer_) memory.encoders += writer_->bytes_held();
+  return memory;
+}
+
 void SessionReplay::describe_run() {
   report_.findings = tracker_->findings();
-  if (opened_.renderer) report_.memory = opened_.renderer->memory();
+  if (opened_.renderer) report_.memory = memory_parts(*opened_.renderer, opened_.scene, picture_memory());
+  report_.load = process_load();
   report_.sanitised_camera_values = tracker_->state().sanitised_camera_values;
   report_.findings.skipped_rows += opened_.player->skipped_changes();
   const bool skipped = report_.findings.skipped_rows > 0 || report_.findings.skipped_images > 0;

@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "renderer/settings_presets.h"
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/settings/quality_target.h"
@@ -83,7 +84,13 @@ std::string profile_text(const DisplayProfile& profile) {
   return sum.text();
 }
 
-// By the flag that sets it; of a switch, whether the flag is given that changes it.
+// The flag that sets it. Of a switch whose default has changed since, the one that changed it then.
+std::string recorded_name(const Setting& setting) {
+  if (!setting.back_flag.empty()) return setting.back_flag;
+  return setting.flag.empty() ? setting.name : setting.flag;
+}
+
+// Of a switch, whether that flag is given.
 std::string recorded_text(const Setting& setting, const ReplayOptions& options) {
   const std::string text = text_of(setting);
   if (setting.name == "polar_floor") return std::to_string(2 * narrowest_width(options, options.render));
@@ -91,8 +98,9 @@ std::string recorded_text(const Setting& setting, const ReplayOptions& options) 
     return std::to_string(options.render.probes.rays) + " rays, budget " +
            std::to_string(options.render.probes.budget);
   }
+  if (setting.name == "occlusion_smoothing" && options.render.occlusion_rays == 0) return "given";  // as ever
   if (!is_switch(setting) || setting.flag.empty()) return text;
-  const bool given = (text == "on") != setting.flag.starts_with("--no-");
+  const bool given = (text == "on") != recorded_name(setting).starts_with("--no-");
   return given ? "given" : "not given";
 }
 
@@ -105,7 +113,7 @@ Fingerprint::Entries setting_entries(ReplayOptions options) {
   Fingerprint::Entries entries;
   for (const Setting& setting : settings_of(options)) {
     if (!shapes_pictures(setting) && setting.group != SettingGroup::files) continue;
-    entries.emplace_back(setting.flag.empty() ? setting.name : setting.flag, recorded_text(setting, options));
+    entries.emplace_back(recorded_name(setting), recorded_text(setting, options));
   }
   return entries;
 }
@@ -158,10 +166,14 @@ Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& opt
 }
 
 std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
-  const Fingerprint::Entries defaults = setting_entries({});
+  ReplayOptions without;
+  without.render = direct_light_settings();
+  without.render.occlusion_smoothing = false;
+  const Fingerprint::Entries defaults = setting_entries(without);
   for (const auto& [name, value] : now.settings) {
     const std::string* before = find(earlier.settings, name);
-    // A program that did not know a setting had its default.
+    // A program that did not know a setting had its default, no light but direct light, and no mean over
+    // short rays.
     const std::string* unknown = before == nullptr ? find(defaults, name) : nullptr;
     if (unknown != nullptr && *unknown == value) continue;
     if (before == nullptr) return name + " was not known then, is " + value;

@@ -24,6 +24,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("sample_ms", record.sample_ms);
   visit("write_ms", record.write_ms);
   visit("wait_ms", record.wait_ms);
+  visit("cpu_ms", record.cpu_ms);
   visit("motion_to_photon_ms", record.motion_to_photon_ms);
   visit("pose_age_ms", record.pose_age_ms);
   visit("gaze_age_ms", record.gaze_age_ms);
@@ -33,6 +34,12 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("gaze_source_right", record.gaze_source[1]);
   visit("theta_max_left_deg", record.theta_max_deg[0]);
   visit("theta_max_right_deg", record.theta_max_deg[1]);
+  visit("k_radial_left_per_deg", record.k_radial[0]);
+  visit("k_radial_right_per_deg", record.k_radial[1]);
+  visit("k_angular_left_per_deg", record.k_angular[0]);
+  visit("k_angular_right_per_deg", record.k_angular[1]);
+  visit("k_angular_at_left_deg", record.k_angular_at_deg[0]);
+  visit("k_angular_at_right_deg", record.k_angular_at_deg[1]);
   visit("missed", record.missed);
   auto& decision = record.decision;
   visit("polar_width", decision.quality.polar_width);
@@ -48,6 +55,7 @@ void for_each_column(Record& record, Visit&& visit) {
   for_each_counter(record.counters, visit);
   visit("nonfinite_picture_values", record.nonfinite_pictures);
   visit("commit_ms", record.times.commit_ms);
+  visit("views_ms", record.times.views_ms);
   visit("active_probes", record.probes.active);
   visit("relocated_probes", record.probes.relocated);
   visit("inactive_probes", record.probes.inactive);
@@ -56,8 +64,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("probe_change_share", record.probes.variability);
   visit("dropped_frames", record.dropped_frames);
   visit("repeated_ticks", record.repeated_ticks);
-  visit("stutter", record.stutter);
-  visit("views_ms", record.times.views_ms);
+  visit("stutter", record.stutter);  // stays last: one character, so that no cut row reads as a whole one
 }
 
 std::string text_of(std::int64_t value) {

@@ -11,6 +11,7 @@
 #include "renderer/memory_use.h"
 #include "renderer/render_settings.h"
 #include "server/process/exit_code.h"
+#include "server/process/process_load.h"
 #include "server/settings/frame_range.h"
 #include "server/settings/replay_options.h"
 #include "server/statistics/run_statistics.h"
@@ -43,10 +44,11 @@ struct SessionReport {
   DisplayProfile profile;
   std::string scene_name;
   std::int64_t scene_triangles = 0;
-  FrameRange range;                      // what was to be rendered
-  RenderSettings settings;               // threads and isa resolved to what ran
-  FramePlan plan;                        // of the scene as it was loaded
-  MemoryUse memory;                      // of the renderer: after opening; at the end of a replay, then
+  FrameRange range;         // what was to be rendered
+  RenderSettings settings;  // threads and isa resolved to what ran
+  FramePlan plan;           // of the scene as it was loaded
+  MemoryUse memory;         // of renderer, scene and pictures: after opening; at the end of a replay, then
+  ProcessLoad load;         // likewise
   std::vector<PlanChange> plan_changes;  // of this run, the first 100
   std::vector<std::string> warnings;     // of session, scene and run
 

@@ -44,7 +44,8 @@ std::string phrase(const Setting& setting) {
 // `defaults` are the same rows of a struct that nobody changed.
 std::string line_of(const std::vector<Setting>& settings, const std::vector<Setting>& defaults,
                     const Names& left_out) {
-  static const Names kAlwaysTold{"polar", "light_samples", "reflections", "camera"};
+  static const Names kAlwaysTold{"polar",       "light_samples", "occlusion_rays",
+                                 "reflections", "probes",        "camera"};
   std::string always, further;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& setting = settings[i];
@@ -77,6 +78,7 @@ Json settings_json(const ReplayOptions& resolved) {
   Json json;
   for (const Setting& setting : settings_of(told)) {
     if (setting.name == "polar") {
+      json["polar"] = json_of(value_of(setting));
       json["polar_width_per_eye"] = told.render.polar_width;
       json["polar_height"] = told.render.polar_height;
     } else if (setting.name == "polar_floor") {

@@ -8,6 +8,7 @@
 #include "server/results/settings_report.h"
 #include "server/settings/quality_target.h"
 #include "server/statistics/latency_json.h"
+#include "server/statistics/load_json.h"
 #include "server/statistics/quality_json.h"
 #include "sessions/files/input_error.h"
 
@@ -135,6 +136,7 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
   if (options.policy.deadline) json["frames"]["target_ms"] = quality_target_ms(options, report.range);
   json["latency"] = latencies_json(report.statistics);
   json["pace"] = pace_json(report.statistics);
+  json["load"] = load_json(report.statistics, report.load);
   json["quality"] = quality_json(report.statistics);
   if (report.plan.camera) json["feed"] = feed_json(report.statistics);
   json["definitions"] = definitions_json(options.clock);
@@ -166,6 +168,7 @@ Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& op
             {"frames", frame_counts_json(total)},
             {"latency", latencies_json(total)},
             {"pace", pace_json(total)},
+            {"load", load_json(total, reports.empty() ? ProcessLoad() : reports.back().load)},
             {"quality", quality_json(total)},
             {"counters", counters_json(total)}}},
           {"exit_code", exit_code}};

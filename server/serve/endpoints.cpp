@@ -102,11 +102,12 @@ HttpResponse Endpoints::operator()(const HttpRequest& request) {
   if (path == "/v1/latency") return json(latency_reply_json(*snapshot, options_.clock, now_ns));
   if (path == "/v1/frames") return frames(request, *snapshot);
   if (path == "/v1/plan")
-    return snapshot->subject ? json(plan_reply_json(*snapshot)) : not_yet("no plan yet");
+    return snapshot->subject ? json(plan_reply_json(*snapshot, pictures_.bytes_held()))
+                             : not_yet("no plan yet");
   if (path == "/metrics") {
     HttpResponse response;
     response.content_type = PrometheusText::kContentType;
-    response.body = metrics_page(*snapshot, http_());
+    response.body = metrics_page(*snapshot, http_(), pictures_.bytes_held());
     return response;
   }
   if (path == "/") {

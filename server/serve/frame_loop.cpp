@@ -4,6 +4,7 @@
 
 #include "renderer/polar_picture.h"
 #include "server/process/steady_time.h"
+#include "server/results/memory_parts.h"
 #include "server/results/output_folder.h"
 #include "server/serve/latest_picture.h"
 
@@ -69,6 +70,7 @@ void FrameLoop::open(const std::filesystem::path& folder) {
   subject_ = std::move(report);
   step_.emplace(options_, *subject_, *opened_);
   state_.subject = subject_;
+  state_.memory = subject_->memory;
 }
 
 void FrameLoop::replay_lap() {
@@ -118,8 +120,20 @@ void FrameLoop::render(std::int64_t frame, FramePacing pacing) {
     pictures->has_polar =
         thin_polar_buffer(*opened_->renderer, static_cast<Eye>(eye), kReducedPicturePx, pictures->polar[eye]);
   }
+  note_memory(*pictures);
   board_.pictures.set(pictures);
   publish(state_.rendered == 1);
+}
+
+// Parts keep their places: nothing is allocated once each is there. Pictures that are published, watched and
+// spare are of one size.
+void FrameLoop::note_memory(const ServedPictures& pictures) {
+  if (pictures.frame.counters.plan_changes > 0) {
+    state_.memory = memory_parts(*opened_->renderer, opened_->scene, {});
+  }
+  std::int64_t one = frame_bytes(pictures.frame);
+  for (const ViewportImage& polar : pictures.polar) one += bytes_of(polar.rgba_half);
+  set_pictures({one * picture_storage_.made(), camera_bytes(step_->sample()), 0}, state_.memory);
 }
 
 void FrameLoop::announce_end() {

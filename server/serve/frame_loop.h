@@ -33,6 +33,7 @@ class FrameLoop {
   void replay_lap();
   void replay_paced();
   void render(std::int64_t frame, FramePacing pacing);
+  void note_memory(const ServedPictures& pictures);
   void publish(bool at_once);
 
   const ReplayOptions& options_;

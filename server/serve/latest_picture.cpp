@@ -39,6 +39,10 @@ std::string LatestPicture::encode_once(Encoded& encoded, std::int64_t sequence,
   encoded.bytes.assign(bytes_.begin(), bytes_.end());
   encoded.sequence = sequence;
   ++encoded_;
+  std::size_t held = image_.values.capacity() + bytes_.capacity();
+  for (const auto& [key, file] : cache_) held += file.bytes.capacity();
+  for (const Encoded& file : polar_cache_) held += file.bytes.capacity();
+  bytes_held_ = static_cast<std::int64_t>(held);
   return encoded.bytes;
 }
 

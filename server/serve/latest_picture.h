@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -30,6 +31,8 @@ class LatestPicture {
   // Of the polar buffer of eye 0 or 1, over the feed as a dark grey. `pictures` must have it.
   std::string polar_png(const ServedPictures& pictures, std::size_t eye);
   std::int64_t encoded() const;  // in all
+  // Files and the 8-bit picture that they are made of. Does not wait for one that is being encoded.
+  std::int64_t bytes_held() const { return bytes_held_; }
 
  private:
   struct Encoded {
@@ -45,6 +48,7 @@ class LatestPicture {
   Srgb8Image image_;
   std::vector<std::uint8_t> bytes_;
   std::int64_t encoded_ = 0;
+  std::atomic<std::int64_t> bytes_held_ = 0;
 };
 
 }  // namespace herr

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "renderer/foveation/polar_map.h"
+#include "server/process/process_load.h"
 #include "server/process/version.h"
 #include "server/serve/process_numbers.h"
 #include "server/serve/prometheus_text.h"
@@ -50,6 +51,9 @@ void add_quality(PrometheusText& page, const ServeSnapshot& snapshot) {
 void add_durations(PrometheusText& page, const RunStatistics& run) {
   page.family("herr_frame_duration_seconds", "histogram", "Wall time of rendering one frame.");
   page.histogram(run.frame);
+  page.family("herr_frame_cpu_seconds", "histogram",
+              "CPU time of the whole process, all threads, during one frame.");
+  page.histogram(run.cpu);
   page.family("herr_stage_duration_seconds", "histogram", "Wall time of one stage in one frame.");
   for (std::size_t i = 0; i < kStageCount; ++i) {
     page.histogram(run.stages[i], {{"stage", name_of(static_cast<Stage>(i))}});
@@ -88,6 +92,20 @@ void add_http(PrometheusText& page, const HttpCounters& http) {
   for (const auto& [reason, count] : http.rejected) page.sample(count, {{"reason", reason}});
 }
 
+void add_memory(PrometheusText& page, const ServeSnapshot& snapshot, std::int64_t encoder_bytes) {
+  page.family("herr_memory_bytes", "gauge", "What renderer, loaded scene and pictures hold, by part.");
+  for (const MemoryEntry& part : served_memory(snapshot, encoder_bytes)) {
+    page.sample(part.bytes, {{"part", part.name}});
+  }
+  const ProcessLoad load = process_load();
+  page.family("herr_usable_cores", "gauge", "Cores that the process may use.");
+  page.sample(std::int64_t{load.cores});
+  if (!load.peak_resident_bytes) return;
+  page.family("herr_peak_resident_memory_bytes", "gauge",
+              "Most memory of the whole process that was ever resident.");
+  page.sample(*load.peak_resident_bytes);
+}
+
 void add_process(PrometheusText& page) {
   const std::optional<ProcessNumbers> numbers = read_process_numbers();
   if (!numbers) return;
@@ -107,13 +125,15 @@ void add_process(PrometheusText& page) {
 
 }  // namespace
 
-std::string metrics_page(const ServeSnapshot& snapshot, const HttpCounters& http) {
+std::string metrics_page(const ServeSnapshot& snapshot, const HttpCounters& http,
+                         std::int64_t encoder_bytes) {
   PrometheusText page;
   add_state(page, snapshot);
   add_frames(page, snapshot);
   add_quality(page, snapshot);
   add_durations(page, snapshot.run);
   add_http(page, http);
+  add_memory(page, snapshot, encoder_bytes);
   add_process(page);
   return page.text();
 }

@@ -9,6 +9,6 @@
 
 namespace herr {
 
-std::string metrics_page(const ServeSnapshot& snapshot, const HttpCounters& http);
+std::string metrics_page(const ServeSnapshot& snapshot, const HttpCounters& http, std::int64_t encoder_bytes);
 
 }  // namespace herr

@@ -9,7 +9,7 @@
 
 namespace herr {
 
-// Thread-safe; objects may outlive it.
+// One thread takes; objects may outlive it, and come back from any thread.
 template <typename T>
 class Recycler {
  public:
@@ -23,7 +23,10 @@ class Recycler {
         spare_->objects.pop_back();
       }
     }
-    if (!object) object = std::make_unique<T>();
+    if (!object) {
+      object = std::make_unique<T>();
+      ++made_;
+    }
     return {object.release(), [spare = spare_](T* used) {
               std::unique_ptr<T> owned(used);
               const std::lock_guard lock(spare->mutex);
@@ -31,12 +34,16 @@ class Recycler {
             }};
   }
 
+  // Objects that exist, with whoever has them or spare. Of the thread that takes.
+  int made() const { return made_; }
+
  private:
   struct Spare {
     std::mutex mutex;
     std::vector<std::unique_ptr<T>> objects;
   };
   std::shared_ptr<Spare> spare_ = std::make_shared<Spare>();
+  int made_ = 0;
 };
 
 }  // namespace herr

@@ -32,6 +32,7 @@ struct ServeSnapshot {
   std::int64_t rendered = 0;                     // in all: the sequence of the newest frame; 0: none yet
   std::vector<RecentFrame> recent;               // oldest first
   RunStatistics run;                             // since the start
+  MemoryUse memory;                              // of renderer, scene and pictures, encoders aside
 };
 
 // The pictures of one frame.

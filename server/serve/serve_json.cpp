@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "server/process/version.h"
+#include "server/results/memory_parts.h"
 #include "server/results/summary_json.h"
 #include "server/statistics/latency_json.h"
+#include "server/statistics/load_json.h"
 #include "server/statistics/quality_json.h"
 
 namespace herr {
@@ -35,8 +37,13 @@ Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+Json of_eyes_json(const std::array<std::optional<double>, 2>& values) {
+  return {{"left", optional_json(values[0])}, {"right", optional_json(values[1])}};
+}
+
 Json statistics_json(const RunStatistics& statistics) {
   Json json = latencies_json(statistics);
+  json["load"] = load_json(statistics, process_load());
   json["pace"] = pace_json(statistics);
   json["quality"] = quality_json(statistics);
   json["feed"] = feed_json(statistics);
@@ -57,12 +64,15 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"frame_ms", record.times.frame_ms},
           {"stages_ms", stages},
           {"sample_ms", record.sample_ms},
+          {"cpu_ms", optional_json(record.cpu_ms)},
           {"views_ms", record.times.views_ms},
           {"pose_age_ms", optional_json(record.pose_age_ms)},
           {"gaze_age_ms", optional_json(record.gaze_age_ms)},
           {"camera_age_ms", optional_json(record.camera_age_ms)},
           {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
           {"polar_width", record.decision.quality.polar_width},
+          {"k_radial_per_deg", of_eyes_json(record.k_radial)},
+          {"k_angular_per_deg", of_eyes_json(record.k_angular)},
           {"light_samples", record.decision.quality.light_samples},
           {"allowed_probes", record.decision.quality.probes},
           {"quality_reason", name_of(record.decision.reason)},
@@ -97,6 +107,7 @@ Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, Ti
             {"sequence", snapshot.rendered},
             {"run", {{"frames", frame_counts_json(snapshot.run)}}},
             {"window", window_json(snapshot, now_ns)}};
+  json["load"] = load_json(snapshot.run, process_load());
   if (!snapshot.subject) return json;
   const SessionReport& subject = *snapshot.subject;
   json["replay"] = {{"frame", snapshot.rendered > 0 ? Json(snapshot.frame) : Json(nullptr)},
@@ -138,11 +149,18 @@ Json frames_json(const ServeSnapshot& snapshot, std::int64_t since) {
           {"frames", frames}};
 }
 
-Json plan_reply_json(const ServeSnapshot& snapshot) {
+MemoryUse served_memory(const ServeSnapshot& snapshot, std::int64_t encoder_bytes) {
+  MemoryUse parts = snapshot.memory;
+  set_encoder_bytes(encoder_bytes, parts);
+  return parts;
+}
+
+Json plan_reply_json(const ServeSnapshot& snapshot, std::int64_t encoder_bytes) {
   return {{"format_version", 1},
           {"session", snapshot.subject ? Json(snapshot.subject->name) : Json(nullptr)},
           {"plan", snapshot.subject ? plan_json(snapshot.subject->plan) : Json::array()},
-          {"memory_bytes", snapshot.subject ? memory_json(snapshot.subject->memory) : Json::object()},
+          {"memory_bytes",
+           snapshot.subject ? memory_json(served_memory(snapshot, encoder_bytes)) : Json::object()},
           {"probes", snapshot.run.frames > 0 && snapshot.subject && snapshot.subject->plan.probes
                          ? probes_json(snapshot.run)
                          : Json()}};

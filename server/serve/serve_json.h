@@ -20,6 +20,9 @@ nlohmann::ordered_json status_json(const ServeSnapshot& snapshot, const ReplayOp
 nlohmann::ordered_json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs now_ns);
 // Frames whose sequence is greater than `since`, oldest first.
 nlohmann::ordered_json frames_json(const ServeSnapshot& snapshot, std::int64_t since);
-nlohmann::ordered_json plan_reply_json(const ServeSnapshot& snapshot);
+// `encoder_bytes`: LatestPicture::bytes_held().
+nlohmann::ordered_json plan_reply_json(const ServeSnapshot& snapshot, std::int64_t encoder_bytes);
+// What the snapshot has of memory, and the encoders' part.
+MemoryUse served_memory(const ServeSnapshot& snapshot, std::int64_t encoder_bytes);
 
 }  // namespace herr

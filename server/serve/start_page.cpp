@@ -57,6 +57,8 @@ std::string latency_section(const RunStatistics& window) {
     if (window.stages[i].max_ns() > 0) row(words_of(name_of(static_cast<Stage>(i))), window.stages[i]);
   }
   row("frame", window.frame, true);
+  row("CPU, all threads", window.cpu);
+  if (window.views.count() > 0) row("further views, after the frame", window.views);
   row("sampling the session", window.sample);
   row("motion to photon", window.motion_to_photon);
   row("age of pose", window.pose_age);

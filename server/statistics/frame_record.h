@@ -23,6 +23,8 @@ struct FrameRecord {
   double sample_ms = 0;  // sampling the session, decoding a camera image included; before the frame time
   double write_ms = 0;   // encoding, on the render threads, outside the frame time
   double wait_ms = 0;    // waiting for room in the writer's queue
+  // CPU time of all threads of the process during the frame time; none where the kernel does not tell.
+  std::optional<double> cpu_ms;
   // Sampling time minus stamp of the newest sample used; none where a stream is absent or interpolated.
   std::optional<double> pose_age_ms, gaze_age_ms, camera_age_ms;
   // Presentation time minus stamp of the pose used; none when the pose was interpolated.
@@ -30,6 +32,8 @@ struct FrameRecord {
   SampleSource pose_source = SampleSource::held;
   std::array<SampleSource, 2> gaze_source{SampleSource::held, SampleSource::held};
   std::array<double, 2> theta_max_deg{};
+  // Per eye, as reached_acuity() has them; none without polar buffers, and of an eye without viewports.
+  std::array<std::optional<double>, 2> k_radial, k_angular, k_angular_at_deg;
   QualityDecision decision;  // which quality the frame had, and why
   double head_deg_s = 0;     // how fast the head moved (motion_policy.h)
   // How well feed and virtual objects agree (feed_registration.h); none without a feed.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "server/statistics/load_json.h"
 #include "server/statistics/quality_json.h"
 #include "server/statistics/statistics_rows.h"
 
@@ -66,6 +67,7 @@ Json definitions_json(ReplayClock clock) {
   json["repeated"] = realtime ? "display ticks between two presentations that had no new frame"
                               : "always 0: this clock has no display ticks";
   json["presentation_time"] = presentation_formula(clock);
+  json.update(load_definitions_json());
   json.update(pace_definitions_json());
   return json;
 }

@@ -46,6 +46,7 @@ std::string latency_table(const RunStatistics& statistics) {
   if (statistics.sample.sum_ns() > 0) text += row("sample (before)", statistics.sample, nullptr);
   if (statistics.views.sum_ns() > 0) text += row("views (after)", statistics.views, nullptr);
   if (statistics.write.sum_ns() > 0) text += row("write (after)", statistics.write, nullptr);
+  if (statistics.cpu.count() > 0) text += row("CPU, all threads", statistics.cpu, nullptr);
   if (statistics.motion_to_photon.count() > 0) {
     text += row("motion to photon", statistics.motion_to_photon, nullptr);
   }

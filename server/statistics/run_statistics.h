@@ -18,10 +18,11 @@ namespace herr {
 // Not thread-safe.
 struct RunStatistics {
   std::array<LatencyHistogram, kStageCount> stages;
-  LatencyHistogram frame, sample, views, write, wait;
+  LatencyHistogram frame, sample, views, write, wait, cpu;
   LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
-  // Their "milliseconds" are columns, light samples, degrees per second and arc minutes.
+  // Their "milliseconds" are columns, light samples, degrees per second, samples per degree and arc minutes.
   LatencyHistogram polar_width, light_samples, head_deg_s;
+  LatencyHistogram k_radial, k_angular;
   LatencyHistogram feed_turn, feed_shift, misregistration;
   std::array<std::int64_t, kQualityReasons> reasons{};  // frames by why they had their quality
   FrameCounters counters;                               // totals

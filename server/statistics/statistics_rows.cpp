@@ -1,5 +1,6 @@
 #include "server/statistics/statistics_rows.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,6 +11,11 @@ using Group = DistributionGroup;
 using Record = FrameRecord;
 using Run = RunStatistics;
 using Value = std::optional<double>;
+
+constexpr Value lesser(const std::array<Value, 2>& of_eyes) {
+  if (!of_eyes[0] || !of_eyes[1]) return of_eyes[0] ? of_eyes[0] : of_eyes[1];
+  return std::min(*of_eyes[0], *of_eyes[1]);
+}
 
 constexpr std::array kDistributions{
     DistributionRow{"frame", "ms", Group::latency,
@@ -42,6 +48,11 @@ constexpr std::array kDistributions{
     DistributionRow{"camera_age", "ms", Group::latency,
                     "frame start - stamp of the newest camera image used; of the older one of two",
                     &Run::camera_age, [](const Record& r) { return r.camera_age_ms; }},
+    DistributionRow{
+        "cpu", "ms", Group::load,
+        "CPU time of the whole process, all threads, during the frame time; writers, encoders and "
+        "HTTP replies that ran beside the frame are in it",
+        &Run::cpu, [](const Record& r) { return r.cpu_ms; }},
     DistributionRow{"polar_width", "samples", Group::quality,
                     "radial samples per eye that a frame traced; light_samples: for each light and hit",
                     &Run::polar_width,
@@ -53,6 +64,16 @@ constexpr std::array kDistributions{
         "head_deg_s", "degrees per second", Group::quality,
         "recorded turn of the head plus its way seen from 2 m, smoothed over 20 ms, falling off with 0.25 s",
         &Run::head_deg_s, [](const Record& r) -> Value { return r.head_deg_s; }},
+    DistributionRow{"k_radial", "samples per degree", Group::quality,
+                    "radial samples per degree of eccentricity theta, times theta + 1: the same everywhere "
+                    "in a frame; the "
+                    "acuity function 200 / (theta + 1) asks for 200; the eye that has less",
+                    &Run::k_radial, [](const Record& r) { return lesser(r.k_radial); }},
+    DistributionRow{"k_angular", "samples per degree", Group::quality,
+                    "samples per degree around the circle of eccentricity theta, times theta + 1: the least "
+                    "of all circles "
+                    "on the display, near 21 degrees; 200 is asked for; the eye that has less",
+                    &Run::k_angular, [](const Record& r) { return lesser(r.k_angular); }},
     DistributionRow{
         "misregistration", "arcmin", Group::feed,
         "angle between where a pixel of the feed is shown and where its surface truly is, for a far surface: "

@@ -13,7 +13,7 @@
 namespace herr {
 
 // Where a distribution is reported.
-enum class DistributionGroup : std::uint8_t { latency, quality, feed };
+enum class DistributionGroup : std::uint8_t { latency, load, quality, feed };
 
 // Frames add the values that they have; runs merge by adding the counts of the buckets.
 struct DistributionRow {

@@ -25,7 +25,7 @@ class QuickLook {
       v.height_px = std::max(8, v.height_px / kQuickShare);
     }
     RenderSettings quick = settings;
-    quick.polar_width = kQuickPolarWidth, quick.polar_height = kQuickPolarHeight;
+    quick.polar_width = kQuickPolarWidth, quick.polar_height = kQuickPolarHeight, quick.polar_acuity = false;
     quick.light_samples = 1, quick.adaptive_min_samples = 0, quick.occlusion_rays = 0;
     quick.probes.on = false;
     renderer_.emplace(scene, profile_, quick, report.findings.camera_rows[0] > 0);

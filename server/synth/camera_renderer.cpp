@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "renderer/settings_presets.h"
 #include "server/process/stop_signal.h"
 
 namespace herr {
@@ -28,7 +29,7 @@ DisplayProfile profile_of(const CameraModel& camera) {
 }
 
 RenderSettings settings_of_camera(int threads) {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.threads = threads;
   settings.foveation = Foveation::off;
   settings.light_samples = kLightSamples;

@@ -25,7 +25,7 @@ struct Viewport {
   // Half-angles from the forward axis to each border as tangents; right > left, up > down, |tan| <= tan(89.5
   // deg).
   double tan_left = 0, tan_right = 0, tan_down = 0, tan_up = 0;
-  double edge_blend_deg = 0;  // width of the blend at the border of a focus viewport; display metadata
+  double edge_blend_deg = 0;  // of a focus viewport: over so much at its borders the headset blends it in
 };
 
 // Pixels per degree where the viewport has the most: at its farthest corner, outwards from its middle.

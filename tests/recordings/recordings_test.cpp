@@ -9,6 +9,7 @@
 
 #include "sessions/files/atomic_file.h"
 #include "tests/paths.h"
+#include "tests/recordings/real_data.h"
 #include "tests/server/program/program_runner.h"
 
 namespace herr {
@@ -16,18 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where other people's recordings and models lie; empty where they are absent.
-fs::path real_data() {
-  const char* given = std::getenv("HERR_TEST_DATA");
-  const fs::path folder =
-      given != nullptr ? fs::path(given) : fs::path(test::source_dir()) / ".." / "shared" / "data";
-  return fs::is_directory(folder / "sessions") ? fs::weakly_canonical(folder) : fs::path();
-}
-
 class Recordings : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (real_data().empty()) GTEST_SKIP() << "the real recordings are not here";
+    if (test::real_data().empty()) GTEST_SKIP() << "the real recordings are not here";
     // Two small viewports of the left eye: the whole way of a frame at a hundredth of its pixels.
     const std::string profile = R"({"name": "tiny", "display_hz": 60, "viewports": [
       {"name": "left_context", "eye": "left", "kind": "context", "width_px": 40, "height_px": 40,
@@ -37,7 +30,7 @@ class Recordings : public ::testing::Test {
     write_whole_file(root() / "tiny.json", profile);
   }
   const fs::path& root() const { return folder_.path(); }
-  fs::path sessions() const { return real_data() / "sessions"; }
+  fs::path sessions() const { return test::real_data() / "sessions"; }
 
   Outcome herr(const std::string& arguments) const { return run_program(root(), arguments); }
   nlohmann::json herr_json(const std::string& arguments) const {
@@ -52,7 +45,7 @@ class Recordings : public ::testing::Test {
   // The scanned room with the bunny and the teapot on its table.
   std::string office_scene() const {
     const std::string line = "python3 '" + test::source_dir() + "/tests/recordings/make_office_scene.py' '" +
-                             (real_data() / "models").string() + "' '" + (root() / "office").string() +
+                             (test::real_data() / "models").string() + "' '" + (root() / "office").string() +
                              "' >/dev/null";
     EXPECT_EQ(std::system(line.c_str()), 0);
     return "office/office.scene.json";
@@ -62,7 +55,7 @@ class Recordings : public ::testing::Test {
 
 TEST_F(Recordings, AWalkInAScannedRoomIsReplayedWholeWithAPictureOfEveryViewportOfEveryFrame) {
   const std::string name = "office_fixed_6_S004_T002";
-  const std::string feed = " --camera '" + (real_data() / "frames" / "rtabmap_samples").string() +
+  const std::string feed = " --camera '" + (test::real_data() / "frames" / "rtabmap_samples").string() +
                            "' --camera-hz 15 --camera-loop --camera-hfov 66";
   ASSERT_EQ(herr("convert " + trial(name) + feed).exit_code, 0);
   const nlohmann::json run =
@@ -146,7 +139,7 @@ TEST_F(Recordings, CamerasThatShareAFolderAreToldApart) {
   std::string still;
   for (int i = 0; i <= 50; ++i) still += "86." + std::to_string(300 + 10 * i) + " 0 1.6 0 0 0 0 1\n";
   write_whole_file(root() / "still.txt", still);
-  const std::string frames = "'" + (real_data() / "frames" / "aria_aea").string() + "'";
+  const std::string frames = "'" + (test::real_data() / "frames" / "aria_aea").string() + "'";
   const nlohmann::json grey = herr_json("convert still.txt grey --preset tum --camera " + frames +
                                         " --camera-names '1201-1_{s}' --camera " + frames +
                                         " --camera-names '1201-2_{s}' --camera-hfov 110");
@@ -158,7 +151,7 @@ TEST_F(Recordings, CamerasThatShareAFolderAreToldApart) {
   EXPECT_EQ(content_of(root() / "grey/cam0/data.csv"), rows);
   EXPECT_EQ(content_of(root() / "grey/cam1/data.csv"), rows);
   EXPECT_EQ(content_of(root() / "grey/cam1/data/000003.jpg"),
-            content_of(real_data() / "frames/aria_aea/1201-2_86.735295.jpg"));
+            content_of(test::real_data() / "frames/aria_aea/1201-2_86.735295.jpg"));
   // The lens of the colour camera by its calibration.
   const nlohmann::json colour =
       herr_json("convert still.txt colour --preset tum --camera " + frames + " --camera-names '214-1_{s}' " +

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "renderer/renderer.h"
+#include "renderer/settings_presets.h"
 #include "tests/renderer/viewports/viewport_jobs.h"
 
 namespace herr::test {
@@ -130,7 +131,7 @@ inline DisplayProfile single_view(int width_px, int height_px, double half_width
 }
 
 inline RenderSettings small_settings() {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.polar_width = 64;
   settings.polar_height = 48;
   settings.threads = 1;

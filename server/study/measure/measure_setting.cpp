@@ -101,7 +101,8 @@ StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& benc
     row.own_reference = own.spec.name;
     row.own_error = picture_errors(instant.maps, test, own.picture, threads);
     const bool quick = row.frame_ms < bench.rules.bias_frame_ms;
-    if (setting.own == OwnReference::seeds && quick && !renderer->plan().probes) {
+    const bool same_probes = own.spec.same_probes || !renderer->plan().probes;
+    if (setting.own == OwnReference::seeds && quick && same_probes) {
       row.bias = bias_of(*renderer, bench, own);
     }
   }

@@ -60,13 +60,19 @@ const std::vector<KnobRow>& knob_rows() {
        .values = {"0", "1", "2", "4", "8", "16"},
        .soft = {"0", "4", "16"},
        .own = seeds,
-       .limit = {{"occlusion_rays", "64"}},
+       .limit = {{"occlusion_rays", "64"}, {"occlusion_smoothing", "off"}},
        .needs = {{"occlusion_rays", "16"}},
        .plan_entry = "ambient occlusion",
        .effort = "rays per hit",
        .theory = "-0.5 for independent rays, less where they are spread",
        .expected = 1,
        .fit_from = 1},
+      {.setting = "occlusion_smoothing",
+       .values = {"off", "on"},
+       .own = seeds,
+       .limit = {{"occlusion_rays", "64"}, {"occlusion_smoothing", "off"}},
+       .needs = {{"occlusion_rays", "1"}},
+       .plan_entry = "ambient occlusion"},
       {.setting = "ray_width",
        .values = {"0", "0.5", "1", "2", "4"},
        .soft = {"0", "1", "4"},
@@ -244,6 +250,10 @@ void Sweeps::add_polar() {
     }
   };
   // Frames with soft light take long: fewer of them.
+  for (const int samples : {kHardSamples, kSoftSamples}) {
+    if (defaults_.polar_acuity) break;                          // the default itself
+    add(both, "acuity", samples, {{"polar", "acuity"}}).n = 0;  // each frame has a size of its own
+  }
   sweep(both, kHardSamples, {0.25, 0.354, 0.5, 0.707, 1, 1.414, 2});
   sweep(both, kSoftSamples, {0.25, 0.5, 0.707, 1, 1.414});
   sweep(width, kHardSamples, {0.25, 0.5, 1, 2});

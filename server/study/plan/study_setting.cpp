@@ -20,11 +20,13 @@ std::string flags_text(const SettingChanges& changes) {
   for (const auto& [name, value] : changes) {
     const Setting& row = setting_named(rows, name);
     std::string word;
-    // The flag of a switch changes its default; none brings it back.
-    if (row.flag.empty() || (is_switch(row) && value == text_of(row))) {
+    // The flag of a switch changes its default; few have one that brings it back.
+    const bool back = is_switch(row) && value == text_of(row);
+    const std::string& flag = back ? row.back_flag : row.flag;
+    if (flag.empty()) {
       word = name + "=" + value;
     } else if (is_switch(row)) {
-      word = row.flag;
+      word = flag;
     } else {
       word = row.flag + " " + value;
     }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kShareOfSmallest = 1.0 / 5;
 constexpr int kFewestPasses = 2, kMostPasses = 512;  // of each half
 
-// One half: a renderer with probes of its own seed, and the sum of its passes.
+// One half: a renderer, by default with probes of its own seed, and the sum of its passes.
 struct HalfSum {
   std::unique_ptr<Renderer> renderer;
   std::vector<LinearPicture> sum;
@@ -53,7 +53,7 @@ class Halves {
 Halves::Halves(const ReferenceSpec& spec, const FrameInstant& instant) : spec_(spec), instant_(instant) {
   for (std::size_t h = 0; h < 2; ++h) {
     RenderSettings settings = spec.settings;
-    settings.seed = spec.settings.seed + 1 + static_cast<std::uint32_t>(h);
+    if (!spec.same_probes) settings.seed = spec.settings.seed + 1 + static_cast<std::uint32_t>(h);
     HalfSum& half = halves_[h];
     half.renderer = renderer_at(instant, settings);
     // Takes scene and probes to the instant; it is no pass.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPassSamples = 16;        // light samples and short rays of one pass
 constexpr double kPassRayWidth = 0.25;  // of a pixel that 16 rays or more share
-constexpr int kProbeRays = 128;
+constexpr int kProbeRays = 512;         // the noise of probes stays, however many rays look at it
 constexpr int kPasses = 8, kSoftPasses = 3;
 
 // Rays through every seen pixel, and nothing saved.
@@ -22,6 +22,7 @@ RenderSettings through_pixels(RenderSettings settings) {
   settings.adaptive_min_samples = 0;
   settings.light_sampler = LightSampler::jittered;
   settings.detail_error = 0;
+  settings.occlusion_smoothing = false;
   settings.ray_width = std::min(settings.ray_width, kPassRayWidth);
   return settings;
 }
@@ -51,8 +52,8 @@ ReferenceSpec endless_effort(const RenderSettings& defaults, const SettingChange
   if (lit.probes.on) {
     spec.settings.probes.rays = std::max(lit.probes.rays, kProbeRays);
     spec.settings.probes.budget = 0;
-    // The noise of probes stays, however many rays look at it.
-    spec.refined = false;
+    // A sweep of the probes themselves is no reason to take long.
+    spec.refined = defaults.probes.on;
   }
   spec.name = "endless effort" + model_name(model);
   spec.passes = kPasses;
@@ -66,6 +67,7 @@ ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& 
   const RenderSettings settings = with_changes(defaults, setting.changes);
   ReferenceSpec spec;
   spec.passes = kPasses;
+  spec.same_probes = settings.probes.on && !setting.knob.starts_with("probe_");
   if (setting.own == OwnReference::pixels) {
     // The knob is one of resolution: all light as the setting has it.
     spec.settings = through_pixels(with_changes(with_changes(defaults, setting.model),
@@ -88,6 +90,7 @@ ReferenceSpec own_reference(const RenderSettings& defaults, const StudySetting& 
   spec.name = flags_text(changes_between(defaults, spec.settings));
   if (spec.name.empty()) spec.name = "the default";
   spec.name += ", " + std::to_string(2 * spec.passes) + " seeds";
+  if (settings.probes.on && !spec.same_probes) spec.name += " and probes of two";
   spec.finest = spec.settings;
   return spec;
 }

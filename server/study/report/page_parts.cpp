@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/study/report/page_style.h"
 #include "server/text/base64.h"
 

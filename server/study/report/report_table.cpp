@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 
 namespace herr {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/text/base64.h"
 
 namespace herr {

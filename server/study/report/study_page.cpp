@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/study/report/figure_text.h"
 #include "server/study/report/page_parts.h"
 #include "server/study/report/report_table.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/study/diagrams/svg_plot.h"
+#include "server/diagrams/svg_plot.h"
 #include "server/study/report/study_record.h"
 
 namespace herr {

@@ -22,6 +22,7 @@ DisplayProfile smaller(DisplayProfile profile) {
 RenderSettings smaller(RenderSettings settings) {
   settings.polar_width = std::max(1, settings.polar_width / kPolarShare);
   settings.polar_height = std::max(2, settings.polar_height / kPolarShare / 2 * 2);
+  settings.polar_acuity = false;
   return settings;
 }
 

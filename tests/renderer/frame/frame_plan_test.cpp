@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/settings_presets.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -141,7 +142,7 @@ TEST(FramePlanTest, EverythingThatIsLeftOutChangesNoBitTogether) {
 }
 
 TEST(FramePlanTest, RefusesToInsistOnWhatIsNoEntry) {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.force = {"texture"};
   EXPECT_THROW(plan_frame(plain_scene(), settings, true), std::invalid_argument);
 }
@@ -149,7 +150,7 @@ TEST(FramePlanTest, RefusesToInsistOnWhatIsNoEntry) {
 TEST(FramePlanTest, InsistingDoesNotOverruleTheOtherSettings) {
   Scene scene = plain_scene();
   scene.materials[1].mirror = 0.5f;
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.reflections = false;
   settings.force = {"mirror rays"};
   EXPECT_FALSE(plan_frame(scene, settings, true).mirror_rays) << "it would change the picture";
@@ -164,7 +165,7 @@ bool runs(const FramePlan& plan, const std::string& name) {
 }
 
 TEST(FramePlanTest, EveryEntryHasItsNameAndReason) {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   for (const Scene& scene : {Scene{}, plain_scene(), catcher_scene()}) {
     for (const bool camera : {false, true}) {
       const FramePlan plan = plan_frame(scene, settings, camera);
@@ -178,7 +179,7 @@ TEST(FramePlanTest, EveryEntryHasItsNameAndReason) {
 }
 
 TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   const FramePlan plain = plan_frame(plain_scene(), settings, false);
   EXPECT_TRUE(plain.polar);
   EXPECT_TRUE(plain.specular);
@@ -210,36 +211,51 @@ TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
   EXPECT_FALSE(without.camera);
 }
 
+TEST(FramePlanTest, ThePapersFrameHasProbesAndOcclusionInPlaceOfConstantLight) {
+  Scene scene = plain_scene();
+  scene.ambient = glm::vec3{0.1f};
+  const FramePlan paper = plan_frame(scene, RenderSettings(), false);
+  EXPECT_TRUE(runs(paper, "probes"));
+  EXPECT_TRUE(runs(paper, "ambient occlusion"));
+  EXPECT_FALSE(runs(paper, "constant ambient light"));
+  const FramePlan direct = plan_frame(scene, direct_light_settings(), false);
+  EXPECT_FALSE(runs(direct, "probes"));
+  EXPECT_FALSE(runs(direct, "ambient occlusion"));
+  EXPECT_TRUE(runs(direct, "constant ambient light"));
+  scene.ambient = glm::vec3{0.0f};
+  EXPECT_FALSE(runs(plan_frame(scene, direct_light_settings(), false), "constant ambient light"));
+}
+
 TEST(FramePlanTest, ATextureCountsOnlyWhereTheMeshHasCoordinates) {
   Scene scene = plain_scene();
   scene.textures.push_back({"white", 1, 1, true, {}, {}, {255, 255, 255, 255}});
   scene.materials[0].base_colour_texture = 0;
-  EXPECT_TRUE(plan_frame(scene, {}, false).textures);
+  EXPECT_TRUE(plan_frame(scene, direct_light_settings(), false).textures);
   scene.meshes[0].uvs.clear();
-  EXPECT_FALSE(plan_frame(scene, {}, false).textures);
+  EXPECT_FALSE(plan_frame(scene, direct_light_settings(), false).textures);
 }
 
 TEST(FramePlanTest, CatchersShadowOneAnotherUnlessThereIsOneAndItIsFlat) {
-  EXPECT_FALSE(plan_frame(catcher_scene(), {}, true).catchers_occlude);
+  EXPECT_FALSE(plan_frame(catcher_scene(), direct_light_settings(), true).catchers_occlude);
   Scene two = catcher_scene();
   test::add(two, test::floor_quad(1, 1), test::matte(glm::vec3{0.5f}), true);
-  EXPECT_TRUE(plan_frame(two, {}, true).catchers_occlude);
+  EXPECT_TRUE(plan_frame(two, direct_light_settings(), true).catchers_occlude);
   Scene box;
   test::add(box, test::box({0, 0, 0}, {1, 1, 1}), test::matte(glm::vec3{0.5f}), true);
-  EXPECT_TRUE(plan_frame(box, {}, true).catchers_occlude);
+  EXPECT_TRUE(plan_frame(box, direct_light_settings(), true).catchers_occlude);
 }
 
 TEST(FramePlanTest, TheRatioHasAColourWhereLightOrAmbientHas) {
   Scene scene = catcher_scene();
-  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+  EXPECT_FALSE(plan_frame(scene, direct_light_settings(), true).coloured_ratio);
   scene.lights[0].intensity_w_sr = {15, 15, 14};
-  EXPECT_TRUE(plan_frame(scene, {}, true).coloured_ratio);
+  EXPECT_TRUE(plan_frame(scene, direct_light_settings(), true).coloured_ratio);
   scene.lights[0].intensity_w_sr = {0, 0, 0};  // one that does not shine has no colour
-  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+  EXPECT_FALSE(plan_frame(scene, direct_light_settings(), true).coloured_ratio);
   scene.ambient = {0.1f, 0.1f, 0.2f};
-  EXPECT_TRUE(plan_frame(scene, {}, true).coloured_ratio);
+  EXPECT_TRUE(plan_frame(scene, direct_light_settings(), true).coloured_ratio);
   scene.instances[0].catcher = false;
-  EXPECT_FALSE(plan_frame(scene, {}, true).coloured_ratio);
+  EXPECT_FALSE(plan_frame(scene, direct_light_settings(), true).coloured_ratio);
 }
 
 }  // namespace

@@ -94,30 +94,46 @@ TEST(FurtherViews, OfTheNextFrameLieWhereThoseOfTheLastOneLay) {
 }
 
 // Context pixels that the focus covers are black then; a blend that reached them would show it.
-TEST(FurtherViews, CoveredPixelsThatAreLeftOutAreSeenNowhere) {
+void expect_covered_pixels_unseen(const Viewport& focus, const RenderSettings& asked) {
   DisplayProfile profile = test::single_view(192, 192, 45, 45);
-  Viewport focus = test::viewport_deg(Eye::left, 200, 200, -30, 30, -30, 30);
-  focus.focus = true;
+  profile.viewports.push_back(focus);
+  profile.viewports.back().focus = true;
   const Scene scene = test::busy_scene();
   const FrameSample sample = test::sample_from({0, 0, 0});
+  RenderSettings settings = asked;
+  const RenderedFrame all = test::render(scene, profile, settings, sample);
+  settings.covered_pixels = false;
+  const RenderedFrame fewer = test::render(scene, profile, settings, sample);
+  EXPECT_LT(fewer.counters.rays[RayKind::primary], all.counters.rays[RayKind::primary]);
+  EXPECT_TRUE(test::same_bits(all.further[0].image, fewer.further[0].image));
+}
+
+TEST(FurtherViews, CoveredPixelsThatAreLeftOutAreSeenNowhere) {
   for (const double blend_deg : {0.0, 1.0}) {
-    focus.edge_blend_deg = blend_deg;
-    profile.viewports.resize(1);
-    profile.viewports.push_back(focus);
     for (const Blend density : {Blend::context, Blend::focus}) {
       for (const double scale : {1.0, 0.75}) {
+        SCOPED_TRACE(testing::Message() << blend_deg << " degrees, scale " << scale);
+        Viewport focus = test::viewport_deg(Eye::left, 200, 200, -30, 30, -30, 30);
+        focus.edge_blend_deg = blend_deg;
         RenderSettings settings = with_view(test::planar_settings(), density);
         settings.filter = ResampleFilter::bicubic;
         settings.scale = scale;
-        const RenderedFrame all = test::render(scene, profile, settings, sample);
-        settings.covered_pixels = false;
-        const RenderedFrame fewer = test::render(scene, profile, settings, sample);
-        EXPECT_LT(fewer.counters.rays[RayKind::primary], all.counters.rays[RayKind::primary]);
-        EXPECT_TRUE(test::same_bits(all.further[0].image, fewer.further[0].image))
-            << blend_deg << " degrees, scale " << scale;
+        expect_covered_pixels_unseen(focus, settings);
       }
     }
   }
+}
+
+// 144 rays for 192 pixels over tangents of +-1: a tile begins at ray 64, and the focus two rays before it. A
+// pixel of the view just outside, at up to 62 rays, is interpolated up to context pixel 83, at 62.625, and
+// bicubic reads two rays beyond that one: 64 too.
+TEST(FurtherViews, CoveredPixelsAreTracedAsFarAsTheViewReads) {
+  Viewport focus = test::viewport_deg(Eye::left, 600, 600, -45, 45, -45, 45);
+  focus.tan_left = -1 + 62 * 2.0 / 144 - 1e-9;
+  RenderSettings settings = with_view(test::planar_settings(), Blend::focus);
+  settings.filter = ResampleFilter::bicubic;
+  settings.scale = 0.75;
+  expect_covered_pixels_unseen(focus, settings);
 }
 
 TEST(FurtherViews, AreNotMadeOfAFrameThatIsGivenUp) {

@@ -24,10 +24,12 @@ Scene floor_beside_wall() {
   return scene;
 }
 
-RenderSettings settings_with(int rays) {
+// What each hit's own rays find, or the mean over its neighbours.
+RenderSettings settings_with(int rays, bool smoothing = false) {
   RenderSettings settings = test::planar_settings();
   settings.occlusion_rays = rays;
   settings.occlusion_radius_m = kRadius_m;
+  settings.occlusion_smoothing = smoothing;
   return settings;
 }
 
@@ -73,13 +75,78 @@ TEST(AmbientOcclusionTest, AFloorBesideAWallIsDarkenedByTheSegmentOfTheDisc) {
   EXPECT_EQ(frame.counters.rays[RayKind::occlusion], 64 * 128 * 256);
 }
 
+// A ray finds the wall or not: its deviation is sqrt(p (1 - p)). The nine strata of a group hold rays of
+// their own, so that the mean's deviation is a third of that at most. The group's middle lies up to 4 + 3
+// pixels off a pixel at the border of a tile; p has the slope 2 sqrt(1 - c^2) / (pi R) < 1.28 per metre.
+TEST(AmbientOcclusionTest, TheMeanOverNeighboursHasTheNoiseOfNineTimesTheRays) {
+  const Scene scene = floor_beside_wall();
+  const double eye_height_m = 1.5;
+  DisplayProfile profile;
+  profile.name = "beside the wall";
+  const double right_deg = std::atan2(0.7, eye_height_m) * kDegreesPerRadian;
+  profile.viewports = {test::viewport_deg(Eye::left, 128, 128, 0.01, right_deg, -8, 8)};
+  const FrameSample sample = test::looking_down({0.001, eye_height_m, 0});
+  const double unoccluded = (0.5 + 0.04) * kAmbient;
+  const auto error_with = [&](bool smoothing) {
+    const RenderedFrame frame = test::render(scene, profile, settings_with(1, smoothing), sample);
+    double squared = 0, expected = 0;
+    int count = 0;
+    for (int x = 4; x < 80; ++x) {  // up to 0.44 m from the wall
+      const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, 64);
+      const double open = open_share(0.001 + eye_height_m * d.x / -d.z);
+      for (int y = 0; y < 128; ++y) {
+        squared += std::pow(test::pixel_at(frame.viewports[0], x, y)[0] / unoccluded - open, 2);
+        expected += open * (1 - open);
+        ++count;
+      }
+    }
+    return std::pair{std::sqrt(squared / count), std::sqrt(expected / count)};
+  };
+  const auto [single, deviation] = error_with(false);
+  const auto [mean, same] = error_with(true);
+  EXPECT_NEAR(single, deviation, 0.1 * deviation);
+  const double largest_shift = 7 * (0.7 / 128) * 1.28;
+  EXPECT_LT(mean, deviation / 3 + largest_shift);
+  EXPECT_LT(mean, 0.4 * single);
+  std::cout << "RMS error of one ray " << single << ", of the mean " << mean << "\n";
+}
+
+// A sheet a metre above the floor, 0.6 m beside the wall: nothing stands within 0.5 m of it, so that it is
+// open all over. From (1.35, 2.5) its edge at 0.6 m is seen before the floor at 1.35 - 0.75 * 2.5 / 1.5 = 0.1
+// m, which the wall darkens.
+TEST(AmbientOcclusionTest, TheMeanOverNeighboursEndsAtTheEdgeOfASurface) {
+  Scene scene = floor_beside_wall();
+  test::add(scene, test::quad({0.6f, 1, 0.3f}, {0.2f, 0, 0}, {0, 0, -0.6f}), test::matte(glm::vec3{0.25f}));
+  DisplayProfile profile;
+  profile.name = "at the edge";
+  profile.viewports = {test::viewport_deg(Eye::left, 128, 96, -29, -22, -3, 3)};
+  const FrameSample sample = test::looking_down({1.35, 2.5, 0});
+  const RenderedFrame bare = test::render(scene, profile, settings_with(0), sample);
+  const RenderedFrame mean = test::render(scene, profile, settings_with(1, true), sample);
+  const float sheet = 0.27f, floor = 0.52f;  // diffuse and F0 of light 1, rounded down
+  int on_sheet = 0, darkened = 0;
+  test::for_each_pixel(bare.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    const auto seen = static_cast<float>(test::pixel_at(mean.viewports[0], x, y)[0]);
+    if (pixel[0] < floor && pixel[0] > sheet) {
+      ++on_sheet;
+      ASSERT_EQ(seen, pixel[0]) << x << ' ' << y;
+    }
+    darkened += pixel[0] > floor && seen < 0.9f * pixel[0] ? 1 : 0;
+  });
+  EXPECT_GT(on_sheet, 1000);
+  EXPECT_GT(darkened, 1000);
+}
+
 TEST(AmbientOcclusionTest, AnOpenFloorStaysAsItIsBitForBit) {
   Scene scene;
   test::add(scene, test::floor_quad(20), test::matte(glm::vec3{0.5f}));
   scene.ambient = glm::vec3{0.7f};
   const DisplayProfile profile = test::small_profile();
-  test::expect_same_bits(test::render(scene, profile, settings_with(4), test::looking_down({0, 2, 0})),
-                         test::render(scene, profile, settings_with(0), test::looking_down({0, 2, 0})));
+  for (const bool smoothing : {false, true}) {
+    test::expect_same_bits(
+        test::render(scene, profile, settings_with(4, smoothing), test::looking_down({0, 2, 0})),
+        test::render(scene, profile, settings_with(0), test::looking_down({0, 2, 0})));
+  }
 }
 
 // Rays of an upright wall must not depend on how its normal, (1, 0, 0), rounds. Turned by 1e-7 either way,

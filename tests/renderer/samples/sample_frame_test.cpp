@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/settings_presets.h"
 #include "scenes/load_scene.h"
 #include "sessions/session.h"
 #include "tests/missing_tool.h"
@@ -99,7 +100,7 @@ class GazeComparison {
 
  private:
   static RenderSettings settings(Foveation foveation) {
-    RenderSettings settings;
+    RenderSettings settings = direct_light_settings();
     settings.polar_width = 788;
     settings.polar_height = 768;
     settings.foveation = foveation;
@@ -142,7 +143,7 @@ TEST_F(SampleFrameTest, AtTheRecordedGazesTheFoveatedPictureIsTheFullOneOverTheF
 }
 
 TEST_F(SampleFrameTest, ThreadsDoNotChangeAByte) {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.polar_width = 394;
   settings.polar_height = 384;
   settings.light_samples = 4;
@@ -157,7 +158,7 @@ TEST_F(SampleFrameTest, ThreadsDoNotChangeAByte) {
 }
 
 TEST_F(SampleFrameTest, EveryPixelHasDataForAnyGaze) {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.polar_width = 788;
   settings.polar_height = 768;
   Renderer renderer(scene_, xr1_half_profile(), settings, false);

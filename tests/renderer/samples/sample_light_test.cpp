@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "renderer/settings_presets.h"
 #include "scenes/load_scene.h"
 #include "sessions/session.h"
 #include "tests/missing_tool.h"
@@ -45,7 +46,7 @@ TEST(SampleLightTest, AdaptiveSamplesOfTheGeneralSceneTraceAThirdOfTheRays) {
   }
   const Scene scene = load_scene(source / "scenes/samples/general.scene.json");
   Session session = Session::open(source / "sessions/samples/desk-walk");
-  RenderSettings settings;  // 1576 x 768 for both eyes together
+  RenderSettings settings = direct_light_settings();  // 1576 x 768 for both eyes together
   settings.light_samples = 64;
   Renderer plain(scene, xr1_half_profile(), settings, true);
   settings.adaptive_min_samples = 8;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/settings_presets.h"
 #include "scenes/load_scene.h"
 #include "tests/missing_tool.h"
 #include "tests/paths.h"
@@ -72,7 +73,7 @@ Bands crawling(bool levels) {
   constexpr int kFrames = 24, kSide = 640;
   constexpr double kStepDeg = 0.1;  // 6 degrees a second at 60 Hz
   const Scene scene = load_scene(samples() / "quality.scene.json");
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.threads = 2;
   Renderer renderer(scene, test::single_view(kSide, kSide, 45, 45), settings, false);
   if (!levels) forget_levels(renderer);
@@ -137,7 +138,7 @@ TEST(SampleQualityTest, LettersAtTheGazeAreThoseOfOneRayForEachPixel) {
   constexpr int kSide = 600;
   const Scene scene = load_scene(samples() / "quality.scene.json");
   const DisplayProfile view = test::single_view(kSide, kSide, 5, 5);
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.threads = 2;
   RenderSettings full = settings;
   full.foveation = Foveation::off;

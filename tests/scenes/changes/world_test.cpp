@@ -142,6 +142,27 @@ TEST(WorldTest, AStateDependsOnTheEventsAndNotOnTheFramesBetween) {
   EXPECT_EQ(fast.state().lights[0].intensity_w_sr, glm::vec3(3, 2, 1));
 }
 
+TEST(WorldTest, ALightBecomesVirtualAndRealAgain) {
+  const TemporaryFolder folder;
+  Scene scene = load(folder);
+  World world(scene);
+  const auto set = [&](const char* what) {
+    return problem_of(
+        world, std::string(R"({"t_ns": 1, "op": "set_light", "name": "lamp", "virtual": )") + what + "}");
+  };
+  const SlotChanges::Number before = world.state().changes.latest();
+  ASSERT_EQ(set("true"), "");
+  world.advance(1);
+  EXPECT_TRUE(world.state().lights[0].is_virtual);
+  EXPECT_TRUE(world.state().changes.relit_since(before));
+  ASSERT_EQ(set("false"), "");
+  world.advance(2);
+  EXPECT_FALSE(world.state().lights[0].is_virtual);
+  ASSERT_EQ(set("true"), "");
+  world.restart();
+  EXPECT_FALSE(world.state().lights[0].is_virtual);
+}
+
 TEST(WorldTest, ARestartBringsBackTheSceneAsItWasLoaded) {
   const TemporaryFolder folder;
   Scene scene = load(folder);

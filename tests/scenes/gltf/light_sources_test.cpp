@@ -121,6 +121,53 @@ TEST(LightSources, AGltfsLightsMoveWithTheEntryOfADocument) {
   EXPECT_EQ(scene.lights[0].kind, LightKind::box);
 }
 
+TEST(LightSources, ALightIsVirtualWhereTheDocumentOrTheEntryOfItsFileSaysSo) {
+  const TemporaryFolder folder;
+  write_model(folder, document_with_gltf_light({{"type", "point"}}));
+  const Scene scene = load_scene(folder.write("lit.scene.json", R"({"format_version": 1, "name": "lit",
+    "lights": [{"name": "neon", "centre": [0, 1, 0], "intensity_w_sr": [0, 9, 0], "virtual": true},
+               {"name": "lamp", "centre": [0, 3, 0], "intensity_w_sr": [9, 9, 9]}],
+    "gltf": [{"file": "model.gltf", "virtual_lights": true}, {"file": "model.gltf"}]})"));
+  ASSERT_EQ(scene.lights.size(), 4u);
+  EXPECT_TRUE(scene.lights[0].is_virtual);
+  EXPECT_FALSE(scene.lights[1].is_virtual);
+  EXPECT_TRUE(scene.lights[2].is_virtual);
+  EXPECT_FALSE(scene.lights[3].is_virtual);
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_TRUE(contains(
+      error_of(folder.write(
+          "bad.scene.json",
+          document_with_light({{"centre", {0, 0, 0}}, {"intensity_w_sr", {1, 1, 1}}, {"vitrual", true}})
+              .dump())),
+      "virtual"));
+}
+
+TEST(LightSources, AFileWithoutLightsHasNoneThatCouldBeVirtual) {
+  const TemporaryFolder folder;
+  write_model(folder, triangle_document());
+  const Scene scene = load_scene(folder.write("lit.scene.json", R"({"format_version": 1, "name": "lit",
+    "gltf": [{"file": "model.gltf", "virtual_lights": true}]})"));
+  EXPECT_TRUE(any_contains(scene.warnings, "virtual_lights means nothing"));
+}
+
+TEST(LightSources, VirtualLightAloneOverARealSurfaceIsAWarningThatSaysWhatTheFeedCountsAs) {
+  const TemporaryFolder folder;
+  const auto warnings = [&](const json& lights, double ambient) {
+    const json document{{"format_version", 1},
+                        {"name", "lit"},
+                        {"ambient", {ambient, ambient, ambient}},
+                        {"catchers", {{{"box", {{"min", {-1, -1, -1}}, {"max", {1, 0, 1}}}}}}},
+                        {"lights", lights}};
+    return load_scene(folder.write("lit.scene.json", document.dump())).warnings;
+  };
+  const json lamp{{"centre", {0, 2, 0}}, {"intensity_w_sr", {1, 1, 1}}};
+  json neon = lamp;
+  neon["virtual"] = true;
+  EXPECT_TRUE(warnings({lamp, neon}, 0).empty());
+  EXPECT_TRUE(any_contains(warnings({neon, neon}, 0), "by the catchers' stated colours"));
+  EXPECT_TRUE(any_contains(warnings({neon}, 0.1), "counts as lit by ambient alone"));
+}
+
 TEST(LightSources, AnUnknownTypeOfLightInAGltfDoesNotShineAndIsToldOf) {
   const TemporaryFolder folder;
   const Scene scene = load_scene(write_model(folder, document_with_gltf_light({{"type", "area"}})));

@@ -89,7 +89,7 @@ TEST(MaterialLosses, CoatsAndSheenSayWhatTheyLack) {
   const auto smooth = with("KHR_materials_clearcoat", {{"clearcoatFactor", 1}});
   EXPECT_EQ(smooth.size(), 2u);
   EXPECT_TRUE(any_contains(smooth, "material \"surface\" has a smooth clear coat"));
-  EXPECT_TRUE(any_contains(smooth, "which light between surfaces (--probes) leaves out"));
+  EXPECT_TRUE(any_contains(smooth, "which light between surfaces (probes) leaves out"));
   const auto dull =
       with("KHR_materials_clearcoat", {{"clearcoatFactor", 1}, {"clearcoatRoughnessFactor", 0.5}});
   EXPECT_EQ(dull.size(), 1u);

@@ -85,5 +85,19 @@ TEST(SceneState, ABareModelIsLitFromAboveWithIrradiancePiAtItsMiddle) {
   EXPECT_NEAR(scene.lights[0].intensity_w_sr.x / (distance_m * distance_m), 3.14159265, 3.2 * 6e-8);
 }
 
+// 16 probes along x, of which the outermost stand half a spacing s outside: 15 s = 1 + s, s = 1/14; probe i
+// of a box of 16 s stands at its lower end + (i + 1/2) s. 8 along y: 7 s = 1 + s, s = 1/6.
+TEST(SceneState, TheOutermostProbesOfABareModelStandHalfASpacingOutsideIt) {
+  const TemporaryFolder folder;
+  const Scene scene = load_scene(write_model(folder, triangle_document()));
+  ASSERT_TRUE(scene.probes.box);
+  const Bounds& box = *scene.probes.box;
+  EXPECT_NEAR(box.lower.x + 0.5 / 14, -0.5 / 14, 1e-15);
+  EXPECT_NEAR(box.lower.x + 15.5 / 14, 1 + 0.5 / 14, 4e-15);
+  EXPECT_NEAR(box.upper.x - box.lower.x, 16.0 / 14, 4e-15);
+  EXPECT_NEAR(box.lower.y, -1.0 / 6, 1e-15);
+  EXPECT_NEAR(box.upper.y, 1 + 1.0 / 6, 4e-15);
+}
+
 }  // namespace
 }  // namespace herr::test

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "renderer/settings_presets.h"
 #include "server/bench/session_sequence.h"
 
 namespace herr {
@@ -14,8 +15,9 @@ namespace {
 
 std::vector<FrameTimeRow> two_rows() {
   std::vector<FrameTimeRow> rows = empty_table(RenderSettings(), false);
-  rows[0].cells[0] = {60, 160.0, 128.0, 20.0};
-  rows[1].cells[2] = {4, 3000.0, 2000.0, 0.0};
+  rows[0].cells[0] = {60, 160.0, 128.0, 20.0, 240.0, 1000};
+  rows[0].memory_bytes[0] = 512'300'000;
+  rows[1].cells[2] = {4, 3000.0, 2000.0, 0.0, {}, 1000};
   return rows;
 }
 
@@ -46,14 +48,33 @@ TEST(FrameTimeTable, StatesEachCellWithItsRatio) {
   EXPECT_EQ(json["table"][5]["light_samples"], 256);
   EXPECT_EQ(json["table"][5]["ratio"], 1.5);  // 3000 / 2000
   EXPECT_EQ(json["seconds"], 10);
-  const std::string text = frame_times_table(two_rows(), BenchSubject(), 10);
+  BenchSubject direct;
+  direct.settings = direct_light_settings();
+  const std::string text = frame_times_table(two_rows(), direct, 10);
   EXPECT_NE(text.find("1576x768"), std::string::npos) << text;
   EXPECT_NE(text.find("160.0 (1.25)"), std::string::npos) << text;
   EXPECT_NE(text.find("3000.0 (1.50)"), std::string::npos) << text;
   EXPECT_EQ(text.find("probe update"), std::string::npos) << text;
-  BenchSubject with_probes;
-  with_probes.settings.probes.on = true;
+  const BenchSubject with_probes;
   EXPECT_NE(frame_times_table(two_rows(), with_probes, 10).find("probe update"), std::string::npos);
+}
+
+TEST(FrameTimeTable, StatesTheLoadOfEachCell) {
+  BenchSubject subject;
+  subject.load = {2, 790'000'000};
+  const nlohmann::ordered_json json = frame_times_json(two_rows(), subject, 10);
+  EXPECT_EQ(json["table"][0]["cpu_ms"], 240.0);
+  EXPECT_EQ(json["table"][0]["cpu_share"], 0.75);  // 240 / (160 * 2)
+  EXPECT_EQ(json["table"][0]["memory_bytes"], 512'300'000);
+  EXPECT_TRUE(json["table"][5]["cpu_ms"].is_null());
+  EXPECT_TRUE(json["table"][5]["cpu_share"].is_null());
+  EXPECT_EQ(json["peak_resident_bytes"], 790'000'000);
+  EXPECT_EQ(json["cores"], 2);
+  const std::string text = frame_times_table(two_rows(), subject, 10);
+  EXPECT_NE(text.find("240.0 (75.0 %)"), std::string::npos) << text;
+  EXPECT_NE(text.find("512.3"), std::string::npos) << text;
+  EXPECT_NE(text.find("n/a"), std::string::npos) << text;
+  EXPECT_NE(text.find("at most 790.0 MB resident"), std::string::npos) << text;
 }
 
 TEST(SpreadFrames, AreTheMiddlesOfEqualPartsAndEachOnce) {

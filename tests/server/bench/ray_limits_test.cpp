@@ -1,4 +1,5 @@
 #include "server/bench/ray_limits.h"
+#include "renderer/settings_presets.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@ constexpr std::size_t kLights = 2;
 
 // 4 light samples, 2 short rays.
 RenderSettings settings() {
-  RenderSettings settings;
+  RenderSettings settings = direct_light_settings();
   settings.light_samples = 4;
   settings.occlusion_rays = 2;
   return settings;

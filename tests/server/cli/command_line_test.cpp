@@ -58,6 +58,9 @@ TEST(CommandLine, ReplayHasTheDefaultsOfThePaper) {
   EXPECT_EQ(options.render.polar_height, 768);
   EXPECT_EQ(options.render.light_samples, 1);
   EXPECT_TRUE(options.render.reflections);
+  EXPECT_TRUE(options.render.refraction);
+  EXPECT_TRUE(options.render.probes.on);
+  EXPECT_EQ(options.render.occlusion_rays, 1);
   EXPECT_EQ(options.format, PictureFormat::png);
   EXPECT_EQ(options.sheet, SheetChoice::middle);
 }

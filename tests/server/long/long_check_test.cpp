@@ -24,7 +24,8 @@ class LongCheck : public ::testing::Test {
   Outcome check(const std::string& arguments) {
     const Outcome run = run_program(
         folder_.path(),
-        "check session --profile xr1-half --polar 128x64 --threads 1 --frames 60 --json " + arguments);
+        "check session --profile xr1-half --preset direct --polar 128x64 --threads 1 --frames 60 --json " +
+            arguments);
     std::cout << run.out.substr(run.out.find("\"verdict\""), 300) << "...\n";
     return run;
   }

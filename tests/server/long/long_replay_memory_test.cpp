@@ -81,9 +81,9 @@ class LongReplay : public ::testing::Test {
   }
 
   Memory replay(const std::string& format, std::int64_t frames) {
-    ChildProgram child(root(), {test::program_path(), "replay", "hour", "--polar", "16x8", "--format", format,
-                                "--contact-sheet", "none", "--frames", std::to_string(frames), "--out", "o",
-                                "--threads", "2"});
+    ChildProgram child(root(), {test::program_path(), "replay", "hour", "--preset", "direct", "--polar",
+                                "16x8", "--format", format, "--contact-sheet", "none", "--frames",
+                                std::to_string(frames), "--out", "o", "--threads", "2"});
     Memory memory;
     RowCounter rows;
     // Its result waits in a full pipe: the process is still there after its last frame.

@@ -52,6 +52,21 @@ TEST(ContactSheet, SmallViewportsAreNotEnlarged) {
   EXPECT_EQ(layout.cells[2].height_px, 18);
 }
 
+TEST(ContactSheet, FurtherViewsStandInARowBelowTheFocusViewports) {
+  RenderSettings settings;
+  settings.blended_view = Blend::context;
+  const std::vector<PictureOutline> outlines = pictures_of_frame(xr1_profile(), settings);
+  const SheetLayout layout = contact_sheet_layout(outlines);
+  ASSERT_EQ(layout.cells.size(), 6u);
+  EXPECT_EQ(outlines[layout.cells[4].picture].name, "blended-left");
+  EXPECT_EQ(outlines[layout.cells[5].picture].name, "blended-right");
+  // Behind 16 + 776 + 16 + 437 + 16 rows, as large as the context viewports.
+  EXPECT_EQ(layout.cells[4].y_px, 1261);
+  EXPECT_EQ(layout.cells[4].width_px, 776);
+  EXPECT_EQ(layout.cells[5].x_px, 16 + 776 + 16);
+  EXPECT_EQ(layout.height_px, 1261 + 776 + 16);
+}
+
 TEST(ContactSheet, AConstantPictureStaysConstantInAnyScale) {
   // 1000 px reduced to 776: the scale is no whole number, so that border pixels take
   // fractions of source pixels.

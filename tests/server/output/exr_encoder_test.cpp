@@ -105,6 +105,35 @@ TEST(ExrEncoder, PartsAreNamedAfterTheirViewportsAndSayWhatTheHeadsetKnew) {
   EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("herr.tan_left").value(), -1.0);
 }
 
+TEST(ExrEncoder, AFurtherViewIsAPartAndWhatNoEyeSeesNamesNone) {
+  Frame frame = test_frame();
+  std::vector<PictureOutline> outlines = pictures_of_frame(frame.profile, {});
+  PictureOutline outside;
+  outside.name = "seen-from-outside";
+  outside.kind = PictureKind::blended;
+  outside.width_px = 50;
+  outside.height_px = 7;
+  outside.tan_up = 0.25;
+  outlines.push_back(outside);
+  frame.pictures.push_back(random_picture(50, 7, 9));
+  std::vector<std::uint8_t> bytes;
+  encode_exr(pointers_to(frame.pictures), outlines, frame.sample, frame.metadata, one_after_another, bytes);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  ASSERT_EQ(file.parts(), 5);
+  const Imf::Header& header = file.header(4);
+  EXPECT_EQ(header.name(), "seen-from-outside");
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.viewport_kind").value(), "blended");
+  EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("herr.tan_up").value(), 0.25);
+  EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.head_position_m").value(),
+            Imath::V3d(1.0, 1.5, -2.25));
+  EXPECT_FALSE(header.hasView());
+  EXPECT_EQ(header.findTypedAttribute<Imf::DoubleAttribute>("herr.edge_blend_deg"), nullptr);
+  EXPECT_EQ(header.findTypedAttribute<Imf::V3dAttribute>("herr.gaze_in_head"), nullptr);
+  const auto texels = texels_of(file, 4, 50, 7);
+  EXPECT_TRUE(std::equal(texels.begin(), texels.begin() + 4L * 50, frame.pictures[4].row(0)));
+}
+
 TEST(ExrEncoder, SameFrameGivesSameBytesAlsoWhenPartsAreEncodedAtOnce) {
   const Frame frame = test_frame();
   const ParallelFor all_at_once = [](int count, const std::function<void(int)>& work) {

@@ -95,10 +95,11 @@ class ConvertFeedProgram : public ::testing::Test {
     std::optional<double> camera_age_ms, misregistration_arcmin;
   };
   std::vector<ShownFrame> replayed(const std::string& session, const std::string& flags = "") const {
-    const Outcome got = herr("replay " + session +
-                             " --scene scene/small.scene.json --profile small.profile.json --polar 32x16 "
-                             "--format none --contact-sheet none --overwrite --out out " +
-                             flags);
+    const Outcome got =
+        herr("replay " + session +
+             " --scene scene/small.scene.json --profile small.profile.json --preset direct --polar 32x16 "
+             "--format none --contact-sheet none --overwrite --out out " +
+             flags);
     EXPECT_EQ(got.exit_code, 0) << got.err;
     std::istringstream lines(content_of(root() / "out" / session / "frames.csv"));
     std::string line;

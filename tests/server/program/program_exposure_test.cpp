@@ -24,7 +24,7 @@ class Exposed : public ::testing::Test {
   const fs::path& root() const { return folder_.path(); }
   Outcome replay(const std::string& flags) const {
     return run_program(root(),
-                       "replay walk --profile small.profile.json --polar 128x64 --threads 2 "
+                       "replay walk --profile small.profile.json --preset direct --polar 128x64 --threads 2 "
                        "--contact-sheet none " +
                            flags);
   }

@@ -44,6 +44,45 @@ TEST_F(InspectProgram, FindsTheSmallSessionSound) {
   EXPECT_EQ(herr("inspect session/session.json").out, got.out);
 }
 
+// 788 / ln(55.7356) = 196.00 for a gaze straight ahead, as that of the session is; 768 * 22.04 / (360
+// sin 21.04 deg) = 131.0. xr1-half has 1200 pixels over 2 tan 20 deg: 28.8 a degree in the middle.
+TEST_F(InspectProgram, TellsTheAcuityThatFramesReach) {
+  const Outcome text = herr("inspect session");
+  for (const char* part :
+       {"recorded gaze, worst frame", "196.0", "131.0", "samples per degree, gaze straight ahead"})
+    EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
+  const auto json = nlohmann::json::parse(herr("inspect session --json").out)["acuity"];
+  EXPECT_EQ(json["frames"]["k_radial_per_deg"]["count"], 30) << "0.4889 s at 60 Hz";
+  EXPECT_NEAR(json["frames"]["k_radial_per_deg"]["min"].get<double>(), 196.0, 0.05);
+  EXPECT_NEAR(json["gazes"][0]["k_angular_per_deg"].get<double>(), 131.0, 0.05);
+  EXPECT_NEAR(json["gazes"][2]["theta_max_deg"].get<double>(), 109.47, 0.01) << "from corner to corner";
+  const auto curves = json["straight_ahead"];
+  EXPECT_NEAR(curves["display_per_deg"][0].get<double>(), 28.77, 0.01);
+  EXPECT_EQ(curves["acuity_per_deg"][0], 200.0);
+  EXPECT_TRUE(curves["angular_per_deg"][0].is_null());
+  const auto follows = nlohmann::json::parse(herr("inspect session --polar acuity --json").out)["acuity"];
+  EXPECT_GE(follows["frames"]["k_radial_per_deg"]["min"].get<double>(), 200);
+  EXPECT_GE(follows["frames"]["k_angular_per_deg"]["min"].get<double>(), 200);
+  EXPECT_FALSE(nlohmann::json::parse(herr("inspect session --foveation off --json").out).contains("acuity"));
+}
+
+TEST_F(InspectProgram, WritesTheAcuityPlotOnceAndOnlyAsSvg) {
+  const Outcome got = herr("inspect session --acuity-plot plot.svg");
+  ASSERT_EQ(got.exit_code, 0) << got.err;
+  const std::string svg = content_of(root() / "plot.svg");
+  EXPECT_EQ(svg.find("<svg xmlns="), 0u);
+  for (const char* part :
+       {"acuity function", "samples along the radius, k 196.0", "k 131.0 at least", "pixels of"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  EXPECT_EQ(herr("inspect session --acuity-plot plot.svg").exit_code, 2) << "it is there already";
+  EXPECT_EQ(herr("inspect session --acuity-plot plot.svg --overwrite").exit_code, 0);
+  EXPECT_EQ(content_of(root() / "plot.svg"), svg);
+  EXPECT_EQ(herr("inspect session --acuity-plot plot.png").exit_code, 2);
+  EXPECT_EQ(herr("inspect session --acuity-plot other.svg --foveation off").exit_code, 2);
+  EXPECT_EQ(herr("inspect session --overwrite").exit_code, 2);
+  EXPECT_EQ(herr("inspect session --acuity-plot missing/plot.svg").exit_code, 75);
+}
+
 TEST_F(InspectProgram, RefusesABadRowInTheWordsOfReplay) {
   append("session/pose/data.csv", "0,0,0,0,0,0,0,1\nx,0,0,0,0,0,0,1\n");
   const Outcome got = herr("inspect session");

@@ -61,7 +61,7 @@ class Look : public ::testing::Test {
 // One stop more doubles: 255, 188 and white.
 TEST_F(Look, ShowsAKnownColourAtTheMiddleAndTheEnvironmentBehind) {
   write_ball("ball.scene.json", 0.5, "[0.5, 0.25, 1]", 0.25);
-  const Outcome got = look("ball.scene.json --size 96x64 --exposure 0");
+  const Outcome got = look("ball.scene.json --preset direct --size 96x64 --exposure 0");
   ASSERT_EQ(got.exit_code, 0) << got.err;
   EXPECT_EQ(lines_in(got.out), 1) << got.out;
   EXPECT_EQ(got.out.find("ball.png: 96x64, from 30,15 at "), 0u) << got.out;
@@ -70,9 +70,12 @@ TEST_F(Look, ShowsAKnownColourAtTheMiddleAndTheEnvironmentBehind) {
   EXPECT_EQ(picture.channels, 3);
   EXPECT_EQ(picture.at(48, 32), (std::vector<int>{188, 137, 255, 255}));
   EXPECT_EQ(picture.at(1, 1), (std::vector<int>{137, 137, 137, 255}));
-  ASSERT_EQ(look("ball.scene.json --size 96x64 --exposure 1 --out bright.png").exit_code, 0);
+  ASSERT_EQ(look("ball.scene.json --preset direct --size 96x64 --exposure 1 --out bright.png").exit_code, 0);
   EXPECT_EQ(read(root() / "bright.png").at(48, 32), (std::vector<int>{255, 188, 255, 255}));
-  ASSERT_EQ(look("ball.scene.json --size 96x64 --exposure 0 --background none --out clear.png").exit_code, 0);
+  ASSERT_EQ(
+      look("ball.scene.json --preset direct --size 96x64 --exposure 0 --background none --out clear.png")
+          .exit_code,
+      0);
   const Picture clear = read(root() / "clear.png");
   EXPECT_EQ(clear.channels, 4);
   EXPECT_EQ(clear.at(48, 32), (std::vector<int>{188, 137, 255, 255}));

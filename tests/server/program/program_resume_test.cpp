@@ -121,6 +121,26 @@ TEST_F(Resume, FramesWhoseQualityFollowsTheHeadAreThoseOfAnUninterruptedRun) {
   }
 }
 
+// Buffers that follow the display, narrowed by motion relative to what each frame needs.
+TEST_F(Resume, FramesWhoseBufferFollowsTheDisplayAreThoseOfAnUninterruptedRun) {
+  const std::string flags =
+      "replay walk --profile small.profile.json --polar acuity --policy motion --threads 1 --keep-going "
+      "--frames 4 ";
+  ASSERT_EQ(replay(flags + "--out follows").exit_code, 5);
+  const fs::path whole = root() / "follows/walk";
+  // 200 ln(55.7356) = 804.06 columns, and 0.4 of them while the head is fast.
+  const std::vector<std::string> widths = column_of(whole / "frames.csv", "polar_width");
+  EXPECT_EQ(widths.front(), "805");
+  EXPECT_EQ(widths.back(), "322");
+  fs::create_directories(root() / "follows_2");
+  copy_with_rows(whole, root() / "follows_2/walk", 2);
+  ASSERT_EQ(replay(flags + "--resume --out follows_2").exit_code, 5);
+  EXPECT_EQ(reproducible_rows(root() / "follows_2/walk/frames.csv"), reproducible_rows(whole / "frames.csv"));
+  for (const std::string& file : files_below(whole / "frames"))
+    EXPECT_TRUE(content_of(root() / "follows_2/walk/frames" / file) == content_of(whole / "frames" / file))
+        << file;
+}
+
 TEST_F(Resume, FramesCsvCutOffOrGarbledKeepsTheRowsBefore) {
   const std::string text = content_of(root() / "whole/walk/frames.csv");
   const std::size_t tenth = row_begin(text, 9);
@@ -228,7 +248,7 @@ TEST_F(Resume, AFullDiskInTheMiddleIsGoneOnFromWhenThereIsRoom) {
 
 TEST_F(Resume, SessionsThatAreFinishedArePassedOver) {
   const std::string flags =
-      "replay walk second --profile small.profile.json --polar 32x32 --keep-going --out two";
+      "replay walk second --profile small.profile.json --preset direct --polar 32x32 --keep-going --out two";
   ASSERT_EQ(replay(flags).exit_code, 5);
   const std::string picture = content_of(root() / "two/second/frames/frame_000007.left_focus.png");
   fs::remove(root() / "two/second/frames/frame_000007.left_focus.png");

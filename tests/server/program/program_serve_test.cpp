@@ -75,10 +75,10 @@ TEST_F(ServeProgram, ABadSessionEndsItWithExitCode3) {
 
 // 0.25 s at 60 Hz are frames 0 ... 14: each is rendered or dropped.
 TEST_F(ServeProgram, ReplayInRealTimeAccountsForEveryFrame) {
-  const std::string line =
-      "cd '" + root().string() + "' && " + test::program_path() +
-      " replay walk --profile small.profile.json --polar 128x64 --clock realtime --format none "
-      "--contact-sheet none --out o >/dev/null 2>&1";
+  const std::string line = "cd '" + root().string() + "' && " + test::program_path() +
+                           " replay walk --profile small.profile.json --preset direct --polar 128x64 --clock "
+                           "realtime --format none "
+                           "--contact-sheet none --out o >/dev/null 2>&1";
   EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 0);
   const auto frames = nlohmann::json::parse(content_of(root() / "o" / "walk" / "summary.json"))["frames"];
   EXPECT_EQ(frames["rendered"].get<int>() + frames["dropped"].get<int>(), 15);

@@ -38,7 +38,8 @@ class StudyProgram : public testing::Test {
   static std::string arguments() {
     const std::string source = std::string(test::source_dir());
     return "study '" + source + "/sessions/samples/desk-walk' --scene '" + source +
-           "/scenes/samples/shapes.scene.json' --profile small.json --polar 64x32 --frames 1 --minutes 5"
+           "/scenes/samples/shapes.scene.json' --profile small.json --preset direct --polar 64x32 --frames 1 "
+           "--minutes 5"
            " --only polar,light_samples,adaptive_samples";
   }
   Outcome study(const std::string& more) { return run_program(root(), arguments() + " " + more); }

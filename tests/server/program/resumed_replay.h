@@ -30,7 +30,8 @@ namespace fs = std::filesystem;
 
 inline constexpr int kFrames = 16;
 inline const std::string kFlags =
-    "replay walk --profile small.profile.json --polar 32x32 --threads 1 --keep-going --frames 16 ";
+    "replay walk --profile small.profile.json --preset direct --polar 32x32 --threads 1 --keep-going "
+    "--frames 16 ";
 
 inline std::vector<std::string> words_of(const std::string& line) {
   std::vector<std::string> words;

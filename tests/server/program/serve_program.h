@@ -34,8 +34,9 @@ class ServeProgram : public ::testing::Test {
   const std::filesystem::path& root() const { return folder_.path(); }
 
   void start(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {test::program_path(), "serve", "walk", "--profile",
-                                         "small.profile.json", "--polar", "128x64", "--threads", "2"});
+    arguments.insert(arguments.begin(),
+                     {test::program_path(), "serve", "walk", "--profile", "small.profile.json", "--preset",
+                      "direct", "--polar", "128x64", "--threads", "2"});
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);

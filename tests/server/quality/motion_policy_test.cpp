@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "server/quality/quality_controller.h"
+#include "sessions/streams/head_speed.h"
 #include "tests/server/quality/simulated_machine.h"
 
 namespace herr {
@@ -19,7 +23,7 @@ HeadSpeed turning(double deg_s) {
 const QualityLimits kLimits = quality_limits({64, 788, 2048}, 98);
 
 TEST(MotionPolicyTest, AStillHeadHasEverything) {
-  for (const double deg_s : {0.0, 3.0, 9.99}) {
+  for (const double deg_s : {0.0, 22.6, 34.99}) {
     const QualityDecision decision = quality_for_motion(turning(deg_s), kLimits);
     EXPECT_EQ(decision.quality.polar_width, 788);
     EXPECT_EQ(decision.quality.light_samples, 64);
@@ -28,7 +32,7 @@ TEST(MotionPolicyTest, AStillHeadHasEverything) {
 }
 
 TEST(MotionPolicyTest, AFastHeadHasTwoFifthsOfTheWidthAndHardShadows) {
-  for (const double deg_s : {100.0, 500.0, 1e300}) {
+  for (const double deg_s : {95.0, 500.0, 1e300}) {
     const QualityDecision decision = quality_for_motion(turning(deg_s), kLimits);
     EXPECT_EQ(decision.quality.polar_width, 315) << "0.4 * 788 = 315.2";
     EXPECT_EQ(decision.quality.light_samples, 1);
@@ -38,8 +42,8 @@ TEST(MotionPolicyTest, AFastHeadHasTwoFifthsOfTheWidthAndHardShadows) {
 }
 
 TEST(MotionPolicyTest, HalfwayOnTheLogarithmicScaleBothAreGeometricMeans) {
-  // sqrt(10 * 100) = 31.6 deg/s: 788 * sqrt(0.4) = 498.4, sqrt(64) = 8.
-  const QualityDecision decision = quality_for_motion(turning(std::sqrt(1000.0)), kLimits);
+  // sqrt(35 * 95) = 57.7 deg/s: 788 * sqrt(0.4) = 498.4, sqrt(64) = 8.
+  const QualityDecision decision = quality_for_motion(turning(std::sqrt(35.0 * 95.0)), kLimits);
   EXPECT_EQ(decision.quality.polar_width, 498);
   EXPECT_EQ(decision.quality.light_samples, 8);
 }
@@ -60,6 +64,36 @@ TEST(MotionPolicyTest, MetresCountAsTheAngleThatTheyAreSeenUnder) {
   // 1 m/s seen from 2 m: half a radian a second, 28.6 degrees.
   EXPECT_NEAR(motion_deg_s({0, 1}), 28.648, 0.001);
   EXPECT_NEAR(motion_deg_s({glm::radians(30.0), 1}), 58.648, 0.001);
+}
+
+// One second of sway, a turn by 60 degrees at 120 degrees a second, and rest.
+TEST(MotionPolicyTest, SwayKeepsEverythingATurnHardensAndItsEndSoftensAgain) {
+  HeadSpeedMeter meter;
+  double yaw_deg = 0;
+  const auto at = [&](int step, double deg_s) {
+    yaw_deg += deg_s * 0.01;
+    meter.add(step * TimeNs{10'000'000}, {{}, glm::angleAxis(glm::radians(yaw_deg), glm::dvec3(0, 1, 0))});
+    return quality_for_motion(meter.speed(), kLimits);
+  };
+  int step = 0;
+  // 2 degrees to and fro, 1.5 times a second: 2 * 2 pi * 1.5 = 18.8 deg/s at most.
+  for (; step < 100; ++step) {
+    EXPECT_EQ(at(step, 18.8 * std::cos(0.03 * glm::pi<double>() * step)).quality.light_samples, 64) << step;
+  }
+  for (; step < 150; ++step) {
+    const QualityDecision decision = at(step, 120);
+    // The velocity goes from the sway's, -18.8 at most, to 120 with 20 ms: above 95 from
+    // t = 20 ms * ln(138.8 / 25) = 34 ms on.
+    if (step < 105) continue;
+    EXPECT_EQ(decision.quality.light_samples, 1) << step;
+    EXPECT_EQ(decision.quality.polar_width, 315) << step;
+  }
+  // The velocity goes to 0 with 20 ms, the speed follows it with 250 ms: 120 * 250 / 230 exp(-t / 250 ms)
+  // once the former is gone. That is 35 after 250 ms * ln(130.4 / 35) = 329 ms: in the 33rd row.
+  for (const int end = step + 60; step < end; ++step) {
+    const QualityDecision decision = at(step, 0);
+    EXPECT_EQ(decision.quality.polar_width == 788, step - 149 >= 33) << step;
+  }
 }
 
 TEST(MotionPolicyTest, TheNarrowestWidthHolds) {

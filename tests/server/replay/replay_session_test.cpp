@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/settings_presets.h"
 #include "server/process/stop_signal.h"
 #include "tests/server/small_session.h"
 #include "tests/temporary_folder.h"
@@ -31,6 +32,7 @@ class ReplaySession : public ::testing::Test {
     options_.format = PictureFormat::none;
     options_.sheet = SheetChoice::none;
     options_.overwrite = true;
+    options_.render = direct_light_settings();
     options_.render.polar_width = 64;
     options_.render.polar_height = 64;
     options_.render.threads = 1;
@@ -139,14 +141,18 @@ TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
     const auto file = OIIO::ImageInput::open((root() / "o/walk/frames/frame_000000.exr").string());
     return file ? std::string(file->spec().get_string_attribute("herr.settings")) : "no picture";
   };
-  EXPECT_EQ(header(), "polar 128x64, light samples 1, reflections, camera, isa sse4, profile small");
+  EXPECT_EQ(
+      header(),
+      "polar 128x64, light samples 1, occlusion rays 0, reflections, no probes, camera, isa sse4, profile "
+      "small");
   options_.render.light_samples = 16;
   options_.render.adaptive_min_samples = 4;
   options_.render.seed = 7;
   options_.session.sampling = SamplingMode::interpolate;
-  EXPECT_EQ(header(),
-            "polar 128x64, light samples 16, reflections, camera, first light samples 4, seed 7, isa sse4, "
-            "profile small, sampling interpolate");
+  EXPECT_EQ(
+      header(),
+      "polar 128x64, light samples 16, occlusion rays 0, reflections, no probes, camera, first light samples "
+      "4, seed 7, isa sse4, profile small, sampling interpolate");
 }
 
 TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
@@ -160,6 +166,50 @@ TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
   EXPECT_EQ(whole["feed"]["misregistration"]["count"], whole["frames"]["rendered"]);
   EXPECT_EQ(whole["quality"]["reasons"], nlohmann::json({{"fixed", whole["frames"]["rendered"]}}));
   EXPECT_EQ(whole["quality"]["polar_width"]["min"], 64.0);
+}
+
+// What each eye sees is written beside the viewports, timed by itself, and looked for by a resumed run.
+TEST_F(ReplaySession, AFurtherViewIsAPictureOfItsFrame) {
+  options_.format = PictureFormat::png;
+  options_.sheet = SheetChoice::all;
+  options_.frames = 3;
+  options_.render.blended_view = Blend::context;
+  const SessionReport report = replay();
+  ASSERT_EQ(report.exit_code, 0) << report.error;
+  EXPECT_EQ(report.files_written, 3 * (4 + 2 + 1));
+  EXPECT_EQ(report.statistics.views.count(), 3);
+  const nlohmann::json views = summary()["further_views"];
+  ASSERT_EQ(views.size(), 2u);
+  EXPECT_EQ(views[0], nlohmann::json({{"name", "blended-left"},
+                                      {"width_px", 48},
+                                      {"height_px", 40},
+                                      {"kind", "blended"},
+                                      {"eye", "left"}}));
+  EXPECT_EQ(summary()["latency"]["views"]["count"], 3);
+
+  const fs::path picture = root() / "o/walk/frames/frame_000001.blended-right.png";
+  const std::string bytes = content_of(picture);
+  fs::remove(picture);
+  options_.overwrite = false;
+  options_.resume = true;
+  const SessionReport resumed = replay();
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
+  EXPECT_EQ(resumed.kept_frames, 1);
+  EXPECT_NE(resumed.remark.find("blended-right.png"), std::string::npos) << resumed.remark;
+  EXPECT_TRUE(content_of(picture) == bytes);
+  EXPECT_EQ(resumed.statistics.views.count(), 3);
+
+  options_.render.blended_view = Blend::off;
+  const SessionReport other = replay();
+  EXPECT_NE(other.exit_code, 0);
+  EXPECT_NE(other.error.find("--blended-view was context, is off"), std::string::npos) << other.error;
+}
+
+TEST_F(ReplaySession, WithoutFurtherViewsThereIsNoneAndNoTimeOfOne) {
+  options_.frames = 1;
+  ASSERT_EQ(replay().exit_code, 0);
+  EXPECT_EQ(summary()["further_views"], nlohmann::json::array());
+  EXPECT_EQ(summary()["latency"]["views"]["count"], 0);
 }
 
 using ReplaySessionDeathTest = ReplaySession;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "renderer/settings_presets.h"
 #include "server/results/fingerprint.h"
 #include "server/results/summary_json.h"
 #include "server/settings/run_settings.h"
@@ -72,8 +73,11 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
   ReplayOptions options;
   options.profile = "xr1";
   options.render.isa = Isa::avx2;
-  EXPECT_EQ(settings_text(options),
-            "polar 1576x768, light samples 1, reflections, camera, isa avx2, profile xr1");
+  EXPECT_EQ(
+      settings_text(options),
+      "polar 1576x768, light samples 1, occlusion rays 1, reflections, probes, camera, isa avx2, profile "
+      "xr1");
+  options.render.probes.on = false;
   options.render.adaptive_min_samples = 4;
   options.render.occlusion_rays = 8;
   options.render.occlusion_radius_m = 0.5;
@@ -81,17 +85,21 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
   options.render.camera = false;
   options.policy.deadline = true;
   options.target_ms = 20;
-  EXPECT_EQ(settings_text(options),
-            "polar 1576x768, light samples 1, reflections, no camera, first light samples 4, occlusion rays "
-            "8, occlusion radius 0.5 m, no refraction, isa avx2, profile xr1, policy deadline, target 20 ms");
-  EXPECT_EQ(features_text(options.render),
-            "reflections, no camera, first light samples 4, occlusion rays 8, occlusion radius 0.5 m, no "
-            "refraction");
+  EXPECT_EQ(
+      settings_text(options),
+      "polar 1576x768, light samples 1, occlusion rays 8, reflections, no probes, no camera, first light "
+      "samples 4, occlusion radius 0.5 m, no refraction, isa avx2, profile xr1, policy deadline, target "
+      "20 ms");
+  EXPECT_EQ(
+      features_text(options.render),
+      "occlusion rays 8, reflections, no probes, no camera, first light samples 4, occlusion radius 0.5 "
+      "m, no refraction");
 }
 
 // Keys and values that scripts and earlier programs know.
 TEST(SettingsReport, KeysAndValuesAreThoseOfEarlierPrograms) {
   ReplayOptions options;
+  options.render = direct_light_settings();  // the default of programs that knew no presets
   options.render.threads = 2;
   options.render.isa = Isa::sse4;
   options.render.camera = false;
@@ -141,13 +149,40 @@ TEST(SettingsReport, KeysAndValuesAreThoseOfEarlierPrograms) {
   EXPECT_NE(std::find(with_probes.begin(), with_probes.end(), probes), with_probes.end());
 }
 
-TEST(SettingsReport, ASettingThatAnEarlierProgramDidNotKnowHadItsDefault) {
+TEST(SettingsReport, ASettingThatAnEarlierProgramDidNotKnowHadItsDefaultAndNoLightButDirectLight) {
   ReplayOptions options;
+  options.render = direct_light_settings();
   Fingerprint earlier = told_by(options).fingerprint;
-  std::erase_if(earlier.settings, [](const auto& entry) { return entry.first == "--occlusion-rays"; });
+  std::erase_if(earlier.settings, [](const auto& entry) {
+    return entry.first == "--occlusion-rays" || entry.first == "--no-occlusion-smoothing" ||
+           entry.first == "--probes" || entry.first == "--ray-width";
+  });
   EXPECT_EQ(difference(earlier, told_by(options).fingerprint), "");
   options.render.occlusion_rays = 4;
   EXPECT_EQ(difference(earlier, told_by(options).fingerprint), "--occlusion-rays was not known then, is 4");
+  EXPECT_EQ(difference(earlier, told_by(ReplayOptions()).fingerprint),
+            "--occlusion-rays was not known then, is 1");
+}
+
+TEST(SettingsReport, AProgramThatDidNotKnowTheMeanOverNeighboursTookEachHitsOwnRays) {
+  ReplayOptions options;
+  Fingerprint earlier = told_by(options).fingerprint;
+  std::erase_if(earlier.settings,
+                [](const auto& entry) { return entry.first == "--no-occlusion-smoothing"; });
+  EXPECT_EQ(difference(earlier, told_by(options).fingerprint),
+            "--no-occlusion-smoothing was not known then, is not given");
+  options.render.occlusion_smoothing = false;
+  EXPECT_EQ(difference(earlier, told_by(options).fingerprint), "");
+}
+
+// A run that begins with other light is other work: stored by a program whose default was direct light alone.
+TEST(SettingsReport, ARunOfTheEarlierDefaultDiffersFromOneOfThisDefault) {
+  ReplayOptions direct;
+  direct.render = direct_light_settings();
+  const Fingerprint earlier = told_by(direct).fingerprint, now = told_by(ReplayOptions()).fingerprint;
+  EXPECT_EQ(difference(earlier, now), "--occlusion-rays was 0, is 1");
+  direct.render.occlusion_rays = 1;
+  EXPECT_EQ(difference(told_by(direct).fingerprint, now), "--probes was not given, is 64 rays, budget 0");
 }
 
 }  // namespace

@@ -97,6 +97,38 @@ TEST_F(Serve, StatusAndLatencyAgreeWithTheSnapshot) {
   }
 }
 
+TEST_F(Serve, FurtherViewsAreListedAndShownLikeViewports) {
+  const std::shared_ptr<SessionReport> of = subject();
+  of->settings.blended_view = Blend::context;
+  ServeSnapshot snapshot;
+  snapshot.phase = ServePhase::running;
+  snapshot.subject = of;
+  snapshot.rendered = 1;
+  board_.snapshot.set(std::make_shared<const ServeSnapshot>(snapshot));
+  const json views = get_json("/v1/status")["further_views"];
+  ASSERT_EQ(views.size(), 2u);
+  EXPECT_EQ(views[1]["name"], "blended-right");
+  EXPECT_NE(get("/").body.find("/v1/frames/latest/blended-left.png"), std::string::npos);
+
+  auto pictures = std::make_shared<ServedPictures>();
+  pictures->sequence = 1;
+  pictures->subject = of;
+  for (const PictureOutline& outline : of->pictures()) {
+    ViewportImage image;
+    image.resize(outline.width_px, outline.height_px);
+    if (outline.kind == PictureKind::blended) {
+      pictures->frame.further.push_back({outline.name, image});
+    } else {
+      pictures->frame.viewports.push_back(image);
+    }
+  }
+  board_.pictures.set(pictures);
+  // As large as the context of its eye, which the board's profile has at 1000 x 600 and 1980 x 1980.
+  EXPECT_EQ(png_size(get("/v1/frames/latest/blended-left.png?full=1").body), std::make_pair(1000, 600));
+  EXPECT_EQ(png_size(get("/v1/frames/latest/blended-right.png").body), std::make_pair(512, 512));
+  EXPECT_EQ(get("/v1/frames/latest/blended-up.png").status, 404);
+}
+
 TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
   publish(50);
   std::int64_t since = 0, seen = 0;
@@ -245,6 +277,32 @@ TEST_F(Serve, MetricsAreSoundText) {
   // 1 ... 50 ms; 50 ms itself lies in the bound's bucket.
   EXPECT_EQ(values["herr_frame_duration_seconds_bucket{le=\"0.05\"}"], 50);
   EXPECT_EQ(values["herr_ready"], 1);
+  // 1.5 + 3 + ... + 150 ms.
+  EXPECT_NEAR(values["herr_frame_cpu_seconds_sum"], 7.575, 1e-9);
+  EXPECT_EQ(values["herr_memory_bytes{part=\"textures\"}"], 1000);
+  EXPECT_EQ(values["herr_memory_bytes{part=\"loaded textures\"}"], 500);
+  EXPECT_GE(values["herr_usable_cores"], 1);
+  EXPECT_GE(values["herr_peak_resident_memory_bytes"], values["process_resident_memory_bytes"] - (1 << 20));
+}
+
+TEST_F(Serve, TheLoadOfTheMachineIsTold) {
+  publish(100);
+  const json load = get_json("/v1/status")["load"];
+  EXPECT_NEAR(load["cpu"]["mean"].get<double>(), 75.75, 1e-6);  // 7575 / 100 ms
+  // Frames take 50.5 ms on average, two thirds of that.
+  EXPECT_NEAR(load["cpu_share"].get<double>() * load["cores"].get<int>(), 1.5, 1e-6);
+  EXPECT_GT(load["peak_resident_bytes"].get<std::int64_t>(), 1 << 20);
+  EXPECT_EQ(get_json("/v1/latency")["run"]["load"]["cpu"]["count"], 100);
+  EXPECT_EQ(get_json("/v1/frames")["frames"][1]["cpu_ms"], 3.0);
+  json memory = get_json("/v1/plan")["memory_bytes"];
+  EXPECT_EQ(memory["encoder buffers"], 0) << "nobody has asked for a picture";
+  EXPECT_EQ(memory["together"], 1500);
+  publish_pictures(100);
+  const std::string png = get("/v1/frames/latest/left_context.png").body;
+  memory = get_json("/v1/plan")["memory_bytes"];
+  // The file, kept, and the 8-bit picture that it was made of.
+  EXPECT_GE(memory["encoder buffers"].get<std::size_t>(), png.size() + 3 * 512 * 307);
+  EXPECT_EQ(memory["together"].get<std::int64_t>(), 1500 + memory["encoder buffers"].get<std::int64_t>());
 }
 
 TEST_F(Serve, PromtoolFindsNothingInTheMetrics) {

@@ -58,6 +58,7 @@ class Serve : public ::testing::Test {
     snapshot.taken_ns = now_ns_;
     snapshot.subject = subject();
     snapshot.rendered = count;
+    snapshot.memory = {{"textures", 1000}, {"loaded textures", 500}};
     snapshot.frame = 59;
     for (std::int64_t i = 1; i <= count; ++i) {
       RecentFrame frame;
@@ -65,6 +66,7 @@ class Serve : public ::testing::Test {
       frame.finished_ns = now_ns_ - (count - i) * kSecondNs / 10;
       frame.record.frame = i;
       frame.record.times.frame_ms = static_cast<double>(i);
+      frame.record.cpu_ms = 1.5 * static_cast<double>(i);
       frame.record.times[Stage::first_hits] = static_cast<double>(i);
       frame.record.missed = i % 2 == 0;
       frame.record.decision = {{4, 400, 128}, QualityReason::steady, 19.5, 20.0};

@@ -96,6 +96,7 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   FrameRecord record = record_of(12, 1.234567, 0.000001);
   record.t_ns = 1'000'000'000;
   record.camera_age_ms = 0.0;
+  record.cpu_ms = 2.345678;
   record.gaze_source = {SampleSource::gliding, SampleSource::exact};
   record.nonfinite_pictures = 3;
   record.repeated_ticks = 2;
@@ -118,6 +119,7 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   of_rows.add(*read);
   EXPECT_EQ(of_run.frame, of_rows.frame);
   EXPECT_EQ(of_run.stages, of_rows.stages);
+  EXPECT_EQ(of_run.cpu, of_rows.cpu);
 }
 
 TEST(FramesCsv, WhatIsNoRowIsNotRead) {

@@ -29,7 +29,7 @@ FrameRecord random_record(std::mt19937_64& random) {
   record.probes.active = count();
   record.sample_ms = ms(random), record.write_ms = ms(random), record.wait_ms = ms(random);
   record.pose_age_ms = maybe(), record.gaze_age_ms = maybe(), record.camera_age_ms = maybe();
-  record.motion_to_photon_ms = maybe();
+  record.motion_to_photon_ms = maybe(), record.cpu_ms = maybe();
   record.decision.quality.polar_width = static_cast<int>(count());
   record.decision.quality.light_samples = static_cast<int>(count());
   record.decision.reason = static_cast<QualityReason>(random() % kQualityReasons);

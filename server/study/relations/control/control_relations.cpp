@@ -256,10 +256,12 @@ void measure_motion(const DeadlineConfig& config, RelationLog& log) {
   relation.unit = "decisions";
   relation.bound_from = "none may leave its range or exceed the one of a slower head";
   const QualityLimits& limits = config.limits;
+  const MotionConfig motion;
   FrameQuality before = limits.full;
   double bad = 0;
-  for (const double deg_s : {0.0, 5e-324, 1.0, 10.0, 10.001, 50.0, 100.0, 2000.0, 1e9, 1e308,
-                             std::numeric_limits<double>::infinity()}) {
+  for (const double deg_s : {0.0, 5e-324, 1.0, motion.still_deg_s, 1.0001 * motion.still_deg_s,
+                             std::sqrt(motion.still_deg_s * motion.fast_deg_s), motion.fast_deg_s,
+                             20 * motion.fast_deg_s, 1e9, 1e308, std::numeric_limits<double>::infinity()}) {
     const FrameQuality quality = quality_for_motion({deg_s / 57.29577951308232, 0}, limits).quality;
     const bool sound = quality.polar_width >= limits.narrowest && quality.light_samples >= 1 &&
                        quality.polar_width <= before.polar_width &&

@@ -70,6 +70,7 @@ class GazeRelations {
   void draw_white(RelationCase subject, const std::vector<int>& widths, const Measure& measure) {
     RenderSettings& settings = subject.settings;
     settings.polar_width = *std::max_element(widths.begin(), widths.end());
+    settings.polar_acuity = false;
     const std::vector<NamedGaze> gazes = gazes_at_limits(subject);
     Renderer renderer(subject.scene, subject.profile, settings, false);
     for (std::size_t g = 0; g < gazes.size(); ++g) {

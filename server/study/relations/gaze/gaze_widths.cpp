@@ -86,6 +86,7 @@ class WidthErrors {
     RelationCase own = own_;
     own.settings.polar_width = *std::max_element(widths.begin(), widths.end());
     own.settings.polar_height = height;
+    own.settings.polar_acuity = false;
     Renderer renderer(own.scene, own.profile, own.settings, false);
     std::vector<std::vector<double>> squares(widths.size());
     for (const SampledGaze& gaze : gazes_) {

@@ -36,6 +36,7 @@ void halve(RelationCase& subject) {
   }
   subject.settings.polar_width = std::max(1, subject.settings.polar_width / 2);
   subject.settings.polar_height = std::max(2, subject.settings.polar_height / 4 * 2);
+  subject.settings.polar_acuity = false;
 }
 
 RelationCase matte_case(const RelationCase& subject) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/study/report/study_json.h"
 #include "server/study/stability/report/stability_verdict.h"
 

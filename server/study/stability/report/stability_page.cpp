@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/study/report/page_parts.h"
 #include "server/study/stability/report/stability_tables.h"
 #include "server/study/stability/report/stability_verdict.h"

@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <memory>
 
+#include "renderer/settings_presets.h"
 #include "tests/server/small_session.h"
 #include "tests/temporary_folder.h"
 
@@ -66,6 +67,7 @@ class StudyFramesTest : public ::testing::Test {
     opened_ = std::make_unique<Opened>();
     opened_->options.scene = (root() / "scene/small.scene.json").string();
     opened_->options.profile = (root() / "small.profile.json").string();
+    opened_->options.render = direct_light_settings();
     opened_->options.render.polar_width = opened_->options.render.polar_height = 16;
     opened_->options.render.threads = 1;
     opened_->report.name = session;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "renderer/settings_list.h"
+#include "renderer/settings_presets.h"
 #include "server/study/reference/reference_spec.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -54,7 +56,7 @@ std::vector<RenderSettings> many_defaults() {
                                    {{"light_samples", "5"}, {"first_light_samples", "4"}},
                                    {{"polar", "2x2"}},
                                    {{"polar", "16384x8192"}},
-                                   {{"probes", "on"}, {"occlusion_rays", "4"}},
+                                   {{"probes", "off"}, {"occlusion_rays", "0"}},
                                    {{"reflections", "off"}, {"refraction", "off"}},
                                    {{"detail_error", "0"}, {"ray_width", "0"}}}) {
     all.push_back(with_changes({}, changes));
@@ -134,12 +136,12 @@ TEST(Knobs, EachIsSweptAroundHardAndSoftLight) {
 TEST(Knobs, ReferencesOfOneNameAreOfTheSameSettings) {
   const Scene scene = full_scene();
   for (const RenderSettings& defaults : many_defaults()) {
-    std::map<std::string, std::pair<SettingChanges, int>> by_name;
+    std::map<std::string, std::tuple<SettingChanges, int, bool>> by_name;
     const auto expect_one_meaning = [&](const ReferenceSpec& spec) {
       ASSERT_FALSE(spec.name.empty());
       EXPECT_NO_THROW(check_settings(spec.settings)) << spec.name;
       EXPECT_NO_THROW(check_settings(spec.finest)) << spec.name;
-      const std::pair meaning{changes_between(defaults, spec.settings), spec.passes};
+      const std::tuple meaning{changes_between(defaults, spec.settings), spec.passes, spec.same_probes};
       const auto [place, is_new] = by_name.try_emplace(spec.name, meaning);
       if (!is_new) {
         EXPECT_EQ(place->second, meaning) << spec.name;
@@ -157,7 +159,7 @@ TEST(Knobs, ReferencesOfOneNameAreOfTheSameSettings) {
 }
 
 TEST(Knobs, ProbesAreOfTheDefaultsModelWhereTheDefaultHasProbes) {
-  RenderSettings defaults;
+  RenderSettings defaults = direct_light_settings();
   const auto model_of = [&](const char* knob) {
     for (const StudySetting& setting : sweeps_in(full_scene(), defaults).settings) {
       if (setting.knob == knob) return setting.model;
@@ -171,6 +173,26 @@ TEST(Knobs, ProbesAreOfTheDefaultsModelWhereTheDefaultHasProbes) {
   defaults.probes.on = true, defaults.occlusion_rays = 4;
   EXPECT_TRUE(model_of("probe_rays").empty());
   EXPECT_TRUE(model_of("occlusion_rays").empty());
+}
+
+// What a knob does to a picture shows against a reference that has the very probes of that picture; what it
+// does to the probes, against probes of other seeds.
+TEST(Knobs, AReferenceOfOneKnobHasTheProbesOfTheSettingUnlessTheKnobIsTheirs) {
+  const RenderSettings paper;
+  std::set<std::string> own_probes;
+  for (const StudySetting& setting : sweeps_in(full_scene(), paper).settings) {
+    EXPECT_FALSE(endless_effort(paper, setting.model).same_probes) << "their noise is part of its own error";
+    if (setting.own == OwnReference::none) continue;
+    const ReferenceSpec own = own_reference(paper, setting);
+    EXPECT_TRUE(own.settings.probes.on) << setting.name;
+    if (!own.same_probes) own_probes.insert(setting.knob);
+  }
+  EXPECT_EQ(own_probes, (std::set<std::string>{"probe_rays", "probe_density", "probe_budget"}));
+  const RenderSettings direct = direct_light_settings();
+  for (const StudySetting& setting : sweeps_in(full_scene(), direct).settings) {
+    if (setting.own == OwnReference::none || !setting.model.empty()) continue;
+    EXPECT_FALSE(own_reference(direct, setting).settings.probes.on) << setting.name;
+  }
 }
 
 TEST(Knobs, SizesAtAnEndOfTheRangeAreSweptOnce) {

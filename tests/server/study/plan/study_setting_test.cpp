@@ -43,9 +43,10 @@ TEST(StudySetting, ChangesAreToldAsFlags) {
   EXPECT_EQ(flags_text({{"polar", "788x384"}, {"light_samples", "64"}}),
             "--polar 788x384 --light-samples 64");
   EXPECT_EQ(flags_text({{"reflections", "off"}, {"probes", "on"}}), "--no-reflections --probes");
+  EXPECT_EQ(flags_text({{"occlusion_rays", "0"}, {"probes", "off"}}), "--occlusion-rays 0 --no-probes");
   // No flag gives these.
   EXPECT_EQ(flags_text({{"light_sampler", "random"}}), "light_sampler=random");
-  EXPECT_EQ(flags_text({{"reflections", "on"}, {"probes", "off"}}), "reflections=on probes=off");
+  EXPECT_EQ(flags_text({{"reflections", "on"}}), "reflections=on");
 }
 
 TEST(StudySetting, TheLaterOfTwoValuesCountsInTheFirstPlace) {

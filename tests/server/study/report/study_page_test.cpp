@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/text/base64.h"
 #include "tests/server/study/report/page_checks.h"
 #include "tests/server/study/report/study_records.h"

@@ -1,11 +1,11 @@
-#include "server/study/diagrams/svg_plot.h"
+#include "server/diagrams/svg_plot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "server/study/diagrams/html_text.h"
-#include "server/study/diagrams/plot_axis.h"
+#include "server/diagrams/html_text.h"
+#include "server/diagrams/plot_axis.h"
 #include "server/text/number_text.h"
 
 namespace herr {
@@ -150,6 +150,36 @@ std::string label_parts(const Plot& plot, const PlotFrame& frame) {
   return svg;
 }
 
+// Lines with their names, right-aligned: nobody knows how wide a text will be.
+std::string legend_parts(const Plot& plot, const PlotFrame& frame) {
+  std::string svg;
+  double y = frame.top + 18;
+  for (const PlotCurve& curve : plot.curves) {
+    if (curve.label.empty()) continue;
+    svg += svg_line(frame.right - 36, y - 4, frame.right - 8, y - 4,
+                    std::string("stroke=\"") + curve.colour + "\" stroke-width=\"1.6\"" +
+                        (curve.dashed ? " stroke-dasharray=\"5 4\"" : ""));
+    svg += svg_text(frame.right - 42, y, kHalo, html_text(curve.label));
+    y += 18;
+  }
+  return svg;
+}
+
+std::string svg_element(const Plot& plot, const std::string& attributes, const std::string& ground) {
+  const PlotFrame frame = frame_of(plot);
+  const std::string width = std::to_string(plot.width), height = std::to_string(plot.height);
+  std::string content = ground + floor_area(plot, frame) + axis_parts(plot, frame);
+  for (const PlotCurve& curve : plot.curves) content += curve_path(curve, frame);
+  content += mark_parts(plot, frame) + label_parts(plot, frame) + legend_parts(plot, frame);
+  return html_element("svg",
+                      attributes + "id=\"" + html_text(plot.id) +
+                          "\" class=\"plot\" role=\"img\" aria-label=\"" + html_text(plot.title) +
+                          "\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width +
+                          " " + height + "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\"",
+                      content) +
+         "\n";
+}
+
 }  // namespace
 
 int marks_drawn(const Plot& plot) {
@@ -157,18 +187,12 @@ int marks_drawn(const Plot& plot) {
 }
 
 std::string svg_plot(const Plot& plot) {
-  const PlotFrame frame = frame_of(plot);
-  const std::string width = std::to_string(plot.width), height = std::to_string(plot.height);
-  std::string content = floor_area(plot, frame) + axis_parts(plot, frame);
-  for (const PlotCurve& curve : plot.curves) content += curve_path(curve, frame);
-  content += mark_parts(plot, frame) + label_parts(plot, frame);
-  return html_element("svg",
-                      "id=\"" + html_text(plot.id) + "\" class=\"plot\" role=\"img\" aria-label=\"" +
-                          html_text(plot.title) + "\" width=\"" + width + "\" height=\"" + height +
-                          "\" viewBox=\"0 0 " + width + " " + height +
-                          "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\"",
-                      content) +
-         "\n";
+  return svg_element(plot, "", "");
+}
+
+std::string svg_document(const Plot& plot) {
+  return svg_element(plot, "xmlns=\"http://www.w3.org/2000/svg\" ",
+                     "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>");
 }
 
 }  // namespace herr

@@ -1,4 +1,4 @@
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "server/study/diagrams/plot_axis.h"
+#include "server/diagrams/plot_axis.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,10 +1,10 @@
-#include "server/study/diagrams/plot_mark.h"
+#include "server/diagrams/plot_mark.h"
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 #include "server/text/number_text.h"
 
 namespace herr {

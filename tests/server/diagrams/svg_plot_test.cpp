@@ -1,5 +1,5 @@
 // Axes and marks of diagrams.
-#include "server/study/diagrams/svg_plot.h"
+#include "server/diagrams/svg_plot.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "server/study/diagrams/plot_axis.h"
+#include "server/diagrams/plot_axis.h"
 
 namespace herr {
 namespace {
@@ -96,6 +96,18 @@ TEST(SvgPlot, AnErrorOfZeroHasALaneOfItsOwn) {
   EXPECT_EQ(count_of(svg_plot(plot), ">0</text>"), 1u);
   plot.marks[1].y = 0.5;
   EXPECT_EQ(count_of(svg_plot(plot), ">0</text>"), 0u);
+}
+
+TEST(SvgPlot, CurvesWithALabelStandInALegendAndOnlyAFileNamesItsNamespace) {
+  Plot plot;
+  plot.marks.resize(1);
+  plot.marks[0].x = plot.marks[0].y = 1;
+  plot.curves = {{{{1, 1}, {2, 2}}, "#222", false, "a < b"}, {{{1, 2}, {2, 1}}}};
+  const std::string svg = svg_plot(plot), document = svg_document(plot);
+  EXPECT_EQ(count_of(svg, "a &lt; b"), 1u);
+  EXPECT_EQ(count_of(svg, "xmlns"), 0u);
+  EXPECT_EQ(document.find("<svg xmlns=\"http://www.w3.org/2000/svg\" "), 0u);
+  EXPECT_EQ(count_of(document, "fill=\"#fff\""), count_of(svg, "fill=\"#fff\"") + 1);
 }
 
 TEST(SvgPlot, AnEmptyDiagramIsStillOne) {

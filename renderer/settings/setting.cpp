@@ -44,8 +44,17 @@ double number_from(const NumberSetting& number, const std::string& text) {
 
 // The width is that of both eyes; rows come in pairs.
 void set_size(const SizeSetting& size, const std::string& text) {
+  if (size.follows != nullptr && text == size.following) {
+    *size.follows = true;
+    *size.width_per_eye = size.following_per_eye;
+    *size.height = size.following_height;
+    return;
+  }
   const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) refuse(text, "a size; write WIDTHxHEIGHT, for example 1576x768");
+  if (cross == std::string::npos) {
+    const std::string word = size.follows != nullptr ? ", or " + size.following : "";
+    refuse(text, "a size; write WIDTHxHEIGHT, for example 1576x768" + word);
+  }
   const std::int64_t width =
       whole_number_from(text.substr(0, cross), 1, 2 * std::int64_t{size.widest_per_eye});
   const std::int64_t height = whole_number_from(text.substr(cross + 1), 1, size.highest);
@@ -54,6 +63,7 @@ void set_size(const SizeSetting& size, const std::string& text) {
   }
   *size.width_per_eye = static_cast<int>(width / 2);
   *size.height = static_cast<int>(height);
+  if (size.follows != nullptr) *size.follows = false;
 }
 
 // In the words of check_range().
@@ -94,6 +104,7 @@ std::string text_of(const Setting& setting) {
   }
   if (const auto* word = std::get_if<WordSetting>(&setting.value)) return word->words.at(word->get());
   if (const auto* size = std::get_if<SizeSetting>(&setting.value)) {
+    if (size->follows != nullptr && *size->follows) return size->following;
     return std::to_string(2 * *size->width_per_eye) + "x" + std::to_string(*size->height);
   }
   return std::get<TextSetting>(setting.value).get();
@@ -169,7 +180,8 @@ std::string range_text(const Setting& setting) {
   }
   if (const auto* word = std::get_if<WordSetting>(&setting.value)) return joined(word->words);
   if (const auto* size = std::get_if<SizeSetting>(&setting.value)) {
-    return "2x2 ... " + std::to_string(2 * size->widest_per_eye) + "x" + std::to_string(size->highest);
+    const std::string word = size->follows != nullptr ? ", " + size->following : "";
+    return "2x2 ... " + std::to_string(2 * size->widest_per_eye) + "x" + std::to_string(size->highest) + word;
   }
   return "";
 }

@@ -1,5 +1,5 @@
 // A diagram with two logarithmic axes as an inline SVG element: marks with error bars, curves, a shaded
-// floor. Before: study_plots. After: study_page.
+// floor. Before: study_plots, acuity_picture. After: study_page, a file.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "server/study/diagrams/plot_mark.h"
+#include "server/diagrams/plot_mark.h"
 
 namespace herr {
 
@@ -27,6 +27,7 @@ struct PlotCurve {
   std::vector<std::array<double, 2>> at;
   const char* colour = "#222";
   bool dashed = false;
+  std::string label = {};  // plain text: a line in the legend, in the upper right corner
 };
 
 struct Plot {
@@ -42,6 +43,8 @@ struct Plot {
 
 // What has no place (not finite, x not positive, y negative) is left out.
 std::string svg_plot(const Plot& plot);
+// The same as a file of its own: on white.
+std::string svg_document(const Plot& plot);
 // Marks that svg_plot() draws.
 int marks_drawn(const Plot& plot);
 

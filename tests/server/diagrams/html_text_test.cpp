@@ -1,5 +1,5 @@
 // Text that is safe to print, and to put into a page.
-#include "server/study/diagrams/html_text.h"
+#include "server/diagrams/html_text.h"
 
 #include <gtest/gtest.h>
 

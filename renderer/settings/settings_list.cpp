@@ -23,8 +23,11 @@ std::vector<Setting> of_rays(RenderSettings& s) {
       {"filter", "--filter", "", Group::rays, Effect::error_for_time,
        "how pixels are made of the samples around them: nearest, bilinear or bicubic",
        one_of(s.filter, {"nearest", "bilinear", "bicubic"})},
-      {"polar", "--polar", "", Group::rays, Effect::error_for_time, "polar buffer of both eyes together",
-       SizeSetting{&s.polar_width, &s.polar_height, kLargestPolar, kLargestPolar}},
+      {"polar", "--polar", "", Group::rays, Effect::error_for_time,
+       "polar buffer of both eyes together, or acuity: as many samples of each frame and eye as give "
+       "200 / (theta + 1) per degree everywhere on the display, theta in degrees off the gaze",
+       SizeSetting{&s.polar_width, &s.polar_height, kLargestPolar, kLargestPolar, &s.polar_acuity, "acuity",
+                   kMostAcuityWidth, kAcuityHeight}},
       {"light_samples", "--light-samples", "", Group::rays, Effect::error_for_time,
        "shadow rays per light and hit; 1: hard shadows", whole(s.light_samples, 1, kMostLightSamples)},
       {"first_light_samples", "--first-light-samples", "", Group::rays, Effect::error_for_time,
@@ -37,6 +40,9 @@ std::vector<Setting> of_rays(RenderSettings& s) {
        one_of(s.light_sampler, {"jittered", "random"})},
       {"occlusion_radius_m", "--occlusion-radius", "m", Group::rays, Effect::pictures,
        "metres that they reach", real(s.occlusion_radius_m, kNearest_m, kFarthest_m)},
+      {"occlusion_smoothing", "--no-occlusion-smoothing", "", Group::rays, Effect::error_for_time,
+       "leave out the mean over what the short rays of neighbours on the same surface found",
+       on_off(s.occlusion_smoothing)},
       {"reflections", "--no-reflections", "", Group::rays, Effect::error_for_time, "trace no mirror rays",
        on_off(s.reflections)},
       {"refraction", "--no-refraction", "", Group::rays, Effect::error_for_time,
@@ -56,8 +62,9 @@ std::vector<Setting> of_rays(RenderSettings& s) {
 
 std::vector<Setting> of_probes(ProbeSettings& p) {
   return {
-      {"probes", "--probes", "", Group::probes, Effect::pictures,
-       "light that bounces between surfaces, gathered by probes", on_off(p.on)},
+      {"probes", "--no-probes", "", Group::probes, Effect::pictures,
+       "constant ambient light in place of light that bounces between surfaces", on_off(p.on), "",
+       "--probes"},
       {"probe_rays", "--probe-rays", "", Group::probes, Effect::error_for_time, "rays of a probe and update",
        whole(p.rays, kFewestProbeRays, kMostProbeRays)},
       {"probe_budget", "--probe-budget", "", Group::probes, Effect::error_for_time,
@@ -154,7 +161,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 360);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 368);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;
