@@ -56,6 +56,8 @@ struct RayGrid {
 
 // Random-number key of a frame, by its time since the session's start, and eye.
 std::uint32_t frame_key(TimeNs since_start_ns, int eye, std::uint32_t seed);
+// That of a camera outside the headset: none of an eye.
+std::uint32_t outside_key(TimeNs since_start_ns, std::uint32_t seed);
 
 // Fill `grid` for an eye's polar buffer, or for one viewport's planar one. `samples` and `buffer` must
 // outlive it; of the eye's viewports (kMaxFrusta at most) those that lie within another are left out.

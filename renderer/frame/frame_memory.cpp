@@ -69,6 +69,7 @@ MemoryUse Renderer::memory() const {
   std::int64_t views = 0;
   for (const BlendedView& view : impl.blended_views) views += view.bytes();
   for (const BlendScratch& scratch : impl.blend_scratch) views += scratch.bytes();
+  if (impl.outside_work) views += impl.outside_work->bytes();
   return {{"acceleration structures", geometry.acceleration},
           {"surfaces", geometry.surfaces},
           {"textures", geometry.textures},

@@ -215,8 +215,7 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          scene.instances.empty() ? "no surface to light" : "switched off by settings");
   bool ambient = false;
   decide(ambient, scene.ambient != glm::vec3{0.0f} && !plan.probes, "constant ambient light",
-         "the same from all sides",
-         plan.probes ? "probes gather light in its place" : "the scene has none");
+         "the same from all sides", plan.probes ? "probes gather light in its place" : "the scene has none");
   decide(plan.catcher_probes, plan.probes && t.catchers_ever > 0, "probes of catchers alone",
          "indirect light changes the feed on catchers",
          t.catchers_ever > 0 ? "probes are off" : "no catcher");
@@ -236,9 +235,12 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.coloured_ratio, t.catchers > 0 && coloured, kColouredRatio,
          plan.catcher_probes ? "surfaces colour the light between them" : "some light is coloured",
          t.catchers > 0 ? "all light is white or grey" : "no catcher", t.catchers == 0 || !coloured);
-  decide(plan.camera, settings.camera && session_has_camera, "camera composite",
+  const bool painted = settings.see_through_colour.has_value();
+  decide(plan.camera, settings.camera && session_has_camera && !painted, "camera composite",
          "the session has a camera feed",
-         session_has_camera ? "switched off by settings" : "the session has no camera feed");
+         !session_has_camera ? "the session has no camera feed"
+         : painted           ? "one colour is painted in its place"
+                             : "switched off by settings");
   // Catchers mirror virtual objects alone.
   const bool shows = (plan.mirror_rays && t.reflecting > 0) || plan.refraction;
   decide(plan.mirrored_feed, plan.camera && shows, kMirroredFeed,

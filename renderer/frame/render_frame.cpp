@@ -11,9 +11,9 @@
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
-#include "renderer/cpu_use.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
 #include "renderer/viewports/gaze_marker.h"
 
@@ -158,7 +158,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
 
   // Beside what the headset shows: not of the frame time.
   const auto finished = SteadyClock::now();
-  if (!impl.make_further_views(out, use.abandon)) return false;
+  if (!impl.make_further_views(sample, out, use.abandon)) return false;
   if (!out.further.empty()) out.times.views_ms = milliseconds_since(finished);
   return true;
 }
@@ -250,8 +250,11 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
     shading.environment[channel] = scene.environment[channel];
     shading.smallest_irradiance[channel] = kDarkest * scale[channel];
   }
+  shading.paints_see_through = settings.see_through_colour.has_value();
+  if (shading.paints_see_through) paint_see_through(*settings.see_through_colour, shading);
   // An overlay without a feed darkens by its coverage: it cannot make brighter what lies behind it.
-  shading.largest_ratio = plan.virtual_lights && !settings.camera ? 1.0f : kLargestRatio;
+  shading.largest_ratio =
+      plan.virtual_lights && !settings.camera && !shading.paints_see_through ? 1.0f : kLargestRatio;
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
   shading.shown_white = 1.0f / shown_scale();
@@ -327,7 +330,7 @@ void Renderer::Impl::set_up_viewports(RenderedFrame& out) {
     job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
     job.polar = plan.polar;
     job.filter = settings.filter;
-    job.opaque = shading.background_is_environment || settings.debug_tiles;
+    job.opaque = shading.background_is_environment || shading.paints_see_through || settings.debug_tiles;
     if (plan.polar) {
       const PolarSamples& polar = *samples[eye];
       job.polar_width = polar.width();

@@ -29,9 +29,9 @@ HWY_INLINE VF light_beyond(VF with_objects, VF without, VF ratio, float smallest
   return hn::IfThenZeroElse(carried, hn::Max(hn::NegMulAdd(ratio, without, with_objects), hn::Zero(kF)));
 }
 
-// Share of what virtual objects change about indirect light that is left at hits outside the box that probes
-// stand for: look-ups there take the outermost probes, and light falls with the square of the distance from
-// the box, R^2 / (R + d)^2 with R half its diagonal. 1 inside.
+// Share of what virtual objects change about indirect light that is left at hits outside the grid of probes:
+// look-ups there take the outermost probes, and what comes from within the grid falls with the square of the
+// distance, R^2 / (R + d)^2 with R half its diagonal. 1 up to a cell beyond those probes.
 HWY_INLINE VF share_outside(const ProbeView& view, const HitBatch& hits, int slot) {
   const V3 p = sub(load3(hits.position, slot), set3(view.lower));
   VF outside2 = hn::Zero(kF);

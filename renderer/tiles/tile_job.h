@@ -194,8 +194,11 @@ struct ShadingInputs {
   float environment[3] = {};
   float smallest_irradiance[3] =
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
-  float largest_ratio = kLargestRatio;  // of catchers; 1 where no feed is there that could grow brighter
+  float largest_ratio = kLargestRatio;     // of catchers; 1 where no feed is there that could grow brighter
   bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
+  float see_through[3] = {};               // radiance that stands for the feed, where it is painted
+  bool paints_see_through = false;         // over whatever would show the feed: opaque
+  bool paints_catchers = false;            // over catchers alone
   bool debug_tiles = false;
   float shown_white = 1;  // radiance that is shown as white: what is painted, not lit, has colours times it
 };

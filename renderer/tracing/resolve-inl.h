@@ -40,6 +40,15 @@ struct Texel {
   V3 light, ratio;
 };
 
+// With `behind` in place of the feed.
+HWY_INLINE Texel painted_texel(const Texel& texel, const V3& behind) {
+  const VF zero = hn::Zero(kF);
+  return {
+      {hn::MulAdd(behind.x, texel.ratio.x, texel.light.x), hn::MulAdd(behind.y, texel.ratio.y, texel.light.y),
+       hn::MulAdd(behind.z, texel.ratio.z, texel.light.z)},
+      {zero, zero, zero}};
+}
+
 // What the feed keeps on catchers, and what is added to it.
 HWY_INLINE Texel catcher_texel(const TileJob& job, int slot, MF catcher) {
   const FramePlan& plan = *job.shading->plan;
@@ -67,34 +76,29 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
-    const Texel real = catcher_texel(job, slot, catcher);
+    Texel real = catcher_texel(job, slot, catcher);
+    if (shading.paints_catchers) real = painted_texel(real, set3(shading.see_through));
     texel.ratio = select(catcher, real.ratio, texel.ratio);
     texel.light = select(catcher, real.light, texel.light);
   }
   return texel;
 }
 
-// Puts the background behind: debug colours or the environment, where no feed is shown.
+// Puts the background behind: debug colours, one colour or the environment, where no feed is shown.
 HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
   const ShadingInputs& shading = *job.shading;
   const HitBatch& hits = job.scratch->first;
   const int slot = packet * kLanes;
-  const VF zero = hn::Zero(kF);
   if (shading.debug_tiles && job.grid->polar) {
     const V3 colour = scale(debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
                                          job.scratch->packet_y[static_cast<std::size_t>(packet)]),
                             set(shading.shown_white));
-    texel.light = {hn::MulAdd(colour.x, texel.ratio.x, texel.light.x),
-                   hn::MulAdd(colour.y, texel.ratio.y, texel.light.y),
-                   hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};
-    texel.ratio = {zero, zero, zero};
+    texel = painted_texel(texel, colour);
+  } else if (shading.paints_see_through) {
+    texel = painted_texel(texel, set3(shading.see_through));
   } else if (shading.background_is_environment) {
     const V3 back = load3(hits.viewer, slot);
-    const V3 environment = environment_radiance(shading, scale(back, set(-1.0f)));
-    texel.light = {hn::MulAdd(environment.x, texel.ratio.x, texel.light.x),
-                   hn::MulAdd(environment.y, texel.ratio.y, texel.light.y),
-                   hn::MulAdd(environment.z, texel.ratio.z, texel.light.z)};
-    texel.ratio = {zero, zero, zero};
+    texel = painted_texel(texel, environment_radiance(shading, scale(back, set(-1.0f))));
   }
 }
 

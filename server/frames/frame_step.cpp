@@ -1,5 +1,7 @@
 #include "server/frames/frame_step.h"
 
+#include <cmath>
+
 #include "server/frames/frame_description.h"
 #include "server/frames/frame_quality.h"
 #include "server/process/steady_time.h"
@@ -23,7 +25,8 @@ void FrameStep::prepare(std::int64_t frame) {
 
 bool FrameStep::render(RenderedFrame& out, const std::atomic<bool>* abandon, const FramePacing& pacing) {
   if (!opened_.renderer->render_frame(sample_, scene_state(), decision_.quality, out, abandon)) return false;
-  finished_ns_ = steady_now_ns();
+  // Further views are made after the frame, and are none of its cost.
+  finished_ns_ = steady_now_ns() - std::llround(out.times.views_ms * 1e6);
   describe(out, pacing);
   const bool missed = pacing.pacer != nullptr && record_.missed;
   controller_->observe(cost_of_frame(out, started_ns_, finished_ns_, missed));

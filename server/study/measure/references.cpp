@@ -20,8 +20,7 @@ std::string key_of(const ReferenceSpec& spec, const FrameInstant& instant, const
   const SettingChanges all = changes_between(RenderSettings{}, spec.settings);
   std::string text = std::string(program_with_version()) + "; " + subject + "; frame " +
                      std::to_string(instant.number) + "; " + std::to_string(spec.passes) + " passes" +
-                     (spec.refined ? "" : ", no more") +
-                     (spec.same_probes ? ", probes of the setting" : "");
+                     (spec.refined ? "" : ", no more") + (spec.same_probes ? ", probes of the setting" : "");
   for (const auto& [name, value] : all) {
     if (name != "threads") text += "; " + name + " " + value;
   }

@@ -15,10 +15,10 @@ struct ReferenceSpec {
   bool by_pixels = true;    // passes through many places of each pixel; else frames of many seeds
   int passes = 8;           // of each half, to begin with
   bool refined = true;      // by_pixels: goes on until it is good enough, while there is time
-  // What probes know is that of the setting, noise and all, and no part of the error: the knob does not change
-  // it. Else each half has probes of its own seed.
+  // What probes know is that of the setting, noise and all, and no part of the error: the knob does not
+  // change it. Else each half has probes of its own seed.
   bool same_probes = false;
-  RenderSettings finest;    // a setting whose error is about the smallest that is judged by it
+  RenderSettings finest;  // a setting whose error is about the smallest that is judged by it
 
   bool operator==(const ReferenceSpec& other) const { return name == other.name; }
 };

@@ -123,15 +123,15 @@ TEST(AmbientOcclusionTest, TheMeanOverNeighboursEndsAtTheEdgeOfASurface) {
   const FrameSample sample = test::looking_down({1.35, 2.5, 0});
   const RenderedFrame bare = test::render(scene, profile, settings_with(0), sample);
   const RenderedFrame mean = test::render(scene, profile, settings_with(1, true), sample);
-  const float sheet = 0.27f, floor = 0.52f;  // diffuse and F0 of light 1, rounded down
+  const double sheet = 0.27, floor = 0.52;  // diffuse and F0 of light 1, rounded down
   int on_sheet = 0, darkened = 0;
   test::for_each_pixel(bare.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
-    const float seen = test::pixel_at(mean.viewports[0], x, y)[0];
+    const double seen = test::pixel_at(mean.viewports[0], x, y)[0];
     if (pixel[0] < floor && pixel[0] > sheet) {
       ++on_sheet;
       ASSERT_EQ(seen, pixel[0]) << x << ' ' << y;
     }
-    darkened += pixel[0] > floor && seen < 0.9f * pixel[0] ? 1 : 0;
+    darkened += pixel[0] > floor && seen < 0.9 * pixel[0] ? 1 : 0;
   });
   EXPECT_GT(on_sheet, 1000);
   EXPECT_GT(darkened, 1000);
