@@ -35,6 +35,7 @@ struct PlanEntry {
 };
 
 inline constexpr const char* kColouredRatio = "coloured catcher ratio";
+inline constexpr const char* kMirroredFeed = "feed in mirrors and glass";
 
 struct FramePlan {
   // What the kernels are chosen by.
@@ -65,6 +66,7 @@ struct FramePlan {
   bool specular = false;        // some material has a specular lobe
   bool detail_levels = false;   // some mesh has coarser forms
   bool camera = false;
+  bool mirrored_feed = false;  // rays of mirrors and glass show the camera feed
   bool gaze_marker = false;
   LightSampler light_sampler = LightSampler::jittered;
   std::vector<PlanEntry> entries;  // all of the above, for people

@@ -19,14 +19,16 @@ enum class PictureKind : std::uint8_t {
   context,  // viewports of the headset
   focus,
   blended,  // what an eye sees: focus viewports blended into the context (viewports/blended_view.h)
+  outside,  // of a camera outside the headset (outside_view.h)
 };
 // In the order in which they stand on a sheet.
-inline constexpr std::array kPictureKinds{PictureKind::context, PictureKind::focus, PictureKind::blended};
+inline constexpr std::array kPictureKinds{PictureKind::context, PictureKind::focus, PictureKind::blended,
+                                          PictureKind::outside};
 const char* name_of(PictureKind kind);
 
 // What is known of a picture before the first frame.
 struct PictureOutline {
-  std::string name;        // of a viewport its own; of others one with a '-', which no viewport can have
+  std::string name;        // of a viewport its own; of a blended view one with a '-', which no viewport has
   std::optional<Eye> eye;  // none: seen from outside the head
   PictureKind kind = PictureKind::context;
   int width_px = 0, height_px = 0;

@@ -1,12 +1,14 @@
 // What the user can choose about a render; one struct, each field with its default and a sentence. The
-// defaults are the paper's frame. Ranges, flags and names stand in settings_list.cpp: a new field has a row
-// there. Settings that go together by a name stand in settings_presets.cpp.
+// defaults are the paper's frame. Ranges, flags and names stand in settings/settings_list.cpp: a new field
+// has a row there. Settings that go together by a name stand in settings/settings_presets.cpp.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "renderer/outside_view.h"
 
 namespace herr {
 
@@ -64,11 +66,14 @@ struct RenderSettings {
   // Each hit takes the mean of what the short rays of hits nearby found on the same surface: of up to nine
   // times as many.
   bool occlusion_smoothing = true;
-  bool reflections = true;          // trace one mirror bounce where a material asks for it
-  bool refraction = true;           // follow light through transparent materials; off: they are opaque
-  bool camera = true;               // composite over the camera feed where the session has one
-  bool gaze_marker = false;         // red circle around the gaze direction in every viewport
-  bool debug_tiles = false;         // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  bool reflections = true;   // trace one mirror bounce where a material asks for it
+  bool refraction = true;    // follow light through transparent materials; off: they are opaque
+  bool camera = true;        // composite over the camera feed where the session has one
+  bool gaze_marker = false;  // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;  // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  // Painted over the feed, or where one would be seen: times the catcher's ratio, so that shadows show. None:
+  // the feed is shown.
+  std::optional<ShownColour> see_through_colour;
   Blend blended_view = Blend::off;  // further pictures: focus viewports blended into the context
   // The camera feed is re-projected as if it lay on a sphere of this radius, metres, whose centre is the eye
   // that is displayed. None: the distance that the session names, else kUsualFeedDistance_m.
@@ -81,8 +86,9 @@ struct RenderSettings {
   // Entries of the frame plan that run although the scene has nothing for them, by name: the picture is the
   // same, bit for bit. To see what leaving them out saves.
   std::vector<std::string> force;
-  int threads = 0;      // 0 = all that this process may use
-  Isa isa = Isa::best;  // instruction set of kernels and Embree
+  std::optional<OutsideView> outside;  // a further picture of each frame; read from a file, so it has no row
+  int threads = 0;                     // 0 = all that this process may use
+  Isa isa = Isa::best;                 // instruction set of kernels and Embree
 };
 
 // "sse4", "avx2", "avx512". The one that runs: best resolved against this CPU.

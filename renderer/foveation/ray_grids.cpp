@@ -47,6 +47,10 @@ std::uint32_t frame_key(TimeNs since_start_ns, int eye, std::uint32_t seed) {
                seed * kGolden);
 }
 
+std::uint32_t outside_key(TimeNs since_start_ns, std::uint32_t seed) {
+  return mixed(~(static_cast<std::uint64_t>(since_start_ns) * 2 + seed * kGolden));
+}
+
 void set_polar_grid(const EyeView& view, std::span<const Viewport> viewports, Eye eye,
                     const PolarSamples& samples, RadianceBuffer& buffer, std::uint32_t key, RayGrid& grid) {
   const glm::dquat& turn = view.anchored_from_eye.orientation;

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "renderer/feed/feed_view.h"
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_samples.h"
 #include "renderer/foveation/radiance_buffer.h"
@@ -45,7 +46,8 @@ struct RayGrid {
       0;  // polar: between pixels in the middle of the eye's finest viewport; planar: between its rays
   float ray_width = 1;  // of the cones of rays against their samples
   TexelSink sink;
-  std::uint32_t key = 0;  // frame, eye and seed
+  const FeedInScene* feed = nullptr;  // what mirrors and glass show of the camera's image; null: nothing
+  std::uint32_t key = 0;              // frame, eye and seed
   // Planar: rays pass through place (x, y) of each pixel, shifted by numbers of the pixel and this key.
   bool jitter = false;
   float jitter_x = 0.5f, jitter_y = 0.5f;
@@ -54,6 +56,8 @@ struct RayGrid {
 
 // Random-number key of a frame, by its time since the session's start, and eye.
 std::uint32_t frame_key(TimeNs since_start_ns, int eye, std::uint32_t seed);
+// That of a camera outside the headset: none of an eye.
+std::uint32_t outside_key(TimeNs since_start_ns, std::uint32_t seed);
 
 // Fill `grid` for an eye's polar buffer, or for one viewport's planar one. `samples` and `buffer` must
 // outlive it; of the eye's viewports (kMaxFrusta at most) those that lie within another are left out.

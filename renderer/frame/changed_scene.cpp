@@ -20,6 +20,10 @@ void Renderer::Impl::measure_reach() {
     farthest_m =
         std::max({farthest_m, glm::length(scene.probes.box->lower), glm::length(scene.probes.box->upper)});
   }
+  if (settings.outside) {  // wherever its space stands, no farther than both together
+    farthest_m = std::max(farthest_m, glm::length(settings.outside->space_from_camera.position) +
+                                          glm::length(scene.world_from_session.position));
+  }
   if (geometry->expect_rays(2.0 * farthest_m + beyond_scene_m))
     threads.inside([this] { geometry->place_at(glm::dvec3(geometry->anchor())); });
 }

@@ -36,7 +36,10 @@ void Renderer::Impl::allocate_buffers() {
 void Renderer::Impl::allocate_scratch() {
   for (const std::unique_ptr<TileScratch>& scratch : tile_scratch) {
     allocate_if(plan.mirror_rays || plan.refraction, scratch->second);
-    if (scratch->second) allocate_if(plan.refraction, scratch->second->pending);
+    if (scratch->second) {
+      allocate_if(plan.refraction, scratch->second->pending);
+      allocate_if(plan.mirrored_feed, scratch->second->feed);
+    }
     allocate_if(plan.further_lobes, scratch->first.lobes);
     if (scratch->second) allocate_if(plan.further_lobes, scratch->second->hits.lobes);
     allocate_if(plan.catchers_occlude, scratch->blocked);
@@ -55,7 +58,8 @@ MemoryUse Renderer::memory() const {
   for (const auto& samples : impl.samples) buffers += samples ? samples->bytes() : 0;
   for (const std::unique_ptr<TileScratch>& scratch : impl.tile_scratch) {
     tiles += static_cast<std::int64_t>(sizeof(TileScratch));
-    second += bytes_if(scratch->second) + (scratch->second ? bytes_if(scratch->second->pending) : 0);
+    second += bytes_if(scratch->second);
+    if (scratch->second) second += bytes_if(scratch->second->pending) + bytes_if(scratch->second->feed);
     blocked += bytes_if(scratch->blocked);
     layers += bytes_if(scratch->layers);
     adaptive += bytes_if(scratch->adaptive);
@@ -65,6 +69,7 @@ MemoryUse Renderer::memory() const {
   std::int64_t views = 0;
   for (const BlendedView& view : impl.blended_views) views += view.bytes();
   for (const BlendScratch& scratch : impl.blend_scratch) views += scratch.bytes();
+  if (impl.outside_work) views += impl.outside_work->bytes();
   return {{"acceleration structures", geometry.acceleration},
           {"surfaces", geometry.surfaces},
           {"textures", geometry.textures},

@@ -235,9 +235,19 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
   decide(plan.coloured_ratio, t.catchers > 0 && coloured, kColouredRatio,
          plan.catcher_probes ? "surfaces colour the light between them" : "some light is coloured",
          t.catchers > 0 ? "all light is white or grey" : "no catcher", t.catchers == 0 || !coloured);
-  decide(plan.camera, settings.camera && session_has_camera, "camera composite",
+  const bool painted = settings.see_through_colour.has_value();
+  decide(plan.camera, settings.camera && session_has_camera && !painted, "camera composite",
          "the session has a camera feed",
-         session_has_camera ? "switched off by settings" : "the session has no camera feed");
+         !session_has_camera ? "the session has no camera feed"
+         : painted           ? "one colour is painted in its place"
+                             : "switched off by settings");
+  // Catchers mirror virtual objects alone.
+  const bool shows = (plan.mirror_rays && t.reflecting > 0) || plan.refraction;
+  decide(plan.mirrored_feed, plan.camera && shows, kMirroredFeed,
+         "inside the camera's view; beyond it the environment, or a catcher's colour",
+         shows ? "no camera feed is shown: they show the environment"
+               : "no object reflects, and none is transparent",
+         !plan.camera || !shows);
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
   check_forced(settings, plan);
   return plan;

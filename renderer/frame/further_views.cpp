@@ -24,6 +24,18 @@ PictureOutline outline_of(const Viewport& v) {
   return outline;
 }
 
+PictureOutline outline_of(const OutsideView& view) {
+  const PictureCamera camera = picture_camera(view, {});
+  PictureOutline outline;
+  outline.name = view.name;
+  outline.kind = PictureKind::outside;
+  outline.width_px = view.width_px;
+  outline.height_px = view.height_px;
+  outline.tan_left = -camera.tan_right, outline.tan_right = camera.tan_right;
+  outline.tan_down = -camera.tan_up, outline.tan_up = camera.tan_up;
+  return outline;
+}
+
 }  // namespace
 
 const char* name_of(PictureKind kind) {
@@ -34,6 +46,8 @@ const char* name_of(PictureKind kind) {
       return "focus";
     case PictureKind::blended:
       return "blended";
+    case PictureKind::outside:
+      return "outside";
   }
   return "unknown";
 }
@@ -43,6 +57,7 @@ std::vector<PictureOutline> further_views(const DisplayProfile& profile, const R
   for (const Eye eye : kEyes) {
     if (auto outline = blended_outline(profile, eye, settings.blended_view)) views.push_back(*outline);
   }
+  if (settings.outside) views.push_back(outline_of(*settings.outside));
   return views;
 }
 
@@ -62,6 +77,10 @@ std::vector<const ViewportImage*> RenderedFrame::pictures() const {
 
 void Renderer::Impl::build_further_views() {
   further = further_views(profile, settings);
+  if (settings.outside) {
+    outside_work =
+        std::make_unique<OutsideWork>(*settings.outside, profile.viewports.size(), threads.count());
+  }
   int widest_view = 1;
   for (const Eye eye : kEyes) {
     auto view = blended_view(profile, eye, settings.blended_view);
@@ -87,7 +106,7 @@ void Renderer::Impl::set_up_further_views(RenderedFrame& out) const {
   }
 }
 
-// Blended views stand first in the list.
+// Blended views stand first in the list, the one from outside last.
 bool Renderer::Impl::blend_views(RenderedFrame& out, const std::atomic<bool>* abandon) {
   for (std::size_t i = 0; i < blended_views.size(); ++i) {
     const BlendJob job{&blended_views[i], out.viewports, &out.further[i].image};
@@ -99,9 +118,11 @@ bool Renderer::Impl::blend_views(RenderedFrame& out, const std::atomic<bool>* ab
   return true;
 }
 
-bool Renderer::Impl::make_further_views(RenderedFrame& out, const std::atomic<bool>* abandon) {
+bool Renderer::Impl::make_further_views(const FrameSample& sample, RenderedFrame& out,
+                                        const std::atomic<bool>* abandon) {
   set_up_further_views(out);
-  return blend_views(out, abandon);
+  if (!blend_views(out, abandon)) return false;
+  return !outside_work || render_outside(sample, out, abandon);
 }
 
 }  // namespace herr

@@ -11,11 +11,10 @@
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
-#include "renderer/cpu_use.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
-#include "renderer/viewports/camera_feed.h"
 #include "renderer/viewports/gaze_marker.h"
 
 namespace herr {
@@ -141,9 +140,10 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   timed(out.times, Stage::scene_update, [&] { impl.update_scene(state, out.quality); });
   if (impl.plan.probes && use.pass) impl.view_probes();
   if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
+  timed(out.times, Stage::viewports, [&] { impl.set_up_feeds(sample); });
   timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
   if (!impl.trace_tiles(out.times, use)) return false;
-  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(sample, out); });
+  timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
   require_finite_viewports(out);
   if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
@@ -158,7 +158,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
 
   // Beside what the headset shows: not of the frame time.
   const auto finished = SteadyClock::now();
-  if (!impl.make_further_views(out, use.abandon)) return false;
+  if (!impl.make_further_views(sample, out, use.abandon)) return false;
   if (!out.further.empty()) out.times.views_ms = milliseconds_since(finished);
   return true;
 }
@@ -250,8 +250,11 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
     shading.environment[channel] = scene.environment[channel];
     shading.smallest_irradiance[channel] = kDarkest * scale[channel];
   }
+  shading.paints_see_through = settings.see_through_colour.has_value();
+  if (shading.paints_see_through) paint_see_through(*settings.see_through_colour, shading);
   // An overlay without a feed darkens by its coverage: it cannot make brighter what lies behind it.
-  shading.largest_ratio = plan.virtual_lights && !settings.camera ? 1.0f : kLargestRatio;
+  shading.largest_ratio =
+      plan.virtual_lights && !settings.camera && !shading.paints_see_through ? 1.0f : kLargestRatio;
   shading.background_is_environment = !plan.camera && settings.camera;
   shading.debug_tiles = settings.debug_tiles;
   shading.shown_white = 1.0f / shown_scale();
@@ -270,6 +273,8 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }
+    const FeedInScene& feed = feeds[static_cast<std::size_t>(eye)];
+    grids[i].feed = plan.mirrored_feed && feed.view.image ? &feed : nullptr;
     grids[i].ray_width = static_cast<float>(settings.ray_width);
     grids[i].jitter = pass && pass->jitter;
     if (grids[i].jitter) set_jitter(*pass, static_cast<int>(i), grids[i]);
@@ -310,7 +315,7 @@ bool Renderer::Impl::trace_tiles(StageTimes& times, const FrameUse& use) {
   return whole;
 }
 
-void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& out) {
+void Renderer::Impl::set_up_viewports(RenderedFrame& out) {
   out.viewports.resize(profile.viewports.size());
   for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
     const Viewport& viewport = profile.viewports[i];
@@ -325,7 +330,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
     job.radiance = &buffers[static_cast<std::size_t>(buffer_of(i))];
     job.polar = plan.polar;
     job.filter = settings.filter;
-    job.opaque = shading.background_is_environment || settings.debug_tiles;
+    job.opaque = shading.background_is_environment || shading.paints_see_through || settings.debug_tiles;
     if (plan.polar) {
       const PolarSamples& polar = *samples[eye];
       job.polar_width = polar.width();
@@ -339,15 +344,7 @@ void Renderer::Impl::set_up_viewports(const FrameSample& sample, RenderedFrame& 
       // Each pixel has a texel of its own: no filter has anything to do.
       if (job.one_texel_per_pixel()) job.filter = ResampleFilter::nearest;
     }
-    job.feed = {};
-    if (!plan.camera || !sample.cameras[eye]) continue;
-    const SampledCamera& camera = *sample.cameras[eye];
-    job.feed.white = 1.0f / shown_scale();
-    job.feed.image = at_least_2x2(*camera.image, enlarged_feeds[eye]);
-    job.feed.model = camera.model;
-    job.feed.camera_from_eye =
-        inverse(camera.world_from_camera) * (sample.head.world_from_head * sample.head_from_eye[eye]);
-    job.feed.distance_m = settings.feed_distance_m.value_or(kUsualFeedDistance_m);
+    job.feed = feeds[eye].view;
   }
 }
 

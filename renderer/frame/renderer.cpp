@@ -6,6 +6,7 @@
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/probes/probe_reader.h"
 #include "renderer/settings_list.h"
+#include "renderer/threads/cpu_use.h"
 
 namespace herr {
 namespace {

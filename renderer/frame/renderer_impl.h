@@ -11,6 +11,7 @@
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/geometry/instance_boxes.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/outside/outside_work.h"
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probes/probe_motion.h"
 #include "renderer/renderer.h"
@@ -58,11 +59,13 @@ struct Renderer::Impl {
   ShadingInputs shading;
   std::vector<ViewportJob> viewport_jobs;     // one per viewport
   std::vector<int> first_strip;               // of each viewport, then the total
+  std::array<FeedInScene, 2> feeds;           // per eye
   std::array<CameraImage, 2> enlarged_feeds;  // copies of images too small for a bilinear fetch
 
   // Of the pictures beside the viewports, as further_views() lists them.
   std::vector<PictureOutline> further;
   std::vector<BlendedView> blended_views;
+  std::unique_ptr<OutsideWork> outside_work;
 
   // With probes only.
   std::unique_ptr<ProbeVolume> probes;
@@ -102,18 +105,23 @@ struct Renderer::Impl {
   int width_of(const EyeView& eye, int polar_width) const;
   // An eye without viewports has a map, too.
   static PolarMap polar_map(double theta_max_deg) { return PolarMap::up_to(std::max(theta_max_deg, 1e-3)); }
+  void set_up_feeds(const FrameSample& sample);
   void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);
   bool trace_tiles(StageTimes& times, const FrameUse& use);
-  void set_up_viewports(const FrameSample& sample, RenderedFrame& out);
+  void set_up_viewports(RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
   void draw_overlays(RenderedFrame& out);
   void collect_counters(RenderedFrame& out) const;
+  void paint_see_through(const ShownColour& colour, ShadingInputs& inputs) const;
 
   // After the frame (further_views.cpp). False: it was given up.
   void build_further_views();
-  bool make_further_views(RenderedFrame& out, const std::atomic<bool>* abandon);
+  bool make_further_views(const FrameSample& sample, RenderedFrame& out, const std::atomic<bool>* abandon);
   void set_up_further_views(RenderedFrame& out) const;
   bool blend_views(RenderedFrame& out, const std::atomic<bool>* abandon);
+  bool render_outside(const FrameSample& sample, RenderedFrame& out, const std::atomic<bool>* abandon);
+  void set_up_outside(const FrameSample& sample, const Pose& anchored_from_camera);
+  void set_up_overlay(const FrameSample& sample, const PictureCamera& camera);
 
   // What follows from the instances that are there (changed_scene.cpp).
   void measure_reach();

@@ -61,7 +61,8 @@ HWY_NOINLINE inline void end_pending(const TileJob& job) {
     const V3 ahead{set(0.0f), set(0.0f), set(-1.0f)};
     const V3 direction = select(lanes, load_unaligned(pending.direction), ahead);
     end_paths(job, hn::LoadU(kI, pending.path.data() + start), lanes, load_unaligned(pending.weight),
-              environment_radiance(*job.shading, direction));
+              feed_or(job, load_unaligned(pending.origin), direction, lanes,
+                      environment_radiance(*job.shading, direction)));
   }
   pending.begin = pending.end = 0;
 }

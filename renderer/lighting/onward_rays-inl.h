@@ -230,10 +230,11 @@ HWY_NOINLINE inline void send_onward(const TileJob& job, int count) {
         const MF ends = hn::And(hn::And(last, onward.clear), hn::Or(through, back));
         if (hn::AllFalse(kF, ends)) continue;
         const MF straight = hn::Ge(largest(onward.through), largest(onward.back));
-        const V3 direction = select(straight, onward.at.through, onward.at.back);
-        end_paths(
-            job, path, ends, add(onward.through, onward.back),
-            light_from_outside(job, hits, slot, ends, select(ends, direction, load3(hits.normal, slot))));
+        const V3 direction =
+            select(ends, select(straight, onward.at.through, onward.at.back), load3(hits.normal, slot));
+        const V3 around = light_from_outside(job, hits, slot, ends, direction);
+        end_paths(job, path, ends, add(onward.through, onward.back),
+                  feed_or(job, load3(hits.position, slot), direction, ends, around));
         continue;
       }
       push_back(pending, hits, slot, onward, load3(second.medium, slot), path, hn::AndNot(last, back));

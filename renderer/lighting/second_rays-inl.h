@@ -4,9 +4,11 @@
 
 #include <cstring>
 
+#include "renderer/lighting/catcher_ratio-inl.h"
 #include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/interfaces-inl.h"
+#include "renderer/lighting/mirrored_feed-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
@@ -98,6 +100,7 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
   for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
     second.hits.block[i] = scratch.first.block[static_cast<std::size_t>(second.sender[i])];
   }
+  if (job.grid->feed != nullptr) show_feed(job, queue.count);
 }
 
 // With probes: what second hits [0, rays) receive from other surfaces.
@@ -119,11 +122,20 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool 
   for (int start = 0; start < rays; start += kLanes) {
     const MF object = of_kind(second, start, HitKind::object), miss = of_kind(second, start, HitKind::miss);
     V3 radiance = outgoing(second, start, *job.shading, onward, false);
-    if (!hn::AllFalse(kF, miss)) {
+    MF brings = hn::Or(object, miss);
+    if (job.grid->feed != nullptr) {
+      const MF catcher = of_kind(second, start, HitKind::catcher);
+      V3 feed = load3(sent.feed->radiance, start);
+      if (!hn::AllFalse(kF, catcher)) {
+        const CatcherLight at = catcher_light(*job.shading, second, start, false, false);
+        feed = select(catcher, add(multiply(feed, at.ratio), at.added), feed);
+      }
+      radiance = select(object, radiance, feed);
+      brings = hn::Or(brings, catcher);
+    } else if (!hn::AllFalse(kF, miss)) {
       const V3 back = load3(second.viewer, start);
       radiance = select(object, radiance, environment_radiance(*job.shading, scale(back, set(-1.0f))));
     }
-    const MF brings = hn::Or(object, miss);
     hn::Store(hn::IfThenElseZero(brings, radiance.x), kF, r);
     hn::Store(hn::IfThenElseZero(brings, radiance.y), kF, g);
     hn::Store(hn::IfThenElseZero(brings, radiance.z), kF, b);

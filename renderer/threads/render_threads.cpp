@@ -8,13 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <cstdlib>
-#include <sstream>
-#include <string>
-
-#include "renderer/cpu_use.h"
-#include "sessions/files/input_file.h"
 
 namespace herr {
 namespace {
@@ -22,20 +15,7 @@ namespace {
 constexpr unsigned kFlushDenormals =
     0x8040;  // FTZ and DAZ: Embree's documentation asks for both while tracing
 
-// cgroup v2 "cpu.max" holds "QUOTA PERIOD" in microseconds, or "max PERIOD".
-int cgroup_quota_threads() {
-  std::istringstream file(read_kernel_text("/sys/fs/cgroup/cpu.max"));
-  std::string quota;
-  double period = 0;
-  if (!(file >> quota >> period) || quota == "max" || period <= 0) return 1 << 20;
-  return std::max(1, static_cast<int>(std::ceil(std::strtod(quota.c_str(), nullptr) / period)));
-}
-
 }  // namespace
-
-int available_threads() {
-  return std::clamp(std::min(tbb::info::default_concurrency(), cgroup_quota_threads()), 1, 512);
-}
 
 struct RenderThreads::Arena {
   // Sets FTZ/DAZ on every thread that works in the arena, and puts the caller's mode back when it leaves.

@@ -143,6 +143,12 @@ struct alignas(64) PendingRays {
   int budget = 0;            // how many more of them may be traced
 };
 
+// What second rays show of the camera feed, in front of the catchers' ratio; of those that leave the scene
+// outside the camera's view, the environment.
+struct alignas(64) ShownFeed {
+  Lane3 radiance;
+};
+
 // Rays that first hits send on, and what those meet. All but `hits` per ray in work.
 struct alignas(64) SecondRays {
   HitBatch hits;
@@ -151,6 +157,7 @@ struct alignas(64) SecondRays {
   Lane3 medium;               // only with glass, as PendingRays::medium
   Lane<std::int32_t> path;    // only with glass: sender, and the way since (lighting/onward_rays-inl.h)
   std::unique_ptr<PendingRays> pending;  // only with glass
+  std::unique_ptr<ShownFeed> feed;       // only where they show the camera feed
 };
 
 // One worker's memory for the tile in work. What only some scenes need is there where the plan asks for it
@@ -187,8 +194,11 @@ struct ShadingInputs {
   float environment[3] = {};
   float smallest_irradiance[3] =
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is
-  float largest_ratio = kLargestRatio;  // of catchers; 1 where no feed is there that could grow brighter
+  float largest_ratio = kLargestRatio;     // of catchers; 1 where no feed is there that could grow brighter
   bool background_is_environment = false;  // no feed to show: misses return the environment, opaque
+  float see_through[3] = {};               // radiance that stands for the feed, where it is painted
+  bool paints_see_through = false;         // over whatever would show the feed: opaque
+  bool paints_catchers = false;            // over catchers alone
   bool debug_tiles = false;
   float shown_white = 1;  // radiance that is shown as white: what is painted, not lit, has colours times it
 };

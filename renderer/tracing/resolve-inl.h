@@ -3,26 +3,14 @@
 // they mirror of the virtual objects.
 #pragma once
 
-#include <cmath>
 #include <cstring>
 
+#include "renderer/lighting/catcher_ratio-inl.h"
 #include "renderer/lighting/refractions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-constexpr float kSnapToOne = 0x1p-9f;  // below what 8 bits show: the feed must stay as it was, bit for bit
-constexpr float kPi = 3.14159265f;
-
-// E_with / E_without where there is light to compare, clamped and snapped.
-HWY_INLINE VF catcher_ratio(VF with_objects, VF without, float smallest, float largest) {
-  const VF one = set(1.0f);
-  const VF ratio = hn::Min(hn::Div(with_objects, hn::Max(without, set(1e-30f))), set(largest));
-  const MF keep =
-      hn::Or(hn::Le(without, set(smallest)), hn::Lt(hn::Abs(hn::Sub(ratio, one)), set(kSnapToOne)));
-  return hn::IfThenElse(keep, one, ratio);
-}
 
 // Replaces what is not finite by 0 and counts it; keeps the rest within the range of half.
 HWY_INLINE VF finite_half(VF value, MF lanes, std::int64_t& nonfinite) {
@@ -52,69 +40,23 @@ struct Texel {
   V3 light, ratio;
 };
 
-// Irradiance that `ratio` does not carry: where it is clamped, or there is no light to compare with.
-HWY_INLINE VF light_beyond(VF with_objects, VF without, VF ratio, float smallest, float largest) {
-  const MF carried = hn::And(hn::Gt(without, set(smallest)), hn::Lt(ratio, set(largest)));
-  return hn::IfThenZeroElse(carried, hn::Max(hn::NegMulAdd(ratio, without, with_objects), hn::Zero(kF)));
+// With `behind` in place of the feed.
+HWY_INLINE Texel painted_texel(const Texel& texel, const V3& behind) {
+  const VF zero = hn::Zero(kF);
+  return {
+      {hn::MulAdd(behind.x, texel.ratio.x, texel.light.x), hn::MulAdd(behind.y, texel.ratio.y, texel.light.y),
+       hn::MulAdd(behind.z, texel.ratio.z, texel.light.z)},
+      {zero, zero, zero}};
 }
 
-// Share of what virtual objects change about indirect light that is left at hits outside the box that probes
-// stand for: look-ups there take the outermost probes, and light falls with the square of the distance from
-// the box, R^2 / (R + d)^2 with R half its diagonal. 1 inside.
-HWY_INLINE VF share_outside(const ProbeView& view, const HitBatch& hits, int slot) {
-  const V3 p = sub(load3(hits.position, slot), set3(view.lower));
-  VF outside2 = hn::Zero(kF);
-  float diagonal2 = 0;
-  const auto axis = [&](VF at, std::size_t a) HWY_ATTR {
-    const float spacing = 1 / view.inverse_spacing[a], extent = spacing * static_cast<float>(view.counts[a]);
-    const VF beyond = hn::Max(hn::Sub(at, set(extent)), hn::Sub(set(-spacing), at));
-    const VF off = hn::Max(beyond, hn::Zero(kF));
-    outside2 = hn::MulAdd(off, off, outside2);
-    diagonal2 += extent * extent;
-  };
-  axis(p.x, 0);
-  axis(p.y, 1);
-  axis(p.z, 2);
-  const VF radius = set(0.5f * std::sqrt(diagonal2));
-  const VF share = hn::Div(radius, hn::Add(radius, hn::Sqrt(outside2)));
-  return hn::Mul(share, share);
-}
-
-// What the feed keeps on catchers, and what is added to it: what they mirror, and of virtual light what the
-// ratio cannot carry, as the difference of two renderings (Debevec 1998) of a surface that scatters its
-// colour.
+// What the feed keeps on catchers, and what is added to it.
 HWY_INLINE Texel catcher_texel(const TileJob& job, int slot, MF catcher) {
-  const ShadingInputs& shading = *job.shading;
-  const HitBatch& hits = job.scratch->first;
-  const VF zero = hn::Zero(kF), one = set(1.0f);
-  const bool occlusion = shading.plan->occlusion, probes = shading.catcher_probes != nullptr;
-  const VF open = occlusion ? hn::Max(load(&hits.open[slot]), zero) : one;
-  const VF open_without = occlusion ? hn::Max(load(&hits.open_without[slot]), zero) : one;
-  const VF left = probes ? share_outside(*shading.probes, hits, slot) : one;
-  const MF outside = hn::Lt(left, one);
-  MF beyond = first_lanes(0);
-  const auto channel = [&](Lane<float> Lane3::*at, std::size_t c, VF& light, VF& ratio) HWY_ATTR {
-    const VF pi = set(kPi), ambient = set(kPi * shading.ambient[c]);
-    const VF all_without = probes ? hn::Mul(pi, load(&(hits.indirect_without.*at)[slot])) : ambient;
-    VF all = probes ? hn::Mul(pi, load(&(hits.indirect.*at)[slot])) : ambient;
-    all = hn::IfThenElse(outside, hn::MulAdd(left, hn::Sub(all, all_without), all_without), all);
-    const VF with_objects = hn::MulAdd(all, open, load(&(hits.direct.*at)[slot]));
-    const VF without = hn::MulAdd(all_without, open_without, load(&(hits.direct_without.*at)[slot]));
-    const float smallest = shading.smallest_irradiance[c], largest = shading.largest_ratio;
-    ratio = catcher_ratio(with_objects, without, smallest, largest);
-    light = shading.plan->catcher_mirrors ? load(&(hits.mirrored.*at)[slot]) : zero;
-    if (!shading.plan->virtual_lights) return;
-    const VF rest = light_beyond(with_objects, without, ratio, smallest, largest);
-    beyond = hn::Or(beyond, hn::Gt(rest, zero));
-    const VF metal = hn::Max(hn::Sub(load(&(hits.f0.*at)[slot]), set(kUsualF0)), zero);
-    light = hn::MulAdd(hn::Mul(rest, set(1 / kPi)), hn::Add(load(&(hits.diffuse.*at)[slot]), metal), light);
-  };
-  Texel texel;
-  channel(&Lane3::x, 0, texel.light.x, texel.ratio.x);
-  channel(&Lane3::y, 1, texel.light.y, texel.ratio.y);
-  channel(&Lane3::z, 2, texel.light.z, texel.ratio.z);
-  job.counters->light_beyond_feed += static_cast<std::int64_t>(hn::CountTrue(kF, hn::And(beyond, catcher)));
-  return texel;
+  const FramePlan& plan = *job.shading->plan;
+  const CatcherLight at =
+      catcher_light(*job.shading, job.scratch->first, slot, plan.occlusion, plan.catcher_mirrors);
+  job.counters->light_beyond_feed +=
+      static_cast<std::int64_t>(hn::CountTrue(kF, hn::And(at.beyond, catcher)));
+  return {at.added, at.ratio};
 }
 
 // What the first hits themselves show and keep.
@@ -134,34 +76,29 @@ HWY_INLINE Texel surface_texel(const TileJob& job, int packet, VI kind) {
     texel.ratio = select(object, V3{zero, zero, zero}, texel.ratio);
   }
   if (shading.plan->catchers && !hn::AllFalse(kF, catcher)) {
-    const Texel real = catcher_texel(job, slot, catcher);
+    Texel real = catcher_texel(job, slot, catcher);
+    if (shading.paints_catchers) real = painted_texel(real, set3(shading.see_through));
     texel.ratio = select(catcher, real.ratio, texel.ratio);
     texel.light = select(catcher, real.light, texel.light);
   }
   return texel;
 }
 
-// Puts the background behind: debug colours or the environment, where no feed is shown.
+// Puts the background behind: debug colours, one colour or the environment, where no feed is shown.
 HWY_INLINE void put_background(const TileJob& job, int packet, Texel& texel) {
   const ShadingInputs& shading = *job.shading;
   const HitBatch& hits = job.scratch->first;
   const int slot = packet * kLanes;
-  const VF zero = hn::Zero(kF);
   if (shading.debug_tiles && job.grid->polar) {
     const V3 colour = scale(debug_colour(*job.grid, job.scratch->packet_x[static_cast<std::size_t>(packet)],
                                          job.scratch->packet_y[static_cast<std::size_t>(packet)]),
                             set(shading.shown_white));
-    texel.light = {hn::MulAdd(colour.x, texel.ratio.x, texel.light.x),
-                   hn::MulAdd(colour.y, texel.ratio.y, texel.light.y),
-                   hn::MulAdd(colour.z, texel.ratio.z, texel.light.z)};
-    texel.ratio = {zero, zero, zero};
+    texel = painted_texel(texel, colour);
+  } else if (shading.paints_see_through) {
+    texel = painted_texel(texel, set3(shading.see_through));
   } else if (shading.background_is_environment) {
     const V3 back = load3(hits.viewer, slot);
-    const V3 environment = environment_radiance(shading, scale(back, set(-1.0f)));
-    texel.light = {hn::MulAdd(environment.x, texel.ratio.x, texel.light.x),
-                   hn::MulAdd(environment.y, texel.ratio.y, texel.light.y),
-                   hn::MulAdd(environment.z, texel.ratio.z, texel.light.z)};
-    texel.ratio = {zero, zero, zero};
+    texel = painted_texel(texel, environment_radiance(shading, scale(back, set(-1.0f))));
   }
 }
 

@@ -3,16 +3,12 @@
 // one widening conversion.
 #pragma once
 
-#include "renderer/simd/simd_types-inl.h"
+#include "renderer/feed/feed_texels-inl.h"
 #include "renderer/viewports/viewport_job.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-using F4 = hn::FixedTag<float, 4>;
-using V4 = hn::Vec<F4>;
-constexpr F4 kF4{};
 
 // Where the 16 pixels of a block row fetch from.
 struct alignas(64) BlockCoordinates {
@@ -23,29 +19,6 @@ struct alignas(64) FeedCoordinates {
   BlockCoordinates at;
   float seen[kBlockColumns];  // 1 inside the image, 0 outside
 };
-
-// Bilinear blend of texels at p, p + 1 and one row below. Equal texels give exactly their value.
-HWY_INLINE V4 bilinear(const std::uint16_t* p, std::size_t row_stride, float x, float y) {
-  const auto* upper = reinterpret_cast<const hwy::float16_t*>(p);
-  const auto* lower = reinterpret_cast<const hwy::float16_t*>(p + 4 * row_stride);
-#if HWY_TARGET == HWY_SSE4
-  const hn::FixedTag<hwy::float16_t, 4> half;
-  const V4 wy = hn::Set(kF4, y);
-  const auto column = [&](std::size_t i) HWY_ATTR {
-    const V4 a = hn::PromoteTo(kF4, hn::LoadU(half, upper + i)),
-             b = hn::PromoteTo(kF4, hn::LoadU(half, lower + i));
-    return hn::MulAdd(wy, hn::Sub(b, a), a);
-  };
-  const V4 left = column(0), right = column(4);
-#else
-  const hn::FixedTag<float, 8> f8;
-  const hn::FixedTag<hwy::float16_t, 8> half;
-  const auto a = hn::PromoteTo(f8, hn::LoadU(half, upper)), b = hn::PromoteTo(f8, hn::LoadU(half, lower));
-  const auto columns = hn::MulAdd(hn::Set(f8, y), hn::Sub(b, a), a);
-  const V4 left = hn::LowerHalf(columns), right = hn::UpperHalf(kF4, columns);
-#endif
-  return hn::MulAdd(hn::Set(kF4, x), hn::Sub(right, left), left);
-}
 
 HWY_INLINE V4 nearest(const std::uint16_t* p, std::size_t row_stride, float x, float y) {
   const hn::FixedTag<hwy::float16_t, 4> half;

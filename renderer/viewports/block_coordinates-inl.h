@@ -39,21 +39,11 @@ HWY_INLINE void place_polar(const ViewportJob& job, VF column, VF row, int lane,
 
 // Camera pixel coordinates -> texel offset and weights, clamped to the image; outside it nothing is seen.
 HWY_INLINE void place_feed(const ViewportJob& job, VF x, VF y, VF valid, int lane, FeedCoordinates& out) {
-  const CameraImage& image = *job.feed.image;
-  const VF zero = hn::Zero(kF), half = set(0.5f), one = set(1.0f);
-  const VF right = set(static_cast<float>(image.width_px - 1)),
-           bottom = set(static_cast<float>(image.height_px - 1));
-  const MF inside = hn::And(hn::And(hn::Ge(x, hn::Neg(half)), hn::Le(x, hn::Add(right, half))),
-                            hn::And(hn::Ge(y, hn::Neg(half)), hn::Le(y, hn::Add(bottom, half))));
-  hn::Store(hn::IfThenElseZero(inside, valid), kF, &out.seen[lane]);
-  const VF cx = hn::Min(hn::Max(x, zero), right), cy = hn::Min(hn::Max(y, zero), bottom);
-  const VF x0 = hn::Min(hn::Floor(cx), hn::Sub(right, one)),
-           y0 = hn::Min(hn::Floor(cy), hn::Sub(bottom, one));
-  hn::Store(hn::Sub(cx, x0), kF, &out.at.x[lane]);
-  hn::Store(hn::Sub(cy, y0), kF, &out.at.y[lane]);
-  const VI offset =
-      hn::Add(hn::Mul(hn::ConvertTo(kI, y0), hn::Set(kI, image.width_px)), hn::ConvertTo(kI, x0));
-  hn::Store(hn::BitCast(kU, offset), kU, &out.at.offset[lane]);
+  const FeedPlace at = place_in_feed(*job.feed.image, x, y);
+  hn::Store(hn::IfThenElseZero(at.in_image, valid), kF, &out.seen[lane]);
+  hn::Store(at.x, kF, &out.at.x[lane]);
+  hn::Store(at.y, kF, &out.at.y[lane]);
+  hn::Store(hn::BitCast(kU, at.offset), kU, &out.at.offset[lane]);
 }
 
 // Feed coordinates of 16 pixels without interpolation.

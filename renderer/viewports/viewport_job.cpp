@@ -54,8 +54,7 @@ float exact_below_deg(const Viewport& v, const PolarMap& map, int width, int hei
 }
 
 std::optional<glm::dvec2> camera_pixel(const Viewport& viewport, const FeedView& feed, double x, double y) {
-  const glm::dvec3 point = glm::normalize(eye_direction(viewport, x, y)) * feed.distance_m;
-  return feed.model->project(feed.camera_from_eye(point));
+  return camera_pixel(feed, eye_direction(viewport, x, y));
 }
 
 StripScratch::StripScratch(int widest_px)

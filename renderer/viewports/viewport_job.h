@@ -8,30 +8,19 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/feed/feed_view.h"
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_map.h"
 #include "renderer/foveation/radiance_buffer.h"
 #include "renderer/render_settings.h"
 #include "renderer/viewport_image.h"
-#include "sessions/camera/camera_image.h"
-#include "sessions/camera/camera_model.h"
 #include "sessions/format/display_profile.h"
-#include "sessions/format/pose.h"
 
 namespace herr {
 
 inline constexpr int kCellSide = 8;       // pixels: polar coordinates are exact at cell corners
 inline constexpr int kStripRows = 16;     // rows of a job; one row of camera cells, two of polar cells
 inline constexpr int kBlockColumns = 16;  // pixels that are composited together
-
-// The camera feed of one eye in this frame.
-struct FeedView {
-  const CameraImage* image = nullptr;  // at least 2x2; null: no feed
-  const CameraModel* model = nullptr;
-  Pose camera_from_eye;     // at the frame's exposure against the eye now
-  double distance_m = 2.0;  // the feed is taken to lie on a sphere of this radius about the eye
-  float white = 1;          // radiance that the feed's white is shown as: 1 / exposure
-};
 
 // A direction of pixel (x, y) in the gaze frame is base + x * per_x + y * per_y, not normalised.
 struct PixelToGaze {

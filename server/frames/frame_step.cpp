@@ -1,5 +1,7 @@
 #include "server/frames/frame_step.h"
 
+#include <cmath>
+
 #include "server/frames/frame_description.h"
 #include "server/frames/frame_quality.h"
 #include "server/process/steady_time.h"
@@ -18,12 +20,14 @@ void FrameStep::prepare(std::int64_t frame) {
   sample_ = opened_.session->sample(t_ns);
   sampled_ns_ = steady_now_ns();
   opened_.player->advance(*opened_.session, t_ns);
+  if (!opened_.renderer) return;
   decision_ = controller_->decide(sample_.head_speed, opened_.renderer->full_quality(sample_).polar_width);
 }
 
 bool FrameStep::render(RenderedFrame& out, const std::atomic<bool>* abandon, const FramePacing& pacing) {
   if (!opened_.renderer->render_frame(sample_, scene_state(), decision_.quality, out, abandon)) return false;
-  finished_ns_ = steady_now_ns();
+  // Further views are made after the frame, and are none of its cost.
+  finished_ns_ = steady_now_ns() - std::llround(out.times.views_ms * 1e6);
   describe(out, pacing);
   const bool missed = pacing.pacer != nullptr && record_.missed;
   controller_->observe(cost_of_frame(out, started_ns_, finished_ns_, missed));

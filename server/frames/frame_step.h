@@ -33,7 +33,7 @@ class FrameStep {
 
   // Brings recording and scene to the time of frame `frame` of report.range and chooses its quality. Numbers
   // never decrease until begin_lap() or rewind(). Throws InputError for what the recording or a change of
-  // the scene has wrong.
+  // the scene has wrong. Where the renderer was given back no quality is chosen.
   void prepare(std::int64_t frame);
   // Renders the prepared frame and describes it in record(). False: `abandon` (may be null) gave it up; then
   // neither `out` nor record() is of use. Throws as Renderer::render_frame.

@@ -6,6 +6,7 @@
 #include "server/frames/auto_exposure.h"
 #include "server/process/exit_code.h"
 #include "server/results/memory_parts.h"
+#include "server/settings/view_file.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -24,6 +25,19 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
   opened.player->rehearse(*opened.session, opened.scene);
   report.scene_name = opened.scene.name;
   report.scene_triangles = triangle_count(opened.scene, false);
+}
+
+// Its picture joins those of the viewports, under its own name.
+std::optional<OutsideView> view_of(const ReplayOptions& options, const DisplayProfile& profile) {
+  if (options.view.empty()) return std::nullopt;
+  const OutsideView view = load_view_file(options.view);
+  for (const Viewport& viewport : profile.viewports) {
+    if (viewport.name != view.name) continue;
+    throw InputError(options.view, 0,
+                     "field name is '" + view.name + "', as a viewport of the display profile is called",
+                     "give the view another name");
+  }
+  return view;
 }
 
 }  // namespace
@@ -46,6 +60,7 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   report.header = session.header();
   report.findings = session.findings();
   report.profile = options.profile.empty() ? report.header.profile : load_display_profile(options.profile);
+  const std::optional<OutsideView> view = view_of(options, report.profile);
   // In real time a frame of the session is a tick of the display.
   const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
   const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;
@@ -56,7 +71,9 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
                      " lies in that span; choose one within the session");
   }
   open_scene(options, report, opened);
-  build_renderer(options.render, report, opened);
+  RenderSettings asked = options.render;
+  asked.outside = view;
+  build_renderer(asked, report, opened);
   if (opened.renderer->settings().auto_exposure) {
     choose_exposure(report, opened);
     open_recording(options, report, opened);  // from its start again

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/inspect/acuity/acuity_json.h"
+#include "server/inspect/mirror_words.h"
 #include "server/inspect/time_plot.h"
 #include "server/process/exit_code.h"
 #include "server/process/version.h"
@@ -300,6 +301,7 @@ Json inspect_json(const InspectReport& report) {
   if (report.plan) json["plan"] = plan_json(*report.plan);
   if (report.acuity) json["acuity"] = acuity_json(*report.acuity);
   if (!report.acuity_plot.empty()) json["acuity"]["plot"] = report.acuity_plot.string();
+  if (report.plan) json["mirrors_and_glass"] = mirror_words(report);
   if (report.probes) json["probes"] = probe_dump_json(*report.probes);
   return json;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/inspect/acuity/acuity_text.h"
+#include "server/inspect/mirror_words.h"
 #include "server/inspect/scene_text.h"
 #include "server/inspect/session_text.h"
 #include "server/results/settings_report.h"
@@ -22,11 +23,19 @@ std::string plan_text(const InspectReport& report) {
     widest = std::max(widest, static_cast<int>(entry.name.size()));
   for (const PlanEntry& entry : report.plan->entries) {
     // Without a session nobody knows.
-    const bool open = !report.session && entry.name == "camera composite" && report.settings.camera;
+    const bool by_session = entry.name == "camera composite" || entry.name == kMirroredFeed;
+    const bool open = !report.session && by_session && report.settings.camera;
     text += "  " + left_aligned(entry.runs ? "runs" : "skipped", 9) + left_aligned(entry.name, widest + 2) +
             (open ? "no session is inspected" : entry.reason) + "\n";
   }
   return text + "\n";
+}
+
+std::string mirrors_text(const InspectReport& report) {
+  const std::vector<std::string> words = mirror_words(report);
+  std::string text;
+  for (const std::string& sentence : words) text += "  " + sentence + "\n";
+  return text.empty() ? "" : "mirrors and glass\n" + text + "\n";
 }
 
 std::string findings_text(const FindingList& findings) {
@@ -62,6 +71,7 @@ std::string inspect_text(const InspectReport& report) {
   if (report.acuity) text += acuity_text(*report.acuity);
   if (!report.acuity_plot.empty())
     text += "the plot as a picture: " + printable(report.acuity_plot.string()) + "\n\n";
+  text += mirrors_text(report);
   if (report.probes) text += probe_dump_text(*report.probes);
   return text + findings_text(report.findings) + verdict(report);
 }

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <string>
 
-#include "renderer/cpu_use.h"
+#include "renderer/threads/cpu_use.h"
 #include "sessions/files/input_file.h"
 
 namespace herr {

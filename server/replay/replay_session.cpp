@@ -58,6 +58,7 @@ class SessionReplay {
     report_.name = session_folder_name(session);
     report_.session_folder = session;
     report_.out_folder = folder_.path();
+    report_.load = process_load();
   }
 
   SessionReport run();

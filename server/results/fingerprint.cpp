@@ -14,6 +14,7 @@
 #include "server/results/settings_report.h"
 #include "server/settings/quality_target.h"
 #include "server/settings/run_settings.h"
+#include "server/settings/view_file.h"
 #include "server/text/number_text.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
@@ -147,6 +148,7 @@ Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, 
   const std::set<fs::path> files(scene.files.begin(), scene.files.end());
   for (const fs::path& file : files) add(file, fs::absolute(report.scene_file).parent_path());
   inputs.emplace_back("the display profile", profile_text(report.profile));
+  if (report.settings.outside) inputs.emplace_back("the view", view_text(*report.settings.outside));
   return inputs;
 }
 

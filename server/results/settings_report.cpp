@@ -69,6 +69,7 @@ ReplayOptions resolved_options(const ReplayOptions& options, const SessionReport
   ReplayOptions resolved = options;
   resolved.render = report.settings;
   resolved.profile = printable(report.profile.name);
+  if (report.settings.outside) resolved.view = report.settings.outside->name;
   return resolved;
 }
 

@@ -25,6 +25,7 @@ struct ReplayOptions {
   std::filesystem::path out = "out";            // each session gets a folder of its name in it
   PictureFormat format = PictureFormat::png;
   std::string profile;  // built-in name or file; empty: the profile of the session
+  std::string view;     // file of a camera outside the headset; empty: none
   RenderSettings render;
   SessionOptions session;
   ReplayClock clock = ReplayClock::virtual_time;

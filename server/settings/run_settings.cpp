@@ -18,12 +18,12 @@ constexpr int kWidestPolarBuffer = 16384;
 constexpr std::array<QualityPolicy, 4> kPolicies{
     QualityPolicy{false, false}, {true, false}, {false, true}, {true, true}};
 
-TextSetting profile_name(std::string& profile) {
-  const auto set = [&profile](const std::string& text) {
+TextSetting path_setting(std::string& path, const char* form, const char* example) {
+  const auto set = [&path](const std::string& text) {
     if (text.empty()) throw std::invalid_argument("the path is empty; give a file or folder");
-    profile = text;
+    path = text;
   };
-  return {[&profile] { return profile; }, set, "NAME|FILE", "xr1-half"};
+  return {[&path] { return path; }, set, form, example};
 }
 
 WordSetting policy_name(QualityPolicy& policy) {
@@ -78,7 +78,8 @@ TextSetting sheet_choice(ReplayOptions& options) {
 std::vector<Setting> of_reading(ReplayOptions& o) {
   return {
       {"profile", "--profile", "", Group::session, Effect::pictures,
-       "display profile: xr1, xr1-half or a file", profile_name(o.profile), "the session's"},
+       "display profile: xr1, xr1-half or a file", path_setting(o.profile, "NAME|FILE", "xr1-half"),
+       "the session's"},
       {"sampling", "--sampling", "", Group::session, Effect::pictures,
        "headset state: latest, predict or interpolate",
        one_of(o.session.sampling, {name_of(SamplingMode::latest), name_of(SamplingMode::predict),
@@ -123,11 +124,21 @@ std::vector<Setting> of_files(ReplayOptions& o) {
   };
 }
 
+std::vector<Setting> of_views(ReplayOptions& o) {
+  return {
+      {"view", "--view", "", Group::views, Effect::pictures,
+       "a further picture, from a camera outside the headset that this file places (fields: "
+       "server/settings/README.md): the scene, with head, gaze and frusta drawn in",
+       path_setting(o.view, "FILE", "overview.view.json"), "none"},
+  };
+}
+
 }  // namespace
 
 std::vector<Setting> settings_of(ReplayOptions& options) {
   std::vector<Setting> all = settings_of(options.render);
-  for (const std::vector<Setting>& part : {of_reading(options), of_time(options), of_files(options)}) {
+  for (const std::vector<Setting>& part :
+       {of_reading(options), of_time(options), of_files(options), of_views(options)}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

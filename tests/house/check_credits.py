@@ -43,8 +43,12 @@ LIBRARIES = (
 SYSTEM_OBJECTS = ("libc.so*", "libm.so*", "libgcc_s.so*", "libstdc++.so*", "libdl.so*", "libpthread.so*", "ld-linux*.so*",
                   "libatomic.so*", "lib[altu]*san.so*")
 SYSTEM_FOLDERS = ("sys/*", "linux/*", "netinet/*", "arpa/*", "gnu/*")
-SYSTEM_HEADERS = {"dirent.h", "dlfcn.h", "fcntl.h", "malloc.h", "poll.h", "signal.h", "spawn.h", "stdlib.h", "unistd.h",
-                  "x86intrin.h", "xmmintrin.h"}
+# Of the C library, of POSIX and of the compiler, each with ".h".
+SYSTEM_HEADERS = {name + ".h" for name in (
+    "assert ctype errno fenv float inttypes limits locale math setjmp signal stdarg stdbool stddef stdint stdio stdlib string "
+    "time wchar wctype alloca dirent dlfcn elf endian execinfo fcntl fnmatch ftw getopt glob grp iconv ifaddrs langinfo libgen "
+    "link malloc netdb poll pthread pwd regex sched semaphore spawn strings sysexits syslog termios ucontext unistd utime wait "
+    "cpuid emmintrin immintrin x86intrin xmmintrin").split()}
 PACKAGED = re.compile(r"/usr/share/([\w./-]+)")
 FONT_PACKAGE = re.compile(r"\bfonts-[\w-]+")
 

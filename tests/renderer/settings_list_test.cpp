@@ -124,6 +124,24 @@ TEST(SettingsList, SizesAreOfBothEyesAndEven) {
   EXPECT_EQ(settings.polar_width, 1024);
 }
 
+// Whoever reads the sizes has the most of any frame; another size ends it.
+TEST(SettingsList, TheSizeMayFollowTheAcuity) {
+  RenderSettings settings;
+  const std::vector<Setting> rows = settings_of(settings);
+  const Setting& polar = setting_named(rows, "polar");
+  set_value(polar, std::string("acuity"));
+  EXPECT_TRUE(settings.polar_acuity);
+  EXPECT_EQ(settings.polar_width, kMostAcuityWidth);
+  EXPECT_EQ(settings.polar_height, kAcuityHeight);
+  EXPECT_EQ(text_of(polar), "acuity");
+  EXPECT_EQ(complaint([&] { check_settings(settings); }), "");
+  EXPECT_EQ(range_text(polar), "2x2 ... 16384x8192, acuity");
+  EXPECT_NE(complaint([&] { set_text(polar, "Acuity"); }).find("or acuity"), std::string::npos);
+  set_text(polar, "1576x768");
+  EXPECT_FALSE(settings.polar_acuity);
+  EXPECT_EQ(text_of(polar), "1576x768");
+}
+
 TEST(SettingsList, ANameThatIsNoSettingNamesTheNearest) {
   RenderSettings settings;
   EXPECT_EQ(complaint([&] { setting_named(settings_of(settings), "light_sample"); }),

@@ -278,8 +278,10 @@ TEST(LightRecordsTest, WhatLiesFarAwayDoesNotDimAPointOfLight) {
 }
 
 TEST(LightRecordsTest, TheFarthestIrradianceIsThatOfTheBoxesFarthestPoint) {
-  const std::vector<AreaLight> lights{test::light_at({0, 3, 0}, {9, 18, 0}),
-                                      test::light_at({5, 0, 0}, {4, 0, 8}, {2, 2, 2})};
+  std::vector<AreaLight> lights{test::light_at({0, 3, 0}, {9, 18, 0}),
+                                test::light_at({5, 0, 0}, {4, 0, 8}, {2, 2, 2}),
+                                test::light_at({1, 1, 1}, glm::vec3{1000.0f})};
+  lights.back().is_virtual = true;  // no light of the room
   const std::vector<Bounds> boxes{{{-1, 0, -1}, {1, 0, 1}}, {{-9, -9, -9}, {-8, -8, -8}}};
   // Both lights are farthest from the corner (-9, -9, -9): 81 + 144 + 81 = 306 and 196 + 81 + 81 = 358.
   const glm::vec3 scale = farthest_irradiance(lights, boxes);

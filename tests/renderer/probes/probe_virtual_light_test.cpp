@@ -159,6 +159,37 @@ TEST(ProbeVirtualLightTest, AGlowingBallBrightensTheFeedAroundIt) {
   EXPECT_LT(measured, 1.5 * expected);
 }
 
+// The probes' box is by default that of the virtual objects: here the ball's own, 0.3 m wide, R = 0.26. To
+// the floor at d from the ball it gives at most pi L R^2 / (R + d)^2, the closed form is pi L r^2 h / d^3: at
+// most R^2 d / (r^2 h) = 6 d / m times as much, 24 at 4 m, as the fading knows no cosine. The outermost
+// probes alone would give a hundred times that.
+TEST(ProbeVirtualLightTest, FarOutsideTheProbesAGlowingBallFades) {
+  const test::TestCamera camera = grey_feed();
+  Scene scene = room();
+  scene.instances[1].present = false;
+  scene.instances[1].catcher = false;
+  scene.probes = {{4, 4, 4}, {}};
+  constexpr double kRadius_m = 0.15, kHeight_m = 0.5, kRadiance = 20, kAway_m = 2.8;
+  test::add(scene, test::sphere({kAway_m, kHeight_m, 0}, static_cast<float>(kRadius_m)),
+            test::glowing(glm::vec3{static_cast<float>(kRadiance)}));
+  test::ProbeRun run(scene, kView, with_probes(), from_above(camera));
+  run.run(25);
+  double measured = 0, expected = 0;
+  for_each_place(run.frame, [&](const test::Pixel& pixel, const glm::dvec3& p) {
+    const double d = glm::distance(p, {kAway_m, kHeight_m, 0});
+    const AreaLight& lamp = scene.lights[0];
+    if (p.x > 0 || std::abs(p.z) > 0.3) return;
+    const double without =
+        lamp.intensity_w_sr.x * lamp.centre.y / std::pow(glm::distance(p, lamp.centre), 3) +
+        glm::pi<double>() * 0.2;
+    expected += glm::pi<double>() * kRadiance * kRadius_m * kRadius_m * kHeight_m / (d * d * d) / without;
+    measured += pixel[1] / kFeed - 1;
+  });
+  std::cout << "brightening / closed form far off " << measured / expected << "\n";
+  EXPECT_GT(measured, 0.2 * expected);
+  EXPECT_LT(measured, 24 * expected);
+}
+
 TEST(ProbeVirtualLightTest, WithoutProbesThePlanNamesTheGlowingObjectThatLightsNothing) {
   Scene scene = room();
   test::add(scene, test::sphere({0, 0.5f, 0}, 0.15f), test::glowing(glm::vec3{20.0f}));

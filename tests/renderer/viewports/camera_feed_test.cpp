@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "renderer/viewports/camera_feed.h"
+#include "renderer/feed/camera_feed.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 

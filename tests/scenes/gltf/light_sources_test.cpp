@@ -156,16 +156,16 @@ TEST(LightSources, VirtualLightAloneOverARealSurfaceIsAWarningThatSaysWhatTheFee
     const json document{{"format_version", 1},
                         {"name", "lit"},
                         {"ambient", {ambient, ambient, ambient}},
-                        {"catchers", {{{"box", {{"min", {-1, -1, -1}}, {"max", {1, 0, 1}}}}}}},
+                        {"catchers", json::array({{{"box", {{"min", {-1, -1, -1}}, {"max", {1, 0, 1}}}}}})},
                         {"lights", lights}};
     return load_scene(folder.write("lit.scene.json", document.dump())).warnings;
   };
   const json lamp{{"centre", {0, 2, 0}}, {"intensity_w_sr", {1, 1, 1}}};
   json neon = lamp;
   neon["virtual"] = true;
-  EXPECT_TRUE(warnings({lamp, neon}, 0).empty());
-  EXPECT_TRUE(any_contains(warnings({neon, neon}, 0), "by the catchers' stated colours"));
-  EXPECT_TRUE(any_contains(warnings({neon}, 0.1), "counts as lit by ambient alone"));
+  EXPECT_TRUE(warnings(json::array({lamp, neon}), 0).empty());
+  EXPECT_TRUE(any_contains(warnings(json::array({neon, neon}), 0), "by the catchers' stated colours"));
+  EXPECT_TRUE(any_contains(warnings(json::array({neon}), 0.1), "counts as lit by ambient alone"));
 }
 
 TEST(LightSources, AnUnknownTypeOfLightInAGltfDoesNotShineAndIsToldOf) {

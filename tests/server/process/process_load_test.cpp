@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "renderer/cpu_use.h"
+#include "renderer/threads/cpu_use.h"
 
 namespace herr {
 namespace {

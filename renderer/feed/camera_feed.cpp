@@ -1,4 +1,4 @@
-#include "renderer/viewports/camera_feed.h"
+#include "renderer/feed/camera_feed.h"
 
 #include <algorithm>
 

@@ -104,12 +104,23 @@ NumberSetting exposure(std::optional<double>& ev) {
   return setting;
 }
 
+// None reads as no text: the feed is shown.
+TextSetting see_through(std::optional<ShownColour>& colour) {
+  return {[&colour] { return colour ? text_of(*colour) : std::string(); },
+          [&colour](const std::string& text) { colour = shown_colour_from(text); }, "RRGGBB|R,G,B",
+          text_of(kPink)};
+}
+
 std::vector<Setting> of_pictures(RenderSettings& s) {
   return {
       {"camera", "--no-camera", "", Group::rays, Effect::pictures, "leave the camera feed out",
        on_off(s.camera)},
       {"gaze_marker", "--gaze-marker", "", Group::look, Effect::pictures, "red circle at the gaze",
        on_off(s.gaze_marker)},
+      {"see_through_colour", "--see-through-colour", "", Group::look, Effect::pictures,
+       "paint this sRGB colour where the camera feed is seen, or would be: shadows of virtual things darken "
+       "it",
+       see_through(s.see_through_colour), "the camera feed"},
       {"debug_tiles", "--debug-tiles", "", Group::look, Effect::pictures,
        "colour the polar buffer in tiles of 15 degrees", on_off(s.debug_tiles)},
       {"feed_distance_m", "--feed-distance", "m", Group::look, Effect::pictures,
@@ -150,7 +161,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 216);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 368);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;
