@@ -36,20 +36,20 @@ HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
 // ray's.
 struct OcclusionBlock {
   std::uint32_t random = 0;  // key of its own random numbers
-  std::uint32_t frame = 0;   // key of those of all blocks
+  std::uint32_t group = 0;   // key of those of three by three blocks
   int stratum = 0;           // of kOcclusionStrata
 };
 constexpr int kOcclusionStrata = 9;
 
 // Direction `ray` of `rays`, cosine-distributed (Malley's method): radii stratified, with a random place in
-// each stratum; angles by the golden ratio, turned by a random number of the frame.
+// each stratum; angles by the golden ratio, turned by a random number of the group.
 HWY_INLINE void local_direction(const OcclusionBlock& block, int ray, int rays, float local[3]) {
   const auto random = [](std::uint32_t key, std::uint32_t counter)
                           HWY_ATTR { return hn::GetLane(unit_float(hash(hn::Set(kU, key), counter))); };
   constexpr float kGolden = 0.618033989f, kTwoPi = 6.28318531f;
   const auto place = static_cast<float>(kOcclusionStrata * ray + block.stratum);
   const float area = (place + random(block.random, 1)) / static_cast<float>(kOcclusionStrata * rays);
-  const float turn = random(block.frame, 2) + kGolden * place;
+  const float turn = random(block.group, 2) + kGolden * place;
   const float radius = std::sqrt(area);
   local[0] = radius * std::cos(kTwoPi * turn);
   local[1] = radius * std::sin(kTwoPi * turn);
@@ -58,13 +58,16 @@ HWY_INLINE void local_direction(const OcclusionBlock& block, int ray, int rays, 
 
 // Which stratum a block has changes from frame to frame, so that each block sees all directions in time.
 HWY_INLINE OcclusionBlock occlusion_block(const TileJob& job, std::size_t packet) {
-  const int x = job.scratch->packet_x[packet], y = job.scratch->packet_y[packet] & ~3;
+  const int column = job.scratch->packet_x[packet] / 4, row = job.scratch->packet_y[packet] / 4;
+  const std::uint32_t frame = job.grid->key;
+  const auto key_of = [frame](int x, int y, std::uint32_t spread) {
+    return frame ^ ((static_cast<std::uint32_t>(y << 16) | static_cast<std::uint32_t>(x)) * spread);
+  };
+  const float first = hn::GetLane(unit_float(hash(hn::Set(kU, frame), 3)));
+  const int place = column % 3 + 3 * (row % 3);
   OcclusionBlock block;
-  block.frame = job.grid->key;
-  block.random =
-      job.grid->key ^ ((static_cast<std::uint32_t>(y << 16) | static_cast<std::uint32_t>(x)) * 0x9e3779b9u);
-  const float first = hn::GetLane(unit_float(hash(hn::Set(kU, block.frame), 3)));
-  const int place = x / 4 % 3 + 3 * (y / 4 % 3);
+  block.random = key_of(column, row, 0x9e3779b9u);
+  block.group = key_of(column / 3, row / 3, 0x85ebca6bu);
   block.stratum = (place + static_cast<int>(kOcclusionStrata * first)) % kOcclusionStrata;
   return block;
 }
