@@ -119,7 +119,7 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
        on_off(s.gaze_marker)},
       {"see_through_colour", "--see-through-colour", "", Group::look, Effect::pictures,
        "paint this sRGB colour where the camera feed is seen, or would be: shadows of virtual things darken "
-       "it",
+       "it; mirrors and glass then show the environment in place of the feed",
        see_through(s.see_through_colour), "the camera feed"},
       {"debug_tiles", "--debug-tiles", "", Group::look, Effect::pictures,
        "colour the polar buffer in tiles of 15 degrees", on_off(s.debug_tiles)},

@@ -7,8 +7,7 @@ namespace herr {
 const std::vector<SettingsPreset>& frame_presets() {
   static const std::vector<SettingsPreset> presets{
       {"paper",
-       "the paper's frame: foveated 1576x768, hard shadows, reflections, refraction, probes and ambient "
-       "occlusion",
+       "the paper's frame: hard shadows, reflections, refraction, probes and ambient occlusion",
        {{"foveation", "log-polar"},
         {"scale", "1"},
         {"filter", "bilinear"},

@@ -107,7 +107,7 @@ void add_look_flags(CLI::App& app, LookOptions& options) {
       ->type_name("");
   add_picture_flags(app, options);
   add_camera_flags(app, options);
-  add_preset_flags(app, options.render);
+  add_preset_flags(app, options.render, false);
   const std::vector<Setting> settings = settings_of(options.render);
   for (const char* name : {"light_samples", "first_light_samples", "occlusion_rays", "occlusion_radius_m",
                            "reflections", "refraction", "ray_width", "detail_error", "seed"})

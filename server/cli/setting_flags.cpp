@@ -71,20 +71,23 @@ void read_text(const Setting& setting, const std::string& text) {
   }
 }
 
-// "paper: the paper's frame; direct: direct light alone".
-std::string presets_text(const std::vector<SettingsPreset>& presets) {
+// "paper: the paper's frame, foveated 1576x768; direct: direct light alone".
+std::string presets_text(const std::vector<SettingsPreset>& presets, bool foveation) {
   std::string text;
   for (const SettingsPreset& preset : presets) {
     text += (text.empty() ? "" : "; ") + preset.name + ": " + preset.sentence;
+    for (const auto& [name, value] : preset.sets) {
+      if (foveation && name == "polar") text += ", foveated " + value;
+    }
   }
   return text;
 }
 
 void add_preset_flag(CLI::App& app, const std::string& flag, const std::string& what,
-                     const std::vector<SettingsPreset>& presets, RenderSettings& render) {
+                     const std::vector<SettingsPreset>& presets, RenderSettings& render, bool foveation) {
   value_flag(app, flag, "NAME",
-             what + " by name, which other flags override wherever they stand: " + presets_text(presets) +
-                 " (default " + presets.front().name + ")",
+             what + " by name, which other flags override wherever they stand: " +
+                 presets_text(presets, foveation) + " (default " + presets.front().name + ")",
              [flag, &presets, &render](const std::string& text) {
                std::vector<std::string> names;
                for (const SettingsPreset& preset : presets) names.push_back(preset.name);
@@ -120,9 +123,9 @@ void add_setting_flags(CLI::App& app, const std::vector<Setting>& settings,
   }
 }
 
-void add_preset_flags(CLI::App& app, RenderSettings& render) {
-  add_preset_flag(app, "--preset", "settings", frame_presets(), render);
-  add_preset_flag(app, "--quality", "shadows", shadow_presets(), render);
+void add_preset_flags(CLI::App& app, RenderSettings& render, bool foveation) {
+  add_preset_flag(app, "--preset", "settings", frame_presets(), render, foveation);
+  add_preset_flag(app, "--quality", "shadows", shadow_presets(), render, foveation);
 }
 
 void add_render_flags(CLI::App& app, RenderSettings& render) {

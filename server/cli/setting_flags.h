@@ -23,7 +23,8 @@ void add_setting_flags(CLI::App& app, const std::vector<Setting>& settings,
 
 // --preset and --quality: settings by name. Flags take effect in the order in which they are added, wherever
 // they stand on the line: a command adds this one before any flag that may override it.
-void add_preset_flags(CLI::App& app, RenderSettings& render);
+// `foveation`: the command can foveate a frame.
+void add_preset_flags(CLI::App& app, RenderSettings& render, bool foveation = true);
 // What every command that renders shares: rays, probes and the machine.
 void add_render_flags(CLI::App& app, RenderSettings& render);
 

@@ -26,8 +26,9 @@ void FrameStep::prepare(std::int64_t frame) {
 
 bool FrameStep::render(RenderedFrame& out, const std::atomic<bool>* abandon, const FramePacing& pacing) {
   if (!opened_.renderer->render_frame(sample_, scene_state(), decision_.quality, out, abandon)) return false;
-  // Further views are made after the frame, and are none of its cost.
-  finished_ns_ = steady_now_ns() - std::llround(out.times.views_ms * 1e6);
+  finished_ns_ = steady_now_ns();
+  // A display waits for further views too; where every frame has its turn they are none of its cost.
+  if (pacing.pacer == nullptr) finished_ns_ -= std::llround(out.times.views_ms * 1e6);
   describe(out, pacing);
   const bool missed = pacing.pacer != nullptr && record_.missed;
   controller_->observe(cost_of_frame(out, started_ns_, finished_ns_, missed));

@@ -57,7 +57,8 @@ class FrameStep {
   const FrameQuality& quality() const { return decision_.quality; }
   // Of the frame rendered last. What comes after rendering (writing, waiting) is the caller's to add.
   const FrameRecord& record() const { return record_; }
-  TimeNs finished_ns() const { return finished_ns_; }  // steady_now_ns() when it was rendered
+  // steady_now_ns() when it was rendered: with its further views where a pacer was given, else without.
+  TimeNs finished_ns() const { return finished_ns_; }
 
  private:
   void describe(const RenderedFrame& rendered, const FramePacing& pacing);

@@ -158,6 +158,15 @@ const std::string* find(const Fingerprint::Entries& entries, const std::string& 
   return found == entries.end() ? nullptr : &found->second;
 }
 
+// A value that is none in words: "the camera feed".
+std::string in_words(const std::vector<Setting>& settings, const std::string& name,
+                     const std::string& value) {
+  if (!value.empty()) return value;
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [&](const Setting& setting) { return recorded_name(setting) == name; });
+  return found == settings.end() || found->otherwise.empty() ? "none" : found->otherwise;
+}
+
 }  // namespace
 
 Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
@@ -169,6 +178,7 @@ std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
   ReplayOptions without;
   without.render = direct_light_settings();
   without.render.occlusion_smoothing = false;
+  const std::vector<Setting> settings = settings_of(without);
   const Fingerprint::Entries defaults = setting_entries(without);
   for (const auto& [name, value] : now.settings) {
     const std::string* before = find(earlier.settings, name);
@@ -176,8 +186,10 @@ std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
     // short rays.
     const std::string* unknown = before == nullptr ? find(defaults, name) : nullptr;
     if (unknown != nullptr && *unknown == value) continue;
-    if (before == nullptr) return name + " was not known then, is " + value;
-    if (*before != value) return name + " was " + *before + ", is " + value;
+    if (before == nullptr) return name + " was not known then, is " + in_words(settings, name, value);
+    if (*before != value) {
+      return name + " was " + in_words(settings, name, *before) + ", is " + in_words(settings, name, value);
+    }
   }
   for (const auto& [name, value] : now.inputs) {
     const std::string* before = find(earlier.inputs, name);

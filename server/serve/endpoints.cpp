@@ -117,7 +117,8 @@ HttpResponse Endpoints::operator()(const HttpRequest& request) {
     // Whoever looks at the page will look at the polar buffers: its next version has them.
     board_.polar_asked_ns = now_ns;
     const std::shared_ptr<const ServedPictures> pictures = board_.pictures.get();
-    response.body = start_page(*snapshot, options_, now_ns, pictures && pictures->has_polar);
+    response.body =
+        start_page(*snapshot, options_, now_ns, pictures && pictures->has_polar ? pictures.get() : nullptr);
     return response;
   }
   if (const std::optional<HttpResponse> part = page_part(path)) return *part;

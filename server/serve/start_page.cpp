@@ -91,7 +91,7 @@ std::string figure(const std::string& name, int width_px, int height_px, const s
          caption + "<span class=\"sequence\"></span></figcaption></figure>\n";
 }
 
-std::string pictures_section(const ServeSnapshot& snapshot, bool polar) {
+std::string pictures_section(const ServeSnapshot& snapshot, const ServedPictures* polar) {
   const SessionReport& subject = *snapshot.subject;
   std::string html = "<h2>Newest frame</h2>\n<div class=\"pictures\">\n";
   for (const PictureOutline& picture : subject.pictures()) {
@@ -100,10 +100,10 @@ std::string pictures_section(const ServeSnapshot& snapshot, bool polar) {
                    words_of(picture.name.c_str()) + ", " + std::to_string(picture.width_px) + " × " +
                        std::to_string(picture.height_px));
   }
-  for (const char* name : kPolarPictures) {
-    if (!polar) break;
-    html += figure(name, subject.settings.polar_width, subject.settings.polar_height,
-                   std::string(name) + ": gaze at the left border, angle upwards");
+  for (std::size_t eye = 0; polar != nullptr && eye < kPolarPictures.size(); ++eye) {
+    const ViewportImage& picture = polar->polar[eye];
+    html += figure(kPolarPictures[eye], picture.width_px, picture.height_px,
+                   std::string(kPolarPictures[eye]) + ": gaze at the left border, angle upwards");
   }
   return html + "</div>\n";
 }
@@ -184,7 +184,7 @@ std::string html_escaped(const std::string& text) {
 }
 
 std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns,
-                       bool polar) {
+                       const ServedPictures* polar) {
   std::string numbers, pictures, links;
   if (snapshot.subject && snapshot.rendered > 0) {
     const RunStatistics window = window_statistics(snapshot.recent, now_ns);

@@ -18,8 +18,8 @@ inline constexpr const char* kPagePolicy =
 // `text` with &, <, >, " and ' as entities.
 std::string html_escaped(const std::string& text);
 
-// `polar`: pictures of the polar buffers are there.
+// `polar`: has pictures of the polar buffers; null: there are none.
 std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& options, TimeNs now_ns,
-                       bool polar);
+                       const ServedPictures* polar);
 
 }  // namespace herr

@@ -120,7 +120,7 @@ std::vector<Setting> of_files(ReplayOptions& o) {
        one_of(o.format,
               {name_of(PictureFormat::png), name_of(PictureFormat::exr), name_of(PictureFormat::none)})},
       {"contact_sheet", "--contact-sheet", "", Group::files, Effect::none,
-       "all viewports in one picture: none, all, middle or a frame number", sheet_choice(o)},
+       "viewports and further views in one picture: none, all, middle or a frame number", sheet_choice(o)},
   };
 }
 

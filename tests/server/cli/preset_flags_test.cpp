@@ -115,6 +115,8 @@ TEST(PresetFlags, HelpSaysWhatEachPresetIsAndThatFlagsOverrideIt) {
       }
     }
     EXPECT_NE(help.find("other flags override"), std::string::npos) << command;
+    // Every pixel of `look` has rays of its own.
+    EXPECT_EQ(help.find("foveated") == std::string::npos, command == "look") << command;
   }
 }
 

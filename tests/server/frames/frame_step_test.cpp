@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "renderer/frame_counters.h"
 #include "renderer/settings_presets.h"
 #include "server/check/measure/allocation_counter.h"
+#include "server/process/steady_time.h"
 #include "server/results/fingerprint.h"
 #include "server/results/settings_report.h"
 #include "tests/server/moving_scene.h"
@@ -214,6 +216,44 @@ TEST_F(FrameStepTest, RenderingAllocatesNothingOnceEverythingWasThere) {
     }
     EXPECT_EQ(allocations, 0) << acuity;
   }
+}
+
+// A picture from outside of 256 times as many pixels as the display has. The display's period lies between
+// the time of a frame and that of the picture, as far from one as from the other.
+TEST_F(FrameStepTest, FurtherViewsCountAgainstTheTicksOfADisplay) {
+  std::ofstream(root() / "large.view.json")
+      << R"({"position_m": [0, 1.5, 3], "look_at_m": [0, 1, -2], "width_px": 2048, "height_px": 960,)"
+         R"( "samples": 1})";
+  options_.view = (root() / "large.view.json").string();
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  RenderedFrame frame;
+  const auto render = [&](const FramePacing& pacing) {
+    step.prepare(opened->report.range.first);
+    EXPECT_TRUE(step.render(frame, nullptr, pacing));
+    step.rewind();
+  };
+  const TimeNs begun_ns = steady_now_ns();
+  render({});
+  const double frame_ms = frame.times.frame_ms, views_ms = frame.times.views_ms;
+  ASSERT_GT(views_ms, 3 * frame_ms);
+  EXPECT_LE(static_cast<double>(step.finished_ns()) + 1e6 * views_ms, static_cast<double>(steady_now_ns()));
+  EXPECT_GT(step.finished_ns(), begun_ns);
+
+  const double period_ns = 1e6 * std::sqrt(frame_ms * views_ms);
+  const TimeNs paced_ns = steady_now_ns();
+  FramePacer pacer(paced_ns, period_ns, opened->report.range.first, opened->report.range.count);
+  ASSERT_TRUE(pacer.begin(paced_ns));
+  render({&pacer, 0});
+  const FrameRecord& record = step.record();
+  EXPECT_GE(static_cast<double>(step.finished_ns() - paced_ns),
+            1e6 * (record.times.frame_ms + record.times.views_ms) - 1);
+  ASSERT_LT(1e6 * record.times.frame_ms, period_ns);
+  ASSERT_GT(1e6 * record.times.views_ms, period_ns);
+  EXPECT_TRUE(record.missed);
+  // Shown at the first tick after the views, not after the frame.
+  ASSERT_TRUE(record.motion_to_photon_ms && record.pose_age_ms);
+  EXPECT_GT(*record.motion_to_photon_ms - *record.pose_age_ms, record.times.views_ms);
 }
 
 TEST_F(FrameStepTest, DescribesTheFrameThatItRendered) {

@@ -175,6 +175,20 @@ TEST(SettingsReport, AProgramThatDidNotKnowTheMeanOverNeighboursTookEachHitsOwnR
   EXPECT_EQ(difference(earlier, told_by(options).fingerprint), "");
 }
 
+// As a help calls it: a text that is none has no characters.
+TEST(SettingsReport, ASettingThatIsNoneDiffersInWords) {
+  ReplayOptions with, without;
+  with.render.see_through_colour = kPink;
+  with.view = "overview.view.json";
+  EXPECT_EQ(difference(told_by(with).fingerprint, told_by(without).fingerprint),
+            "--see-through-colour was ff8cc6, is the camera feed");
+  with.render.see_through_colour.reset();
+  EXPECT_EQ(difference(told_by(with).fingerprint, told_by(without).fingerprint),
+            "--view was overview.view.json, is none");
+  EXPECT_EQ(difference(told_by(without).fingerprint, told_by(with).fingerprint),
+            "--view was none, is overview.view.json");
+}
+
 // A run that begins with other light is other work: stored by a program whose default was direct light alone.
 TEST(SettingsReport, ARunOfTheEarlierDefaultDiffersFromOneOfThisDefault) {
   ReplayOptions direct;

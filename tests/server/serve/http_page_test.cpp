@@ -75,7 +75,11 @@ TEST_F(Serve, ThePolarBufferIsCopiedOnlyWhenSomebodyAsks) {
   pictures->has_polar = true;
   for (ViewportImage& polar : pictures->polar) polar.resize(20, 10);
   board_.pictures.set(pictures);
-  EXPECT_NE(get("/").body.find("/v1/frames/latest/polar-left.png"), std::string::npos);
+  EXPECT_NE(
+      get("/").body.find("<img src=\"/v1/frames/latest/polar-left.png\" alt=\"polar-left\" width=\"20\" "
+                         "height=\"10\">"),
+      std::string::npos)
+      << "of its own size";
   const Reply reply = get("/v1/frames/latest/polar-right.png");
   EXPECT_EQ(reply.status, 200);
   EXPECT_EQ(reply.header("Content-Type"), "image/png");
