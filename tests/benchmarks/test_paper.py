@@ -91,6 +91,15 @@ class Page(unittest.TestCase):
                 paper.size_of(file)
 
 
+class Failing(unittest.TestCase):
+    def test_a_program_that_fails_ends_the_script_with_its_words(self):
+        with tempfile.TemporaryDirectory(prefix="herr-paper-") as folder:
+            done = subprocess.run([sys.executable, "-B", ROOT / "scripts/paper", "--quick", "--herr", "/bin/false", "--only",
+                                   "figure-1", "--out", folder], text=True, capture_output=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("paper: herr inspect", done.stderr)
+
+
 class Whole(unittest.TestCase):
     """The script itself, as small as it goes."""
 
@@ -122,12 +131,6 @@ class Whole(unittest.TestCase):
                 table = json.loads((out / f"table-1-{light}.json").read_text(encoding="utf-8"))
                 self.assertTrue(all(math.isfinite(cell["frame_ms"]) for cell in table["table"]))
             self.assertFalse((out / "runs").exists())
-
-    def test_a_program_that_fails_ends_the_script_with_its_words(self):
-        done = subprocess.run([sys.executable, "-B", ROOT / "scripts/paper", "--quick", "--herr", "/bin/false", "--only",
-                               "figure-1", "--out", tempfile.mkdtemp(prefix="herr-paper-")], text=True, capture_output=True)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("paper: herr inspect", done.stderr)
 
 
 if __name__ == "__main__":

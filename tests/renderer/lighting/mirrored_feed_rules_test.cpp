@@ -209,22 +209,42 @@ Scene mirror_and_ball() {
   return scene;
 }
 
-TEST(MirroredFeedRulesTest, WithoutACameraPicturesAreAsWithoutTheFeature) {
-  const test::ChartCamera camera = test::chart_camera(CameraModelKind::kb4, rising);
-  const Scene scene = mirror_and_ball();
-  const auto render = [&](bool session_has_camera, bool forced) {
-    RenderSettings settings = test::small_settings();
-    settings.camera = !session_has_camera;  // has none, or is not to be shown
-    if (forced) settings.force = {kMirroredFeed};
-    Renderer renderer(scene, test::small_profile(), settings, session_has_camera);
-    EXPECT_EQ(renderer.plan().mirrored_feed, forced);
+// Rays off the plate rise and go on ahead, and those through the ball go where Snell's law leads them: the
+// camera looks down and back, where none of them meets the feed, and no pixel on plate or ball can tell it
+// from no camera.
+TEST(MirroredFeedRulesTest, WhereTheCameraSeesNothingOfWhatTheyShowPicturesAreAsWithoutTheFeature) {
+  test::ChartCamera camera = test::chart_camera(CameraModelKind::pinhole, rising);
+  Scene scene = mirror_and_ball();
+  scene.materials[scene.instances[1].material].mirror = 0;  // what it reflects lies everywhere
+  const DisplayProfile profile = test::single_view(160, 120, 40, 32);
+  const auto render = [&](bool feature, const FrameSample& sample) {
+    RenderSettings settings = planar(camera);
+    settings.camera = feature;
+    Renderer renderer(scene, profile, settings, true);
+    EXPECT_EQ(renderer.plan().mirrored_feed, feature);
     RenderedFrame frame;
-    test::render_with(renderer, scene, session_has_camera ? at_origin(camera) : test::sample_from({0, 0, 0}),
-                      frame);
+    test::render_with(renderer, scene, sample, frame);
     return frame;
   };
-  test::expect_same_bits(render(false, false), render(false, true));
-  test::expect_same_bits(render(true, false), render(true, true));
+  const RenderedFrame ahead = render(true, at_origin(camera));
+  camera.eye_from_camera = {{0, 0, 0}, glm::angleAxis(-glm::radians(135.0), glm::dvec3{1, 0, 0})};
+  const RenderedFrame away = render(true, at_origin(camera)), without = render(false, at_origin(camera));
+  int in_ball = 0, on_plate = 0, shows_feed = 0;
+  test::for_each_pixel(away.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    const test::TracedRay ray{{0, 0, 0}, test::direction_of_pixel(profile.viewports[0], x, y), 1};
+    const bool ball = test::through_ball(ray, {-0.3, 0.05, -1}, 0.199, test::kGlassIndex).has_value();
+    const auto off = test::off_plane(ray, {0, -0.35, 0}, {0, 1, 0});
+    const bool plate =
+        off && std::abs(off->origin.x) < 0.69 && off->origin.z < -0.71 && off->origin.z > -1.69;
+    if (!ball && !plate) return;
+    ASSERT_FALSE(ball && plate) << "the ball hides no part of the plate";
+    (ball ? in_ball : on_plate) += 1;
+    ASSERT_EQ(pixel, test::pixel_at(without.viewports[0], x, y)) << x << ", " << y;
+    shows_feed += pixel != test::pixel_at(ahead.viewports[0], x, y);
+  });
+  EXPECT_GT(in_ball, 300);
+  EXPECT_GT(on_plate, 300);
+  EXPECT_GT(shows_feed, 0.5 * (in_ball + on_plate));
 }
 
 TEST(MirroredFeedRulesTest, ItRunsWhereThereIsAFeedAndSomethingToShowItIn) {

@@ -182,5 +182,50 @@ TEST_F(SampleFrameTest, EveryPixelHasDataForAnyGaze) {
   }
 }
 
+// No setting but the size of the buffers is named.
+TEST_F(SampleFrameTest, TheDefaultFrameIsFiniteAndHasProbesAndOcclusion) {
+  RenderSettings settings;
+  settings.polar_width = settings.polar_height = 192;
+  const RenderedFrame frame =
+      test::render(scene_, test::small_profile(), settings, looking_at({-0.6, 1.2, -0.55}));
+  test::expect_finite(frame);
+  EXPECT_GT(frame.probes.active, 0);
+  EXPECT_EQ(frame.counters.rays[RayKind::probe], settings.probes.rays * frame.probes.updated);
+  // One short ray for each first hit on what is virtual.
+  EXPECT_GT(frame.counters.rays[RayKind::occlusion], 0);
+  EXPECT_LE(frame.counters.rays[RayKind::occlusion], frame.counters.rays[RayKind::primary]);
+}
+
+// The lamp is the only light. What it does not reach is black in direct light, the sides of all objects that
+// are turned away from it; light off walls and floor reaches them, and takes nothing from what the lamp
+// lights: occlusion darkens indirect light alone. Real surfaces show the environment, black, and no feed.
+TEST_F(SampleFrameTest, WhereTheLampDoesNotReachTheDefaultFrameShowsLightThatBounced) {
+  scene_.ambient = scene_.environment = glm::vec3{0.0f};
+  RenderSettings paper, direct = direct_light_settings();
+  for (RenderSettings* settings : {&paper, &direct}) settings->polar_width = settings->polar_height = 192;
+  Renderer with(scene_, test::small_profile(), paper, false),
+      without(scene_, test::small_profile(), direct, false);
+  FrameSample sample = looking_at({-0.6, 1.2, -0.55});
+  RenderedFrame lit, dark;
+  test::render_with(without, scene_, sample, dark);
+  for (int i = 0; i < 3; ++i) {  // a frame reads what probes gathered in those before
+    test::render_with(with, scene_, sample, lit);
+    sample.t_ns += 16'666'667;
+  }
+  int bounced = 0, by_lamp = 0, darker = 0;
+  for (std::size_t i = 0; i < lit.viewports.size(); ++i) {
+    test::for_each_pixel(dark.viewports[i], [&](int x, int y, const test::Pixel& alone) {
+      const test::Pixel pixel = test::pixel_at(lit.viewports[i], x, y);
+      const double before = alone[0] + alone[1] + alone[2], now = pixel[0] + pixel[1] + pixel[2];
+      by_lamp += before > 0;
+      bounced += before == 0 && now > 0;
+      darker += pixel[0] < alone[0] || pixel[1] < alone[1] || pixel[2] < alone[2];
+    });
+  }
+  EXPECT_GT(by_lamp, 1000);
+  EXPECT_GT(bounced, 300);
+  EXPECT_EQ(darker, 0);
+}
+
 }  // namespace
 }  // namespace herr

@@ -192,29 +192,92 @@ TEST_F(FrameStepTest, ALapTakesTheSceneBackAndKeepsTheRenderer) {
   for (std::size_t i = 0; i < lap.size(); ++i) EXPECT_TRUE(lap[i].values == first[i].values) << i;
 }
 
+// Nothing moves: a ball of glass and a mirror before the feed, and a real floor.
+void write_still_scene(const fs::path& file) {
+  write_text(file, R"({"format_version": 1, "name": "still",
+"shapes": [
+  {"name": "ball", "sphere": {"centre": [0.4, 1, -2], "radius": 0.3},
+   "material": {"roughness": 0, "transmission": 1, "refractive_index": 1.5}},
+  {"name": "mirror", "box": {"min": [-0.8, 0.6, -2.2], "max": [-0.3, 1.2, -1.8]},
+   "material": {"mirror": 1, "roughness": 0}},
+  {"name": "block", "box": {"min": [-0.2, 0, -3], "max": [0.2, 0.8, -2.6]}}],
+"catchers": [{"name": "floor", "quad": [[-5, 0, 5], [5, 0, 5], [5, 0, -5], [-5, 0, -5]]}],
+"lights": [{"name": "lamp", "centre": [0, 3, 1], "size": [0.5, 0.1, 0.5], "intensity_w_sr": [10, 10, 10]}],
+"ambient": [0.2, 0.2, 0.2]})");
+}
+
+// Of frames once every one of them was rendered before.
+struct WarmFrames {
+  std::int64_t frames = 0, allocations = 0;
+  FrameCounters counters;
+};
+
+WarmFrames warm_frames(Opened& opened) {
+  FrameStep step(opened.options, opened.report, opened.session);
+  RenderedFrame frame;
+  WarmFrames found;
+  for (const bool warm : {false, true}) {
+    for (std::int64_t i = 0; i < opened.report.range.count; ++i) {
+      step.prepare(opened.report.range.first + i);
+      const std::int64_t before = *allocations_counted();
+      count_allocations(warm);
+      step.render(frame);
+      count_allocations(false);
+      // A frame with another plan writes its reasons, and Embree's trees grow in the arena of their builders.
+      if (!warm || frame.counters.commits > 0) continue;
+      ++found.frames;
+      found.allocations += *allocations_counted() - before;
+      found.counters += frame.counters;
+    }
+    step.rewind();
+  }
+  return found;
+}
+
 // Where polar buffers follow the display, as where their size is fixed.
 TEST_F(FrameStepTest, RenderingAllocatesNothingOnceEverythingWasThere) {
   if (!allocations_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
   for (const bool acuity : {false, true}) {
     options_.render.polar_acuity = acuity;
-    const auto opened = open();
-    FrameStep step(opened->options, opened->report, opened->session);
-    RenderedFrame frame;
-    std::int64_t allocations = 0;
-    for (const bool warm : {false, true}) {
-      for (std::int64_t i = 0; i < opened->report.range.count; ++i) {
-        step.prepare(opened->report.range.first + i);
-        const std::int64_t before = *allocations_counted();
-        count_allocations(warm);
-        step.render(frame);
-        count_allocations(false);
-        // A frame with another plan writes its reasons, and Embree's trees grow in the arena of their
-        // builders.
-        if (frame.counters.commits == 0) allocations += *allocations_counted() - before;
-      }
-      step.rewind();
+    const WarmFrames found = warm_frames(*open());
+    EXPECT_GT(found.frames, 0);
+    EXPECT_EQ(found.allocations, 0) << acuity;
+  }
+}
+
+// The default frame has probes, smoothed occlusion, mirrors, glass and the feed in both; further pictures are
+// made of it.
+TEST_F(FrameStepTest, ThePapersFrameAndFurtherPicturesAllocateNothingEither) {
+  if (!allocations_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  write_still_scene(root() / "still.scene.json");
+  write_text(root() / "overview.view.json",
+             R"({"name": "overview", "position_m": [2, 3, 3], "look_at_m": [0, 1, -1], "fov_deg": 60,
+"width_px": 48, "height_px": 32, "samples": 2})");
+  const RenderSettings direct = options_.render;
+  options_.scene = (root() / "still.scene.json").string();
+  for (const bool further : {false, true}) {
+    options_.render = RenderSettings();
+    options_.render.polar_width = direct.polar_width;
+    options_.render.polar_height = direct.polar_height;
+    options_.render.threads = direct.threads;
+    ASSERT_TRUE(options_.render.probes.on && options_.render.occlusion_smoothing);
+    ASSERT_GT(options_.render.occlusion_rays, 0);
+    if (further) {
+      options_.render.blended_view = Blend::context;
+      options_.view = (root() / "overview.view.json").string();
     }
-    EXPECT_EQ(allocations, 0) << acuity;
+    const auto opened = open();
+    EXPECT_EQ(further_views(opened->report.profile, opened->session.renderer->settings()).size(),
+              further ? 3u : 0u)
+        << "blended: of each eye";
+    EXPECT_TRUE(opened->session.renderer->plan().mirrored_feed);
+    const WarmFrames found = warm_frames(*opened);
+    EXPECT_EQ(found.frames, opened->report.range.count) << "nothing moves";
+    EXPECT_EQ(found.allocations, 0) << further;
+    for (const RayKind kind :
+         {RayKind::probe, RayKind::catcher_probe, RayKind::occlusion, RayKind::mirror, RayKind::refraction}) {
+      EXPECT_GT(found.counters.rays[kind], 0) << name_of(kind);
+    }
   }
 }
 
