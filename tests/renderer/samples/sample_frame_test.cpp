@@ -223,7 +223,7 @@ TEST_F(SampleFrameTest, WhereTheLampDoesNotReachTheDefaultFrameShowsLightThatBou
     });
   }
   EXPECT_GT(by_lamp, 1000);
-  EXPECT_GT(bounced, 300);
+  EXPECT_GT(bounced, 100);
   EXPECT_EQ(darker, 0);
 }
 

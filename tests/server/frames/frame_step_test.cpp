@@ -237,6 +237,8 @@ WarmFrames warm_frames(Opened& opened) {
 // Where polar buffers follow the display, as where their size is fixed.
 TEST_F(FrameStepTest, RenderingAllocatesNothingOnceEverythingWasThere) {
   if (!allocations_counted()) GTEST_SKIP() << "a sanitizer owns the allocator";
+  write_still_scene(root() / "still.scene.json");
+  options_.scene = (root() / "still.scene.json").string();
   for (const bool acuity : {false, true}) {
     options_.render.polar_acuity = acuity;
     const WarmFrames found = warm_frames(*open());

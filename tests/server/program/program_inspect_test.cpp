@@ -52,7 +52,7 @@ TEST_F(InspectProgram, TellsTheAcuityThatFramesReach) {
        {"recorded gaze, worst frame", "196.0", "131.0", "samples per degree, gaze straight ahead"})
     EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
   const auto json = nlohmann::json::parse(herr("inspect session --json").out)["acuity"];
-  EXPECT_EQ(json["frames"]["k_radial_per_deg"]["count"], 30) << "0.4889 s at 60 Hz";
+  EXPECT_EQ(json["frames"]["k_radial_per_deg"]["count"], 31) << "half a second at 60 Hz";
   EXPECT_NEAR(json["frames"]["k_radial_per_deg"]["min"].get<double>(), 196.0, 0.05);
   EXPECT_NEAR(json["gazes"][0]["k_angular_per_deg"].get<double>(), 131.0, 0.05);
   EXPECT_NEAR(json["gazes"][2]["theta_max_deg"].get<double>(), 109.47, 0.01) << "from corner to corner";

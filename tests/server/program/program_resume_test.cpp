@@ -125,8 +125,8 @@ TEST_F(Resume, FramesWhoseQualityFollowsTheHeadAreThoseOfAnUninterruptedRun) {
 TEST_F(Resume, FramesWhoseBufferFollowsTheDisplayAreThoseOfAnUninterruptedRun) {
   const std::string flags =
       "replay walk --profile small.profile.json --polar acuity --policy motion --threads 1 --keep-going "
-      "--frames 4 ";
-  ASSERT_EQ(replay(flags + "--out follows").exit_code, 5);
+      "--frames 4 ";  // before the picture that does not decode
+  ASSERT_EQ(replay(flags + "--out follows").exit_code, 0);
   const fs::path whole = root() / "follows/walk";
   // 200 ln(55.7356) = 804.06 columns, and 0.4 of them while the head is fast.
   const std::vector<std::string> widths = column_of(whole / "frames.csv", "polar_width");
@@ -134,7 +134,7 @@ TEST_F(Resume, FramesWhoseBufferFollowsTheDisplayAreThoseOfAnUninterruptedRun) {
   EXPECT_EQ(widths.back(), "322");
   fs::create_directories(root() / "follows_2");
   copy_with_rows(whole, root() / "follows_2/walk", 2);
-  ASSERT_EQ(replay(flags + "--resume --out follows_2").exit_code, 5);
+  ASSERT_EQ(replay(flags + "--resume --out follows_2").exit_code, 0);
   EXPECT_EQ(reproducible_rows(root() / "follows_2/walk/frames.csv"), reproducible_rows(whole / "frames.csv"));
   for (const std::string& file : files_below(whole / "frames"))
     EXPECT_TRUE(content_of(root() / "follows_2/walk/frames" / file) == content_of(whole / "frames" / file))

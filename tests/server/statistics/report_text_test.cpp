@@ -74,7 +74,7 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
                        name.ends_with("_values") || name.ends_with("_frames") || name.ends_with("_ticks") ||
                        name.ends_with("_probes") || name.ends_with("_paths") || name.ends_with("_share") ||
                        name.starts_with("instances_") || name.starts_with("meshes_") ||
-                       name == "plan_changes" || name == "polar_width";
+                       name == "plan_changes" || name == "polar_width" || name == "light_beyond_feed";
     const bool word = name.find("_source") != std::string::npos || name == "quality_reason";
     EXPECT_TRUE(unit || count || word) << name;
   }
