@@ -44,7 +44,7 @@ TEST_F(ProgramPreset, WithNoFlagsReplayRendersThePapersFrameAndSaysSo) {
   const Outcome outcome = herr("replay walk");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("occlusion rays 1"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("probes"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", probes"), std::string::npos) << outcome.out;
   const auto json = summary("out");
   for (const auto& plan : {json["plan"], inspected("")["plan"]}) {
     const auto entries = runs(plan);
