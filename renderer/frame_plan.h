@@ -68,6 +68,7 @@ struct FramePlan {
   bool camera = false;
   bool mirrored_feed = false;  // rays of mirrors and glass show the camera feed
   bool gaze_marker = false;
+  bool density_overlay = false;
   LightSampler light_sampler = LightSampler::jittered;
   std::vector<PlanEntry> entries;  // all of the above, for people
 

@@ -66,11 +66,12 @@ struct RenderSettings {
   // Each hit takes the mean of what the short rays of hits nearby found on the same surface: of up to nine
   // times as many.
   bool occlusion_smoothing = true;
-  bool reflections = true;   // trace one mirror bounce where a material asks for it
-  bool refraction = true;    // follow light through transparent materials; off: they are opaque
-  bool camera = true;        // composite over the camera feed where the session has one
-  bool gaze_marker = false;  // red circle around the gaze direction in every viewport
-  bool debug_tiles = false;  // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  bool reflections = true;       // trace one mirror bounce where a material asks for it
+  bool refraction = true;        // follow light through transparent materials; off: they are opaque
+  bool camera = true;            // composite over the camera feed where the session has one
+  bool gaze_marker = false;      // red circle around the gaze direction in every viewport
+  bool debug_tiles = false;      // colour the polar buffer in tiles of 15 degrees (Figure 6)
+  bool density_overlay = false;  // lines of degrees off the gaze and of sample density in every viewport
   // Painted over the feed, or where one would be seen: times the catcher's ratio, so that shadows show. None:
   // the feed is shown.
   std::optional<ShownColour> see_through_colour;

@@ -46,9 +46,10 @@ struct RenderedFrame {
   FrameQuality quality;                   // of this frame, every number resolved; probes 0 without probes
   ProbeCounts probes;                     // all 0 without probes
   std::array<double, 2> theta_max_deg{};  // per eye: from this frame's gaze to the farthest viewport border
-  std::optional<double> cpu_ms;      // of all threads of the process meanwhile (cpu_use.h); none: not told
-  std::array<int, 2> polar_width{};  // per eye: columns of the polar buffer; 0 without
-  int polar_height = 0;              // rows
+  std::optional<double> cpu_ms;  // of all threads of the process meanwhile (cpu_use.h); none: not told
+  std::optional<std::int64_t> preemptions;  // of all threads of the process meanwhile; none: not told
+  std::array<int, 2> polar_width{};         // per eye: columns of the polar buffer; 0 without
+  int polar_height = 0;                     // rows
 
   // As pictures_of_frame() lists them; they stay this frame's.
   std::vector<const ViewportImage*> pictures() const;

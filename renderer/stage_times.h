@@ -22,7 +22,7 @@ enum class Stage : std::uint8_t {
   second_light,    // shadow rays and direct light at second hits
   resolve,         // shaded samples -> polar buffer texels
   viewports,       // polar buffer -> viewports, composite over the camera feed
-  overlays,        // gaze marker
+  overlays,        // lines of sample density, gaze marker
   idle,            // threads waiting at the end of a parallel phase
   other,           // frame time that no other row covers
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scenes/changes/check_changes.h"
+#include "scenes/document/named_file.h"
 #include "scenes/document/scene_document.h"
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/model/placed_objects.h"
@@ -125,11 +126,13 @@ std::string no_lights_warning(const std::filesystem::path& file) {
   return printable(file.string()) + ": no lights: only the ambient term and emission light it";
 }
 
-Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light) {
+Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light,
+                 std::span<const std::filesystem::path> asset_roots) {
+  check_asset_roots(asset_roots);
   const std::string extension = lower_case_extension(file);
   Scene scene;
   if (extension == ".json") {
-    scene = read_scene_document(file, pixels);
+    scene = read_scene_document(file, pixels, asset_roots);
     if (light == DefaultLight::above && scene.lights.empty())
       scene.warnings.push_back(no_lights_warning(file));
     warn_of_virtual_light_alone(file, scene);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "scenes/model/scene.h"
@@ -22,8 +23,14 @@ bool is_scene_document(const std::filesystem::path& file);
 // What is said of a scene document without lights.
 std::string no_lights_warning(const std::filesystem::path& file);
 
-// Reads a *.scene.json, or a bare .gltf, .glb or .vox. Throws InputError.
+// Reads a *.scene.json, or a bare .gltf, .glb or .vox. What a document names lies below its own folder or
+// below one of `asset_roots`, folders all of them. Throws InputError.
 Scene load_scene(const std::filesystem::path& file, TexturePixels pixels = TexturePixels::decoded,
-                 DefaultLight light = DefaultLight::above);
+                 DefaultLight light = DefaultLight::above,
+                 std::span<const std::filesystem::path> asset_roots = {});
+inline Scene load_scene(const std::filesystem::path& file,
+                        std::span<const std::filesystem::path> asset_roots) {
+  return load_scene(file, TexturePixels::decoded, DefaultLight::above, asset_roots);
+}
 
 }  // namespace herr

@@ -249,6 +249,7 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
                : "no object reflects, and none is transparent",
          !plan.camera || !shows);
   decide(plan.gaze_marker, settings.gaze_marker, "gaze marker", "asked for", "not asked for");
+  decide(plan.density_overlay, settings.density_overlay, "density overlay", "asked for", "not asked for");
   check_forced(settings, plan);
   return plan;
 }

@@ -15,7 +15,6 @@
 #include "renderer/lighting/light_records.h"
 #include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
-#include "renderer/viewports/gaze_marker.h"
 
 namespace herr {
 namespace {
@@ -30,6 +29,12 @@ std::optional<double> cpu_ms_since(std::optional<std::int64_t> start_ns) {
   const std::optional<std::int64_t> now_ns = process_cpu_ns();
   if (!start_ns || !now_ns) return std::nullopt;
   return static_cast<double>(*now_ns - *start_ns) * 1e-6;
+}
+
+std::optional<std::int64_t> preemptions_since(std::optional<std::int64_t> start) {
+  const std::optional<std::int64_t> now = process_preemptions();
+  if (!start || !now) return std::nullopt;
+  return *now - *start;
 }
 
 // Runs one serial stage and books its time.
@@ -126,6 +131,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   std::fill(impl.counters.begin(), impl.counters.end(), TileCounters{});
   const auto start = SteadyClock::now();
   const std::optional<std::int64_t> cpu_start_ns = process_cpu_ns();
+  const std::optional<std::int64_t> preemptions_at_start = process_preemptions();
 
   timed(out.times, Stage::polar_rays, [&] { impl.follow_gaze(sample); });
   out.quality.polar_width = std::min(out.quality.polar_width, impl.full_width());
@@ -146,10 +152,11 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
   require_finite_viewports(out);
-  if (impl.plan.gaze_marker) timed(out.times, Stage::overlays, [&] { impl.draw_overlays(out); });
+  if (!impl.draw_overlays(out, use.abandon)) return false;
 
   // Within the wall time, so that it is never more than that on every core.
   out.cpu_ms = cpu_ms_since(cpu_start_ns);
+  out.preemptions = preemptions_since(preemptions_at_start);
   out.times.frame_ms = milliseconds_since(start);
   double booked = 0;
   for (const double ms : out.times.ms) booked += ms;
@@ -361,13 +368,6 @@ bool Renderer::Impl::composite_viewports(StageTimes& times, const std::atomic<bo
   const bool whole = threads.run(first_strip.back(), composite, abandon);
   clock.finish(times);
   return whole;
-}
-
-void Renderer::Impl::draw_overlays(RenderedFrame& out) {
-  for (std::size_t i = 0; i < profile.viewports.size(); ++i) {
-    const auto eye = static_cast<std::size_t>(profile.viewports[i].eye);
-    draw_gaze_marker(profile.viewports[i], eyes[eye].gaze.gaze, out.viewports[i]);
-  }
 }
 
 void Renderer::Impl::collect_counters(RenderedFrame& out) const {

@@ -110,7 +110,8 @@ struct Renderer::Impl {
   bool trace_tiles(StageTimes& times, const FrameUse& use);
   void set_up_viewports(RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);
-  void draw_overlays(RenderedFrame& out);
+  bool draw_overlays(RenderedFrame& out, const std::atomic<bool>* abandon);  // overlays.cpp; so is this one
+  bool draw_density(RenderedFrame& out, const std::atomic<bool>* abandon);
   void collect_counters(RenderedFrame& out) const;
   void paint_see_through(const ShownColour& colour, ShadingInputs& inputs) const;
 

@@ -134,6 +134,9 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
       {"auto_exposure", "--auto-exposure", "", Group::look, Effect::pictures,
        "choose the exposure by the first frame of the session, whichever frames are drawn",
        on_off(s.auto_exposure)},
+      {"density_overlay", "--density-overlay", "", Group::look, Effect::pictures,
+       "lines of degrees off the gaze (blue) and of samples per degree (yellow) over every viewport",
+       on_off(s.density_overlay)},
   };
 }
 

@@ -1,5 +1,6 @@
 #include "renderer/threads/cpu_use.h"
 
+#include <sys/resource.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -33,6 +34,12 @@ std::optional<std::int64_t> process_cpu_ns() {
   timespec used{};
   if (::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0) return std::nullopt;
   return std::int64_t{used.tv_sec} * 1'000'000'000 + used.tv_nsec;
+}
+
+std::optional<std::int64_t> process_preemptions() {
+  rusage use{};
+  if (::getrusage(RUSAGE_SELF, &use) != 0) return std::nullopt;
+  return std::int64_t{use.ru_nivcsw};
 }
 
 }  // namespace herr

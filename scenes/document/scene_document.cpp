@@ -6,6 +6,7 @@
 
 #include "scenes/detail/simplify_mesh.h"
 #include "scenes/document/document_limits.h"
+#include "scenes/document/named_file.h"
 #include "scenes/document/parse_change.h"
 #include "scenes/document/room_scan.h"
 #include "scenes/document/scene_document_parts.h"
@@ -31,6 +32,7 @@ struct LoadedFile {
 };
 struct LoadedFiles {
   TexturePixels pixels = TexturePixels::decoded;
+  std::span<const std::filesystem::path> asset_roots;
   std::vector<LoadedFile> files;
 };
 
@@ -56,7 +58,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   const MaterialOverride change =
       changes ? parse_material_override(entry.object("material")) : MaterialOverride{};
 
-  const std::filesystem::path file = named_file(entry, "file");
+  const std::filesystem::path file = named_file(entry, "file", loaded.asset_roots);
   const PlaybackRequest playback =
       entry.has("animation") ? parse_playback(entry.object("animation")) : PlaybackRequest{};
   const auto same = [&](const LoadedFile& other) { return other.file == file && other.playback == playback; };
@@ -109,17 +111,19 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
 }
 
 // A room cannot be scaled: it is real.
-void read_room_scan(const JsonObject& entry, Scene& scene) {
+void read_room_scan(const JsonObject& entry, std::span<const std::filesystem::path> asset_roots,
+                    Scene& scene) {
   entry.allow_only(
       {"file", "name", "translation", "rotation_xyzw", "base_colour", "metallic", "roughness", "mirror"});
   const glm::dmat4x3 world_from_scan = parse_placement(entry);
   const Material material = parse_catcher_material(entry, entry.text_or("name", "room"));
-  append_room_scan(named_file(entry, "file"), world_from_scan, material, scene);
+  append_room_scan(named_file(entry, "file", asset_roots), world_from_scan, material, scene);
 }
 
-void read_environment(const JsonObject& entry, Scene& scene) {
+void read_environment(const JsonObject& entry, std::span<const std::filesystem::path> asset_roots,
+                      Scene& scene) {
   entry.allow_only({"file", "turn_deg", "scale"});
-  const std::filesystem::path file = named_file(entry, "file");
+  const std::filesystem::path file = named_file(entry, "file", asset_roots);
   const auto turn_deg = static_cast<float>(entry.number_or("turn_deg", -360, 360, 0));
   const auto scale = static_cast<float>(entry.number_or("scale", 0, kBrightest, 1));
   std::vector<std::string> remarks;
@@ -134,7 +138,8 @@ void read_environment(const JsonObject& entry, Scene& scene) {
 
 }  // namespace
 
-Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixels) {
+Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixels,
+                          std::span<const std::filesystem::path> asset_roots) {
   const JsonDocument document(file);
   const JsonObject root = document.root();
   root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "room_scan", "lights",
@@ -150,7 +155,7 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
     if (root.has("environment")) {
       root.fail("environment_map", "stands beside an environment of one colour", "write only one of them");
     }
-    read_environment(root.object("environment_map"), scene);
+    read_environment(root.object("environment_map"), asset_roots, scene);
   }
   scene.exposure = parse_exposure(root);
   if (root.has("probes")) scene.probes = parse_probes(root.object("probes"));
@@ -159,11 +164,11 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
   for (const JsonObject& light : root.objects("lights")) scene.lights.push_back(parse_light(light));
   for (const JsonObject& catcher : root.objects("catchers")) append_catcher(catcher, scene);
   for (const JsonObject& shape : root.objects("shapes")) append_shape(shape, scene);
-  if (root.has("room_scan")) read_room_scan(root.object("room_scan"), scene);
+  if (root.has("room_scan")) read_room_scan(root.object("room_scan"), asset_roots, scene);
 
-  LoadedFiles loaded{pixels, {}};
+  LoadedFiles loaded{pixels, asset_roots, {}};
   for (const JsonObject& entry : root.objects("gltf")) append_entry(entry, loaded, scene);
-  append_voxel_entries(root.objects("voxels"), scene);
+  append_voxel_entries(root.objects("voxels"), asset_roots, scene);
   scene.timeline = parse_timeline(root);
   return scene;
 }

@@ -1,7 +1,6 @@
 #include "scenes/document/scene_document_parts.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -14,7 +13,6 @@
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/gltf/material_builder.h"
 #include "scenes/model/transform_checks.h"
-#include "sessions/files/contained_folder.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -102,29 +100,6 @@ glm::dvec3 parse_direction(const JsonObject& object) {
 }
 
 }  // namespace
-
-std::filesystem::path named_file(const JsonObject& entry, const char* key) {
-  const std::string name = entry.text(key);
-  const std::filesystem::path relative(name);
-  bool climbs = name.empty() || relative.is_absolute() || name.find('\0') != std::string::npos;
-  for (const auto& part : relative) climbs = climbs || part == "..";
-  if (climbs) {
-    entry.fail(key, "is \"" + printable(name) + "\", which is not below the folder of the scene",
-               "write a path relative to the scene file, without \"..\"");
-  }
-  const std::filesystem::path file = (entry.file().parent_path() / relative).lexically_normal();
-  const int error = ContainedFolder(entry.file().parent_path()).open(name).error;
-  if (error == EXDEV) {
-    entry.fail(key, "is \"" + printable(name) + "\", a link that leads out of the folder of the scene",
-               "copy the file into that folder");
-  }
-  // What is there and does not open tells its loader why.
-  if (error != ENOENT && error != ENOTDIR && error != ELOOP && error != ENAMETOOLONG) return file;
-  bool generated = false;
-  for (const auto& part : relative) generated = generated || part == "generated";
-  entry.fail(key, "names " + printable(file.string()) + ", which does not exist",
-             generated ? "build first: `cmake --build` makes the generated meshes" : "check the path");
-}
 
 glm::dquat parse_orientation(const JsonObject& object, const char* key) {
   if (!object.has(key)) return {1.0, 0.0, 0.0, 0.0};

@@ -2,7 +2,6 @@
 // Before: scene_document walks the document. Every function throws InputError that names the field.
 #pragma once
 
-#include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x3.hpp>
 #include <optional>
@@ -15,10 +14,6 @@
 #include "sessions/files/strict_json.h"
 
 namespace herr {
-
-// The file that a field names: below the folder of the scene document, so that a scene
-// can be copied as a folder.
-std::filesystem::path named_file(const JsonObject& entry, const char* key);
 
 // A quaternion x, y, z, w of length 1 within 1e-3 (normalised); the identity when absent.
 glm::dquat parse_orientation(const JsonObject& object, const char* key);

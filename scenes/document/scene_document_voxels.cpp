@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "scenes/document/named_file.h"
 #include "scenes/document/scene_document_parts.h"
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/model/transform_checks.h"
@@ -22,7 +23,8 @@ glm::dmat4x3 scaled(double scale) {
 // What an entry shows before it is placed, by what it names: file, and resolution of a mesh.
 class VoxelSources {
  public:
-  explicit VoxelSources(Scene& scene) : scene_(&scene) {}
+  VoxelSources(std::span<const std::filesystem::path> asset_roots, Scene& scene)
+      : asset_roots_(asset_roots), scene_(&scene) {}
 
   // Instances in metres.
   const std::vector<Instance>& of(const JsonObject& entry) {
@@ -31,11 +33,11 @@ class VoxelSources {
       entry.fail(nullptr, "needs one of file, grid and mesh",
                  "write \"file\" for a .vox file, \"grid\" or \"mesh\"");
     }
-    if (entry.has("file")) return known(named_file(entry, "file"), 0, &VoxelSources::vox);
-    if (entry.has("grid")) return known(named_file(entry, "grid"), 0, &VoxelSources::raw);
+    if (entry.has("file")) return known(named_file(entry, "file", asset_roots_), 0, &VoxelSources::vox);
+    if (entry.has("grid")) return known(named_file(entry, "grid", asset_roots_), 0, &VoxelSources::raw);
     const JsonObject mesh = entry.object("mesh");
     mesh.allow_only({"file", "resolution"});
-    return known(named_file(mesh, "file"),
+    return known(named_file(mesh, "file", asset_roots_),
                  static_cast<int>(mesh.integer("resolution", 1, kMaxMeshResolution)), &VoxelSources::mesh);
   }
 
@@ -73,6 +75,7 @@ class VoxelSources {
     return instance;
   }
 
+  std::span<const std::filesystem::path> asset_roots_;
   Scene* scene_;
   std::map<std::pair<std::filesystem::path, int>, std::vector<Instance>> made_;
 };
@@ -126,8 +129,9 @@ void append_entry(const JsonObject& entry, VoxelSources& sources, Scene& scene) 
 
 }  // namespace
 
-void append_voxel_entries(const std::vector<JsonObject>& entries, Scene& scene) {
-  VoxelSources sources(scene);
+void append_voxel_entries(const std::vector<JsonObject>& entries,
+                          std::span<const std::filesystem::path> asset_roots, Scene& scene) {
+  VoxelSources sources(asset_roots, scene);
   for (const JsonObject& entry : entries) append_entry(entry, sources, scene);
 }
 

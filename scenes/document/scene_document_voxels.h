@@ -3,6 +3,8 @@
 // instances of kind voxels.
 #pragma once
 
+#include <filesystem>
+#include <span>
 #include <vector>
 
 #include "scenes/model/scene.h"
@@ -10,7 +12,9 @@
 
 namespace herr {
 
-// A file that several entries name is read once. Throws InputError that names the field or the file.
-void append_voxel_entries(const std::vector<JsonObject>& entries, Scene& scene);
+// A file that several entries name is read once; it may lie below one of `asset_roots` (named_file.h). Throws
+// InputError that names the field or the file.
+void append_voxel_entries(const std::vector<JsonObject>& entries,
+                          std::span<const std::filesystem::path> asset_roots, Scene& scene);
 
 }  // namespace herr

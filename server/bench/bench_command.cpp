@@ -51,6 +51,7 @@ struct Subject {
 void open(const BenchOptions& options, Subject& subject) {
   subject.options.sessions = {session_of(options)};
   subject.options.scene = options.scene;
+  subject.options.asset_roots = options.asset_roots;
   subject.options.profile = options.profile;
   subject.options.render = options.render;
   SessionReport& report = subject.report;
@@ -65,6 +66,7 @@ void open(const BenchOptions& options, Subject& subject) {
   subject.described.triangles = report.scene_triangles;
   subject.described.profile = report.profile;
   subject.described.settings = report.settings;
+  subject.described.session_has_camera = report.findings.camera_rows[0] > 0;
 }
 
 // What the measurement has taken of the machine, while its renderer stands.

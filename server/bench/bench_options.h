@@ -3,15 +3,17 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "renderer/render_settings.h"
 
 namespace herr {
 
 struct BenchOptions {
-  std::filesystem::path session;  // empty: the shipped sample session
-  std::string scene;              // empty: the scene that the session names
-  std::string profile;            // empty: the profile of the session
+  std::filesystem::path session;                   // empty: the shipped sample session
+  std::string scene;                               // empty: the scene that the session names
+  std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
+  std::string profile;                             // empty: the profile of the session
   RenderSettings render;
   int frames = 8;            // of the session, spread evenly over it
   int repeats = 5;           // the whole sequence is measured this often

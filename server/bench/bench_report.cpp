@@ -190,7 +190,7 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
             {"viewport_pixels", std::llround(per_frame(result.counters.viewport_pixels, result))},
             {"counters", counters_json(result)},
             {"frames", result.frames}};
-  add_subject(subject, settings_text(subject.settings), json);
+  add_subject(subject, settings_text(subject.settings, subject.session_has_camera), json);
   add_memory(subject, json);
   json["definitions"] = {
       {"frame_ms", "median over frames of each frame's median wall time"},
@@ -207,10 +207,10 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
 }
 
 std::string bench_table(const BenchResult& result, const BenchSubject& subject) {
-  return subject_text(subject, settings_text(subject.settings)) + ", " + std::to_string(result.frames) +
-         " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" + stage_rows(result) + "\n" +
-         counter_rows_text(result) + "\n" + cpu_text(result.cpu_ms, result.frame_ms, subject.load.cores) +
-         "\n" + memory_text(subject);
+  return subject_text(subject, settings_text(subject.settings, subject.session_has_camera)) + ", " +
+         std::to_string(result.frames) + " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" +
+         stage_rows(result) + "\n" + counter_rows_text(result) + "\n" +
+         cpu_text(result.cpu_ms, result.frame_ms, subject.load.cores) + "\n" + memory_text(subject);
 }
 
 }  // namespace herr

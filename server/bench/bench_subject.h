@@ -17,6 +17,7 @@ struct BenchSubject {
   std::int64_t triangles = 0;
   DisplayProfile profile;
   RenderSettings settings;  // threads and isa resolved
+  bool session_has_camera = true;
   // After the measurement:
   MemoryUse memory;  // of scene, pictures and the renderer measured last
   ProcessLoad load;

@@ -70,7 +70,7 @@ Json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject&
   }
   Json json{
       {"format_version", 1}, {"program", program_with_version()}, {"table", cells}, {"seconds", seconds}};
-  add_subject(subject, features_text(subject.settings), json);
+  add_subject(subject, features_text(subject.settings, subject.session_has_camera), json);
   add_memory(subject, json);
   json["definitions"] = {
       {"frame_ms", "mean wall time of a run's frames, which sum up to `seconds` at least"},
@@ -89,7 +89,7 @@ Json frame_times_json(const std::vector<FrameTimeRow>& rows, const BenchSubject&
 
 std::string frame_times_table(const std::vector<FrameTimeRow>& rows, const BenchSubject& subject,
                               double seconds) {
-  std::string text = subject_text(subject, features_text(subject.settings)) +
+  std::string text = subject_text(subject, features_text(subject.settings, subject.session_has_camera)) +
                      "\n\naverage frame time in ms (frame / raw), each over " + shortest_text(seconds) +
                      " s of frames\n";
   text += line("polar buffer", [](std::size_t i) {

@@ -166,7 +166,7 @@ Json left_out_json(const LeftOutResult& result, const BenchSubject& subject) {
             {"instants", result.instants},
             {"repeats", result.repeats},
             {"memory_bytes", memory_json(result.memory)}};
-  add_subject(subject, settings_text(subject.settings), json);
+  add_subject(subject, settings_text(subject.settings, subject.session_has_camera), json);
   json["definitions"] = {
       {"frame_ms", "median over instants of the fastest of `repeats` frames as planned"},
       {"time_ratio",
@@ -179,11 +179,11 @@ Json left_out_json(const LeftOutResult& result, const BenchSubject& subject) {
 
 std::string left_out_table(const LeftOutResult& result, const BenchSubject& subject) {
   std::string text =
-      subject_text(subject, settings_text(subject.settings)) + "\nframe " + fixed_text(result.frame_ms, 1) +
-      " ms; what it would take more, medians of " + std::to_string(result.instants) +
-      " instants, of each the fastest of " + std::to_string(result.repeats) + " frames\n\n" +
-      left_aligned("left out", kLeftOutWidth) + right_aligned("time", kTimeWidth + kShareWidth) +
-      right_aligned("memory", kMemoryWidth) + "  because\n";
+      subject_text(subject, settings_text(subject.settings, subject.session_has_camera)) + "\nframe " +
+      fixed_text(result.frame_ms, 1) + " ms; what it would take more, medians of " +
+      std::to_string(result.instants) + " instants, of each the fastest of " +
+      std::to_string(result.repeats) + " frames\n\n" + left_aligned("left out", kLeftOutWidth) +
+      right_aligned("time", kTimeWidth + kShareWidth) + right_aligned("memory", kMemoryWidth) + "  because\n";
   for (const LeftOut& entry : result.entries) text += row(entry);
   text += row(result.everything) + row(result.control);
   if (changed_picture(result).empty()) text += "pictures: the same, bit for bit, with each of them\n";

@@ -101,7 +101,7 @@ void add_hidden_flags(CLI::App& app, CheckOptions& options) {
 
 void add_check_flags(CLI::App& app, CheckOptions& options) {
   ReplayOptions& replay = options.run.replay;
-  replay.format = PictureFormat::none;
+  replay.formats = {};
   replay.sheet = SheetChoice::none;
   add_session_flags(app, replay);
   add_comparison_flags(app, options);
@@ -127,7 +127,12 @@ std::vector<std::string> measured_run_arguments(const CLI::App& app, const Rende
     if (std::find(kOfTheCommand.begin(), kOfTheCommand.end(), name) != kOfTheCommand.end()) continue;
     if (std::find(of_preset.begin(), of_preset.end(), name) != of_preset.end()) continue;
     flags.push_back(name);
-    if (option->get_items_expected_max() > 0) flags.push_back(option->results().back());
+    if (option->get_items_expected_max() == 0) continue;
+    flags.push_back(option->results().back());
+    // Of a flag that may be given several times, every value.
+    if (option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll) continue;
+    for (std::size_t i = 0; i + 1 < option->results().size(); ++i)
+      flags.insert(flags.end() - 1, {option->results()[i], name});
   }
   flags.insert(flags.end(), session.begin(), session.end());
   return flags;

@@ -23,8 +23,7 @@ namespace {
 
 void add_bench(CLI::App& app, BenchOptions& options) {
   app.add_option("SESSION", options.session, "session folder (default: the sample desk-walk)")->type_name("");
-  file_flag(app, "--scene", "scene file (default: the one that the session names)",
-            [&](const std::string& text) { options.scene = text; });
+  add_scene_flags(app, options.scene, options.asset_roots);
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
@@ -97,8 +96,7 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
   app.add_option("PATH", options.path, "session folder, or a scene: .scene.json, .gltf, .glb")
       ->required()
       ->type_name("");
-  file_flag(app, "--scene", "scene file (default: the one that the session names)",
-            [&](const std::string& text) { options.scene = text; });
+  add_scene_flags(app, options.scene, options.asset_roots);
   value_flag(app, "--profile", "NAME|FILE",
              "display profile: xr1, xr1-half or a file (default: the session's)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });

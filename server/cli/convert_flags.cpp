@@ -122,7 +122,7 @@ void add_convert_flags(CLI::App& app, ConvertOptions& options) {
   add_feed_flags(app, options.feed);
   value_flag(app, "--profile", "NAME|FILE", "display profile of the session (default xr1)",
              [&](const std::string& text) { options.profile = text; });
-  value_flag(app, "--scene", "PATH", "scene that session.json names, relative to OUT",
+  value_flag(app, "--scene", "PATH", "scene file that session.json names, relative to OUT; it must be there",
              [&](const std::string& text) { options.scene = text; });
   value_flag(app, "--licence", "TEXT", "licence of the recording",
              [&](const std::string& text) { options.licence = text; });

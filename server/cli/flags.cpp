@@ -14,6 +14,8 @@
 namespace herr {
 namespace {
 
+constexpr const char* kAssetRootFlag = "--asset-root";
+
 bool is_ipv4_loopback(const std::string& text) {
   in_addr address{};
   return ::inet_pton(AF_INET, text.c_str(), &address) == 1 && (ntohl(address.s_addr) >> 24) == 127;
@@ -48,10 +50,29 @@ void file_flag(CLI::App& app, const std::string& flag, const std::string& help, 
   value_flag(app, flag, "PATH", help, [flag, read](const std::string& text) { read(non_empty(flag, text)); });
 }
 
+void add_asset_root_flag(CLI::App& app, std::vector<std::filesystem::path>& asset_roots) {
+  app.add_option_function<std::vector<std::string>>(
+         kAssetRootFlag,
+         [&asset_roots](const std::vector<std::string>& folders) {
+           for (const std::string& folder : folders)
+             asset_roots.emplace_back(non_empty(kAssetRootFlag, folder));
+         },
+         "folder below which a scene document finds models that are not in its own; may be given several "
+         "times")
+      ->type_name("DIR")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_scene_flags(CLI::App& app, std::string& scene, std::vector<std::filesystem::path>& asset_roots) {
+  file_flag(app, "--scene", "scene file (default: the one that the session names)",
+            [&scene](const std::string& text) { scene = text; });
+  add_asset_root_flag(app, asset_roots);
+}
+
 void add_session_flags(CLI::App& app, ReplayOptions& options) {
   app.add_option("SESSION", options.sessions, "session folders")->required()->type_name("");
-  file_flag(app, "--scene", "scene file (default: the one that the session names)",
-            [&](const std::string& text) { options.scene = text; });
+  add_scene_flags(app, options.scene, options.asset_roots);
   app.add_flag_callback(
       "--strict", [&] { options.session.strict = true; }, "a stream that was cut off is an error");
 }
@@ -78,7 +99,7 @@ void add_replay_flags(CLI::App& app, ReplayOptions& options) {
 
 void add_serve_flags(CLI::App& app, ServeOptions& options) {
   options.replay.clock = ReplayClock::realtime;
-  options.replay.format = PictureFormat::none;
+  options.replay.formats = {};
   options.replay.sheet = SheetChoice::none;
   add_session_flags(app, options.replay);
   value_flag(app, "--host", "ADDRESS", "address of this machine to listen on (default 127.0.0.1)",

@@ -2,8 +2,10 @@
 // (flag_values.h). Before: command_line makes one parser for each command. After: options structs.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "server/serve/serve_options.h"
 #include "server/settings/replay_options.h"
@@ -23,6 +25,10 @@ CLI::Option* value_flag(CLI::App& app, const std::string& flag, const std::strin
 // The same for a path that must not be empty.
 void file_flag(CLI::App& app, const std::string& flag, const std::string& help, const FlagReader& read);
 
+// --scene, in place of the one that the session names, and --asset-root.
+void add_scene_flags(CLI::App& app, std::string& scene, std::vector<std::filesystem::path>& asset_roots);
+// --asset-root, repeatable.
+void add_asset_root_flag(CLI::App& app, std::vector<std::filesystem::path>& asset_roots);
 // What is replayed, and how strictly it is read.
 void add_session_flags(CLI::App& app, ReplayOptions& options);
 // All of `herr replay` and of `herr serve`; the options hold the defaults.

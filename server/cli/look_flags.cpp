@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,14 @@ LookDirection direction_from(const std::string& text) {
           parse_signed_number("--from", text.substr(comma + 1), 90)};
 }
 
+PictureFormats formats_from(const std::string& text) {
+  try {
+    return picture_formats_from(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--format: ") + error.what());
+  }
+}
+
 void add_camera_flags(CLI::App& app, LookOptions& options) {
   value_flag(app, "--size", "WxH", "pixels (default 800x800)", [&](const std::string& text) {
     const SizeValue size = parse_size("--size", text, kMostLookSide_px);
@@ -72,6 +81,9 @@ void add_camera_flags(CLI::App& app, LookOptions& options) {
 void add_picture_flags(CLI::App& app, LookOptions& options) {
   file_flag(app, "--out", "picture, .png or .exr, or the folder of --turntable (default: MODEL's name, here)",
             [&](const std::string& text) { options.out = text; });
+  value_flag(app, "--format", "NAME,...",
+             "png, exr or png,exr (default: by the ending of --out; a turntable's is png)",
+             [&](const std::string& text) { options.formats = formats_from(text); });
   app.add_flag_callback(
       "--overwrite", [&] { options.overwrite = true; }, "replace what is there");
   value_flag(
@@ -105,6 +117,7 @@ void add_look_flags(CLI::App& app, LookOptions& options) {
   app.add_option("MODEL", options.path, "model or scene: .gltf, .glb, .vox, .scene.json")
       ->required()
       ->type_name("");
+  add_asset_root_flag(app, options.asset_roots);
   add_picture_flags(app, options);
   add_camera_flags(app, options);
   add_preset_flags(app, options.render, false);

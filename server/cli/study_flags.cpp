@@ -83,8 +83,7 @@ void check_stability_options(const StudyOptions& options) {
 
 void add_study_flags(CLI::App& app, StudyOptions& options) {
   app.add_option("SESSION", options.session, "session folder")->type_name("");
-  file_flag(app, "--scene", "scene file (default: the one that the session names)",
-            [&](const std::string& text) { options.scene = text; });
+  add_scene_flags(app, options.scene, options.asset_roots);
   value_flag(app, "--profile", "NAME|FILE", "display profile: xr1, xr1-half or a file (default xr1-half)",
              [&](const std::string& text) { options.profile = non_empty("--profile", text); });
   file_flag(app, "--out",

@@ -42,6 +42,7 @@ void point_flag(CLI::App& app, const std::string& flag, const std::string& help,
 void add_place_flags(CLI::App& app, SynthOptions& options) {
   file_flag(app, "--scene", "the room that the camera sees; without it there is no camera",
             [&](const std::string& text) { options.room = text; });
+  add_asset_root_flag(app, options.asset_roots);
   file_flag(app, "--replay-scene", "scene that session.json names, relative to OUT (default: none)",
             [&](const std::string& text) { options.scene = text; });
   value_flag(app, "--profile", "NAME|FILE", "display profile of the session (default xr1)",

@@ -203,6 +203,7 @@ int convert(const ConvertOptions& options) {
   request.sort_rows = options.sort ? kSortRows : 0;
 
   NewSessionFolder folder(options.out, options.overwrite);
+  if (!options.scene.empty()) (void)scene_beside(folder, "--scene", options.scene);
   SessionHeader header = header_for(options, folder, format, std::move(profile));
   SessionRecorder recorder(folder.path());
   PlausibilityMeter meter;

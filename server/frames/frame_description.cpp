@@ -62,6 +62,7 @@ FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const 
   record.probes = rendered.probes;
   record.theta_max_deg = rendered.theta_max_deg;
   record.cpu_ms = rendered.cpu_ms;
+  record.preemptions = rendered.preemptions;
   describe_acuity(rendered, record);
   record.pose_source = sample.head.source;
   record.gaze_source = sample.gaze.source;

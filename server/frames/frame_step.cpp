@@ -1,5 +1,6 @@
 #include "server/frames/frame_step.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "server/frames/frame_description.h"
@@ -40,8 +41,23 @@ void FrameStep::describe(const RenderedFrame& rendered, const FramePacing& pacin
   describe_quality(decision_, sample_, record_);
   record_.sample_ms = static_cast<double>(sampled_ns_ - started_ns_) * 1e-6;
   record_.stutter = stutter_.next_ms(record_.times.frame_ms);
-  if (pacing.pacer == nullptr) return;
-  describe_pacing(pacing.pacer->finish(started_ns_, finished_ns_), pacing.dropped, record_);
+  double period_share_ms = record_.times.frame_ms;  // what the period has to hold
+  if (pacing.pacer != nullptr) {
+    describe_pacing(pacing.pacer->finish(started_ns_, finished_ns_), pacing.dropped, record_);
+    period_share_ms = static_cast<double>(finished_ns_ - started_ns_) * 1e-6;
+  }
+  if (record_.missed) record_.cause = cause_of_miss(miss_facts(period_share_ms));
+}
+
+MissFacts FrameStep::miss_facts(double wall_ms) const {
+  MissFacts facts;
+  facts.frame_ms = record_.times.frame_ms;
+  facts.beside_ms = std::max(0.0, wall_ms - facts.frame_ms);
+  facts.period_ms = report_.range.period_ms();
+  facts.cpu_ms = record_.cpu_ms;
+  facts.preemptions = record_.preemptions;
+  facts.threads = std::max(1, std::min(report_.settings.threads, report_.load.cores));
+  return facts;
 }
 
 void FrameStep::skip_frame() {

@@ -62,6 +62,8 @@ class FrameStep {
 
  private:
   void describe(const RenderedFrame& rendered, const FramePacing& pacing);
+  // `wall_ms`: of all that the frame's period had to hold.
+  MissFacts miss_facts(double wall_ms) const;
 
   const ReplayOptions& options_;
   const SessionReport& report_;

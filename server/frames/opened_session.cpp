@@ -19,7 +19,7 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
   }
   report.scene_file =
       options.scene.empty() ? opened.session->folder() / named : std::filesystem::path(options.scene);
-  opened.scene = load_scene(report.scene_file);
+  opened.scene = load_scene(report.scene_file, options.asset_roots);
   opened.scene.changes = opened.scene.changes || report.findings.event_rows > 0;
   opened.player.emplace(opened.scene, options.session.keep_going);
   opened.player->rehearse(*opened.session, opened.scene);

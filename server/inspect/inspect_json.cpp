@@ -297,7 +297,7 @@ Json inspect_json(const InspectReport& report) {
   if (report.session) json["session"] = session_json(report);
   json["profile"] = {{"name", report.profile.name}, {"display_hz", report.profile.display_hz}};
   if (report.scene) json["scene"] = scene_json(report);
-  json["settings"] = settings_text(report.settings);
+  json["settings"] = settings_text(report.settings, report.has_camera_feed());
   if (report.plan) json["plan"] = plan_json(*report.plan);
   if (report.acuity) json["acuity"] = acuity_json(*report.acuity);
   if (!report.acuity_plot.empty()) json["acuity"]["plot"] = report.acuity_plot.string();

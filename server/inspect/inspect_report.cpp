@@ -16,7 +16,8 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
   try {
     // Sizes of textures are facts enough, unless probes are to be lit by them.
     const bool pixels = options.decode || !options.probes.folder.empty();
-    Scene scene = load_scene(report.scene_file, pixels ? TexturePixels::decoded : TexturePixels::left_out);
+    Scene scene = load_scene(report.scene_file, pixels ? TexturePixels::decoded : TexturePixels::left_out,
+                             DefaultLight::above, options.asset_roots);
     report.scene = facts_of(scene);
     report.plan = plan_frame(scene, options.render, session_has_camera);
     for (const std::string& warning : scene.warnings)

@@ -31,6 +31,7 @@ struct InspectReport {
   std::optional<ProbeDump> probes;    // what was written of them
   FindingList findings;               // of the session and of the scene
 
+  bool has_camera_feed() const { return session && session->has_camera_feed(); }
   bool sound() const { return findings.first_error() == nullptr; }
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 std::string plan_text(const InspectReport& report) {
   if (!report.plan) return "";
-  std::string text = "frame plan (" + settings_text(report.settings) + ")\n";
+  std::string text = "frame plan (" + settings_text(report.settings, report.has_camera_feed()) + ")\n";
   int widest = 0;
   for (const PlanEntry& entry : report.plan->entries)
     widest = std::max(widest, static_cast<int>(entry.name.size()));

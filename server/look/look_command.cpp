@@ -47,7 +47,7 @@ struct Subject {
 
 void load(const LookOptions& options, Subject& subject) {
   Scene& scene = subject.scene;
-  scene = load_scene(options.path, TexturePixels::decoded, DefaultLight::none);
+  scene = load_scene(options.path, TexturePixels::decoded, DefaultLight::none, options.asset_roots);
   subject.studio = needs_studio(scene, !is_scene_document(options.path));
   if (!subject.studio && scene.lights.empty()) scene.warnings.push_back(no_lights_warning(options.path));
   if (!options.environment.empty()) {
@@ -97,7 +97,7 @@ class LookRun {
  public:
   explicit LookRun(const LookOptions& options) : options_(options), files_(look_files(options)) {
     if (options.turntable > 0) {
-      folder_.emplace(NewFolder::Request{files_.out, options.overwrite, "--out", "helmet-turntable",
+      folder_.emplace(NewFolder::Request{files_.folder, options.overwrite, "--out", "helmet-turntable",
                                          check_turntable_folder});
     }
   }
@@ -140,15 +140,19 @@ class LookRun {
   void write(LookRenderer& renderer, const LookCamera& camera, Look& look, int number) {
     if (number == 0) report_.exposure = look_exposure(options_, subject_.scene, in_room(), look.model);
     look.picture.exposure = report_.exposure.scale();
-    const std::vector<std::uint8_t> bytes =
-        encoded_look(options_, renderer, camera, look.picture, files_.format);
-    const std::filesystem::path file =
-        folder_ ? folder_->path() / turntable_picture(options_, number) : files_.out;
-    write_whole_file(file, bytes);
+    std::size_t file = 0;
+    for (const PictureFormat format : kPictureFormats) {
+      if (!files_.formats.has(format)) continue;
+      const std::vector<std::uint8_t> bytes = encoded_look(options_, renderer, camera, look.picture, format);
+      write_whole_file(
+          folder_ ? folder_->path() / turntable_picture(options_, number, format) : files_.files.at(file++),
+          bytes);
+    }
   }
 
   void print() {
-    report_.out = files_.out;
+    report_.out = folder_ ? files_.folder : files_.files.front();
+    if (!folder_) report_.also.assign(files_.files.begin() + 1, files_.files.end());
     report_.width_px = options_.width_px;
     report_.height_px = options_.height_px;
     report_.fov_deg = options_.fov_deg;

@@ -8,6 +8,7 @@
 #include "server/output/exr_encoder.h"
 #include "server/output/png_encoder.h"
 #include "server/process/version.h"
+#include "server/results/settings_report.h"
 
 namespace herr {
 
@@ -26,9 +27,9 @@ Exposure look_exposure(const LookOptions& options, const Scene& scene, bool stud
 
 std::vector<std::uint8_t> encoded_look(const LookOptions& options, LookRenderer& renderer,
                                        const LookCamera& camera, const ViewportImage& picture,
-                                       LookFormat format) {
+                                       PictureFormat format) {
   std::vector<std::uint8_t> bytes;
-  if (format == LookFormat::png) {
+  if (format == PictureFormat::png) {
     Srgb8Image image;
     srgb8_from_viewport(picture, !options.background, image);
     encode_png(image, bytes);
@@ -38,7 +39,9 @@ std::vector<std::uint8_t> encoded_look(const LookOptions& options, LookRenderer&
   metadata.scene = options.path.filename().string();
   metadata.program = program_with_version();
   metadata.isa = name_of(renderer.renderer().settings().isa);
-  metadata.settings = "herr look, " + std::to_string(options.samples) + " rays per pixel";
+  metadata.settings = "herr look, rays per pixel " + std::to_string(options.samples) +
+                      (options.background ? "" : ", no background") + ", " +
+                      settings_text(renderer.renderer().settings(), false);
   const ParallelFor parallel_for = [&](int count, const std::function<void(int)>& work) {
     renderer.renderer().parallel_for(count, work);
   };

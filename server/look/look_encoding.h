@@ -20,6 +20,6 @@ Exposure look_exposure(const LookOptions& options, const Scene& scene, bool stud
 // Throws std::runtime_error when an encoder refuses.
 std::vector<std::uint8_t> encoded_look(const LookOptions& options, LookRenderer& renderer,
                                        const LookCamera& camera, const ViewportImage& picture,
-                                       LookFormat format);
+                                       PictureFormat format);
 
 }  // namespace herr

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/render_settings.h"
+#include "server/settings/picture_formats.h"
 
 namespace herr {
 
@@ -18,8 +21,11 @@ struct LookDirection {
 };
 
 struct LookOptions {
-  std::filesystem::path path;  // .gltf, .glb, .vox or .scene.json
-  std::filesystem::path out;   // empty: the model's name with .png, or as a folder of a turntable, here
+  std::filesystem::path path;                      // .gltf, .glb, .vox or .scene.json
+  std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
+  std::filesystem::path out;  // empty: the model's name with .png, or as a folder of a turntable, here
+  std::optional<PictureFormats>
+      formats;  // none: by the ending of `out`; without one, and of a turntable, PNG
   bool overwrite = false;
   int width_px = 800, height_px = 800;
   double fov_deg = 35;  // across the shorter side of the picture

@@ -25,7 +25,9 @@ std::string significant(double value) {
 
 std::string look_text(const LookReport& report) {
   const std::string size = std::to_string(report.width_px) + "x" + std::to_string(report.height_px);
-  return printable(report.out.string()) + ": " +
+  std::string files = printable(report.out.string());
+  for (const std::filesystem::path& file : report.also) files += ", " + printable(file.string());
+  return files + ": " +
          (report.pictures > 1 ? std::to_string(report.pictures) + " pictures of " + size : size) + ", from " +
          shortest_text(report.from.azimuth_deg) + "," + shortest_text(report.from.elevation_deg) + " at " +
          significant(report.distance_m) + " m over " + shortest_text(report.fov_deg) + " degrees, exposure " +
@@ -35,6 +37,7 @@ std::string look_text(const LookReport& report) {
 
 std::string look_json(const LookReport& report) {
   nlohmann::ordered_json json{{"out", printable(report.out.string())},
+                              {"also", nlohmann::ordered_json::array()},
                               {"pictures", report.pictures},
                               {"width_px", report.width_px},
                               {"height_px", report.height_px},
@@ -47,6 +50,7 @@ std::string look_json(const LookReport& report) {
                               {"light", report.light},
                               {"triangles", report.triangles},
                               {"warnings", report.warnings}};
+  for (const std::filesystem::path& file : report.also) json["also"].push_back(printable(file.string()));
   return json_text(json);
 }
 

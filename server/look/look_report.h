@@ -11,7 +11,8 @@
 namespace herr {
 
 struct LookReport {
-  std::filesystem::path out;
+  std::filesystem::path out;                // a file, or the folder of a turntable
+  std::vector<std::filesystem::path> also;  // the same picture in further formats
   int width_px = 0, height_px = 0, pictures = 1;
   LookDirection from;  // of the first picture
   double distance_m = 0, fov_deg = 0;

@@ -111,7 +111,7 @@ void draw_contact_sheet(const std::vector<const ViewportImage*>& pictures,
   out.width_px = layout.width_px;
   out.height_px = layout.height_px;
   out.channels = 3;
-  out.nonfinite_values = 0;
+  out.nonfinite_values = out.clipped_pixels = 0;
   const std::uint8_t background = srgb8_of_half()[half_from_float(kBackgroundLinear)];
   out.values.assign(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px),
                     background);
@@ -128,7 +128,7 @@ void draw_reduced_picture(const ViewportImage& viewport, int longest_px, Srgb8Im
   out.width_px = cell.width_px;
   out.height_px = cell.height_px;
   out.channels = 3;
-  out.nonfinite_values = 0;
+  out.nonfinite_values = out.clipped_pixels = 0;
   out.values.resize(3 * static_cast<std::size_t>(cell.width_px) * static_cast<std::size_t>(cell.height_px));
   for (int y = 0; y < cell.height_px; ++y) draw_cell_row(viewport, cell, y, out);
 }

@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
@@ -26,6 +27,29 @@ namespace {
 // ZIPS at level 1: README.md of this folder says why.
 constexpr Imf::Compression kCompression = Imf::ZIPS_COMPRESSION;
 constexpr int kZipLevel = 1;
+
+constexpr const char* kUnit =
+    "W/(sr m^2) in each channel, linear, relative to the scene's lights; of a camera feed: its white is "
+    "2^-herr.exposure_ev";
+
+// What only a look at every pixel tells.
+struct PixelFacts {
+  std::int64_t nonfinite_values = 0;
+  bool opaque = true;  // alpha is 1 everywhere
+};
+
+PixelFacts pixel_facts_of(const ViewportImage& image) {
+  constexpr std::uint16_t kOpaque = 0x3C00;
+  PixelFacts facts;
+  for (int y = 0; y < image.height_px; ++y) {
+    const std::uint16_t* texel = image.row(y);
+    for (int x = 0; x < image.width_px; ++x, texel += 4) {
+      for (int c = 0; c < 4; ++c) facts.nonfinite_values += half_is_finite(texel[c]) ? 0 : 1;
+      facts.opaque = facts.opaque && texel[3] == kOpaque;
+    }
+  }
+  return facts;
+}
 
 Imath::V3d vec(const glm::dvec3& v) {
   return {v.x, v.y, v.z};
@@ -47,6 +71,16 @@ void describe_run(const PictureMetadata& metadata, Imf::Header& header) {
 // Values are those of the scene: a viewer multiplies by 2^exposure to see what an 8-bit picture shows.
 void describe_exposure(const ViewportImage& picture, Imf::Header& header) {
   header.insert("herr.exposure_ev", Imf::DoubleAttribute(std::log2(double{picture.exposure})));
+}
+
+// Primaries and white of sRGB, as the scene's colours are stated: Chromaticities' own default. No luminance
+// of white is stated: scenes state radiance, and how bright a camera's feed was is not known.
+void describe_values(const PixelFacts& pixels, Imf::Header& header) {
+  const Imf::Chromaticities srgb;
+  Imf::addChromaticities(header, srgb);
+  Imf::addAdoptedNeutral(header, srgb.white);
+  header.insert("herr.unit", Imf::StringAttribute(kUnit));
+  header.insert("herr.alpha", Imf::StringAttribute(pixels.opaque ? "1 everywhere" : "premultiplied"));
 }
 
 void describe_head(const FrameSample& sample, Imf::Header& header) {
@@ -79,7 +113,7 @@ Imath::Box2i display_window(const std::vector<PictureOutline>& outlines) {
   return window;
 }
 
-Imf::Header make_header(const PictureOutline& outline, const ViewportImage& picture,
+Imf::Header make_header(const PictureOutline& outline, const ViewportImage& picture, const PixelFacts& pixels,
                         const Imath::Box2i& window, const FrameSample& sample,
                         const PictureMetadata& metadata) {
   const Imath::V2i last(outline.width_px - 1, outline.height_px - 1);
@@ -91,6 +125,7 @@ Imf::Header make_header(const PictureOutline& outline, const ViewportImage& pict
   for (const char* channel : {"R", "G", "B", "A"}) header.channels().insert(channel, Imf::Channel(Imf::HALF));
   describe_run(metadata, header);
   describe_exposure(picture, header);
+  describe_values(pixels, header);
   describe_head(sample, header);
   if (outline.eye) describe_eye(sample, *outline.eye, header);
   header.insert("herr.viewport_kind", Imf::StringAttribute(name_of(outline.kind)));
@@ -119,34 +154,26 @@ Imf::FrameBuffer frame_buffer_over(const ViewportImage& image) {
   return buffer;
 }
 
-std::int64_t count_nonfinite(const ViewportImage& image) {
-  std::int64_t count = 0;
-  const auto values = 4 * static_cast<std::size_t>(image.width_px);
-  for (int y = 0; y < image.height_px; ++y) {
-    const std::uint16_t* row = image.row(y);
-    for (std::size_t i = 0; i < values; ++i) count += half_is_finite(row[i]) ? 0 : 1;
-  }
-  return count;
-}
-
 }  // namespace
 
 std::int64_t encode_exr(const std::vector<const ViewportImage*>& pictures,
                         const std::vector<PictureOutline>& outlines, const FrameSample& sample,
                         const PictureMetadata& metadata, const ParallelFor& parallel_for,
                         std::vector<std::uint8_t>& out) {
+  std::vector<PixelFacts> pixels(pictures.size());
+  parallel_for(static_cast<int>(pictures.size()), [&](int i) {
+    pixels[static_cast<std::size_t>(i)] = pixel_facts_of(*pictures[static_cast<std::size_t>(i)]);
+  });
   std::vector<Imf::Header> headers;
   const Imath::Box2i window = display_window(outlines);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    headers.push_back(make_header(outlines[i], *pictures[i], window, sample, metadata));
+    headers.push_back(make_header(outlines[i], *pictures[i], pixels[i], window, sample, metadata));
   }
 
   // Compress each part as a file of its own, all at once.
   std::vector<std::vector<std::uint8_t>> parts(pictures.size());
-  std::vector<std::int64_t> nonfinite(pictures.size(), 0);
   parallel_for(static_cast<int>(pictures.size()), [&](int i) {
     const auto part = static_cast<std::size_t>(i);
-    nonfinite[part] = count_nonfinite(*pictures[part]);
     MemoryOutput stream(parts[part]);
     Imf::OutputFile file(stream, headers[part], 0);
     file.setFrameBuffer(frame_buffer_over(*pictures[part]));
@@ -164,7 +191,7 @@ std::int64_t encode_exr(const std::vector<const ViewportImage*>& pictures,
     }
   }
   std::int64_t total = 0;
-  for (const std::int64_t count : nonfinite) total += count;
+  for (const PixelFacts& facts : pixels) total += facts.nonfinite_values;
   return total;
 }
 

@@ -81,6 +81,14 @@ void check_scene_name(const std::string& flag, const std::string& scene) {
     throw UsageError(flag + ": is an absolute path; write it relative to OUT");
 }
 
+fs::path scene_beside(const NewSessionFolder& folder, const std::string& flag, const std::string& scene) {
+  fs::path file = folder.path() / scene;
+  if (!is_file(file))
+    throw UsageError(flag + ": there is no file " + printable(folder.with_final_name(file.string())) +
+                     "; write the path relative to OUT");
+  return file;
+}
+
 std::string numbered_picture(std::size_t index, const std::string& extension) {
   const std::string digits = std::to_string(index);
   return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + extension;

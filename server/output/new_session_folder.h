@@ -39,6 +39,11 @@ SessionHeader new_session_header(const NewSessionFolder& folder);
 // not move with the session.
 void check_scene_name(const std::string& flag, const std::string& scene);
 
+// The file of a scene that session.json will name, seen from the session's folder as replay will look for it.
+// Throws UsageError where there is none.
+std::filesystem::path scene_beside(const NewSessionFolder& folder, const std::string& flag,
+                                   const std::string& scene);
+
 // "000012.png": pictures sort by name.
 std::string numbered_picture(std::size_t index, const std::string& extension);
 

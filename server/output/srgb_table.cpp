@@ -37,25 +37,46 @@ const Srgb8Table& srgb8_of_half(float exposure) {
   return entry->second;
 }
 
+std::uint16_t white_half(float exposure) {
+  const double most = (1.0 + std::exp2(-11)) / double{exposure};
+  std::uint16_t low = 0, high = 0x7BFF;  // 0 and the greatest finite half
+  while (low < high) {
+    const auto middle = static_cast<std::uint16_t>((low + high + 1) / 2);
+    if (double{float_from_half(middle)} <= most) {
+      low = middle;
+    } else {
+      high = static_cast<std::uint16_t>(middle - 1);
+    }
+  }
+  return low;
+}
+
 namespace {
 
-constexpr std::uint16_t kHalfOne = 0x3C00;
+constexpr std::uint16_t kHalfOne = 0x3C00, kHalfMinusZero = 0x8000;
 
 std::uint8_t unit8(float value) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
 }
 
-// One texel with alpha: unassociated colour, then alpha.
-void write_unassociated(const Srgb8Table& table, const std::uint16_t* texel, std::uint8_t* pixel) {
-  const float alpha = half_is_finite(texel[3]) ? float_from_half(texel[3]) : 0.0f;
-  for (int c = 0; c < 3; ++c) {
-    if (texel[3] == kHalfOne) {
-      pixel[c] = table[texel[c]];
-    } else {
-      pixel[c] = alpha > 0.0f ? table[half_from_float(float_from_half(texel[c]) / alpha)] : std::uint8_t{0};
-    }
-  }
-  pixel[3] = unit8(alpha);
+struct ShownTexel {
+  std::array<std::uint16_t, 3> colour;  // unassociated where alpha counts
+  float alpha = 1;
+};
+
+ShownTexel unassociated(const std::uint16_t* texel) {
+  ShownTexel result{{texel[0], texel[1], texel[2]},
+                    half_is_finite(texel[3]) ? float_from_half(texel[3]) : 0.0f};
+  if (texel[3] == kHalfOne) return result;
+  for (std::uint16_t& colour : result.colour)
+    colour = result.alpha > 0.0f ? half_from_float(float_from_half(colour) / result.alpha) : std::uint16_t{0};
+  return result;
+}
+
+// Below 0 (-0 is not), or above `white`.
+bool is_clipped(const ShownTexel& texel, std::uint16_t white) {
+  return std::any_of(texel.colour.begin(), texel.colour.end(),
+                     [white](std::uint16_t bits) { return bits > white && bits != kHalfMinusZero; });
 }
 
 }  // namespace
@@ -65,20 +86,22 @@ void srgb8_from_viewport(const ViewportImage& image, bool with_alpha, Srgb8Image
   out.width_px = image.width_px;
   out.height_px = image.height_px;
   out.channels = with_alpha ? 4 : 3;
-  out.nonfinite_values = 0;
+  out.nonfinite_values = out.clipped_pixels = 0;
   out.values.resize(width * static_cast<std::size_t>(image.height_px) *
                     static_cast<std::size_t>(out.channels));
   const Srgb8Table& table = srgb8_of_half(image.exposure);
+  const std::uint16_t white = white_half(image.exposure);
   std::uint8_t* pixel = out.values.data();
   for (int y = 0; y < image.height_px; ++y) {
-    const std::uint16_t* texel = image.row(y);
-    for (std::size_t x = 0; x < width; ++x, texel += 4, pixel += out.channels) {
-      if (with_alpha) {
-        write_unassociated(table, texel, pixel);
-      } else {
-        for (int c = 0; c < 3; ++c) pixel[c] = table[texel[c]];
-      }
-      for (int c = 0; c < 4; ++c) out.nonfinite_values += half_is_finite(texel[c]) ? 0 : 1;
+    const std::uint16_t* bits = image.row(y);
+    for (std::size_t x = 0; x < width; ++x, bits += 4, pixel += out.channels) {
+      const ShownTexel texel = with_alpha ? unassociated(bits) : ShownTexel{{bits[0], bits[1], bits[2]}};
+      for (std::size_t c = 0; c < 3; ++c) pixel[c] = table[texel.colour[c]];
+      if (with_alpha) pixel[3] = unit8(texel.alpha);
+      int nonfinite = 0;
+      for (int c = 0; c < 4; ++c) nonfinite += half_is_finite(bits[c]) ? 0 : 1;
+      out.nonfinite_values += nonfinite;
+      out.clipped_pixels += nonfinite == 0 && is_clipped(texel, white) ? 1 : 0;
     }
   }
 }

@@ -20,6 +20,9 @@ double srgb_from_linear(double linear);
 using Srgb8Table = std::array<std::uint8_t, 65536>;
 const Srgb8Table& srgb8_of_half(float exposure = 1);
 
+// The greatest pattern of a finite half h with h * exposure <= 1 + 2^-11: what lies above it is clipped.
+std::uint16_t white_half(float exposure);
+
 float float_from_half(std::uint16_t bits);
 std::uint16_t half_from_float(float value);
 inline bool half_is_finite(std::uint16_t bits) {
@@ -31,6 +34,9 @@ struct Srgb8Image {
   int width_px = 0, height_px = 0, channels = 3;
   std::vector<std::uint8_t> values;
   std::int64_t nonfinite_values = 0;  // NaN or Inf found in the source: a fault, shown as a warning
+  // Pixels of finite values with a colour, as shown, below 0 or above 1 by more than the rounding of a half
+  // (2^-11): an 8-bit picture shows 0 or 255 there.
+  std::int64_t clipped_pixels = 0;
 };
 
 // With alpha: colours are divided by alpha, through half precision (error < 0.03 of an 8-bit step). Without:

@@ -11,9 +11,8 @@ namespace herr {
 
 PictureOutput::PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer)
     : config_(std::move(config)), names_(files), renderer_(renderer), writer_(writer) {
-  files_.resize(files.pictures_per_frame());
-  if (config_.format != PictureFormat::png) return;
-  pictures_.resize(files_.size());
+  files_.resize(files.files_per_frame());
+  if (config_.formats.has(PictureFormat::png)) pictures_.resize(config_.pictures.size());
 }
 
 ParallelFor PictureOutput::parallel_for() {
@@ -21,12 +20,23 @@ ParallelFor PictureOutput::parallel_for() {
 }
 
 void PictureOutput::encode_pngs(const std::vector<const ViewportImage*>& rendered, Cost& cost) {
+  const std::size_t first = names_.first_of(PictureFormat::png);
   renderer_.parallel_for(static_cast<int>(pictures_.size()), [&](int i) {
     const auto index = static_cast<std::size_t>(i);
     srgb8_from_viewport(*rendered[index], config_.with_alpha, pictures_[index]);
-    encode_png(pictures_[index], files_[index]);
+    encode_png(pictures_[index], files_[first + index]);
   });
-  for (const Srgb8Image& picture : pictures_) cost.nonfinite_values += picture.nonfinite_values;
+  cost.nonfinite_values = 0;
+  for (const Srgb8Image& picture : pictures_) {
+    cost.nonfinite_values += picture.nonfinite_values;
+    cost.clipped_pixels += picture.clipped_pixels;
+  }
+}
+
+void PictureOutput::encode_one_exr(const std::vector<const ViewportImage*>& rendered,
+                                   const FrameSample& sample, Cost& cost) {
+  cost.nonfinite_values = encode_exr(rendered, config_.pictures, sample, config_.metadata, parallel_for(),
+                                     files_[names_.first_of(PictureFormat::exr)]);
 }
 
 std::int64_t PictureOutput::bytes_held() const {
@@ -44,11 +54,9 @@ PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSa
   // Encode everything first: that is what write_ms measures.
   const auto start = std::chrono::steady_clock::now();
   config_.metadata.frame = frame;
-  if (config_.format == PictureFormat::png) encode_pngs(pictures, cost);
-  if (config_.format == PictureFormat::exr) {
-    cost.nonfinite_values =
-        encode_exr(pictures, config_.pictures, sample, config_.metadata, parallel_for(), files_.front());
-  }
+  // Both find the same values that are not finite: they count once.
+  if (config_.formats.has(PictureFormat::png)) encode_pngs(pictures, cost);
+  if (config_.formats.has(PictureFormat::exr)) encode_one_exr(pictures, sample, cost);
   if (contact_sheet) {
     draw_contact_sheet(pictures, config_.pictures, parallel_for(), sheet_);
     encode_png(sheet_, sheet_file_);
@@ -58,7 +66,7 @@ PictureOutput::Cost PictureOutput::write_frame(std::int64_t frame, const FrameSa
 
   // Then hand the bytes over.
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    cost.wait_ms += writer_.submit(names_.picture(frame, i), files_[i]);
+    cost.wait_ms += writer_.submit(names_.file(frame, i), files_[i]);
   }
   if (contact_sheet) cost.wait_ms += writer_.submit(*contact_sheet, sheet_file_);
   return cost;

@@ -1,6 +1,6 @@
 // Encodes the pictures of one frame on the render threads and hands the bytes to the writer.
-// Before: Renderer::render_frame. After: FrameWriter. Formats: one EXR with a part per picture, or a PNG per
-// picture; contact sheets as PNG.
+// Before: Renderer::render_frame. After: FrameWriter. Formats: a PNG per picture, one EXR with a part per
+// picture, or both; contact sheets as PNG.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace herr {
 class PictureOutput {
  public:
   struct Config {
-    PictureFormat format = PictureFormat::png;
+    PictureFormats formats = PictureFormat::png;
     bool with_alpha = false;               // PNG: keep the coverage (no camera feed behind the picture)
     std::vector<PictureOutline> pictures;  // as pictures_of_frame() lists them
     PictureMetadata metadata;              // `frame` is filled in for each frame
@@ -29,6 +29,7 @@ class PictureOutput {
     double encode_ms = 0;               // on the render threads
     double wait_ms = 0;                 // for room in the writer's queue
     std::int64_t nonfinite_values = 0;  // NaN or Inf found in the pictures
+    std::int64_t clipped_pixels = 0;    // of PNG files: above white or below 0; 0 without PNG
   };
   Cost write_frame(std::int64_t frame, const FrameSample& sample, const RenderedFrame& rendered);
 
@@ -36,14 +37,16 @@ class PictureOutput {
 
  private:
   void encode_pngs(const std::vector<const ViewportImage*>& rendered, Cost& cost);
+  void encode_one_exr(const std::vector<const ViewportImage*>& rendered, const FrameSample& sample,
+                      Cost& cost);
   ParallelFor parallel_for();
 
   Config config_;
   const FrameFiles& names_;
   Renderer& renderer_;
   FrameWriter& writer_;
-  std::vector<Srgb8Image> pictures_;              // per picture; storage is kept
-  std::vector<std::vector<std::uint8_t>> files_;  // PNG: per picture; EXR: one
+  std::vector<Srgb8Image> pictures_;              // per picture, with PNG; storage is kept
+  std::vector<std::vector<std::uint8_t>> files_;  // as names_ numbers them
   Srgb8Image sheet_;
   std::vector<std::uint8_t> sheet_file_;
 };

@@ -101,6 +101,27 @@ std::string further_views_text(const SessionReport& report) {
   return text.empty() ? text : text + "\n";
 }
 
+// " (3 of them for the machine: preempted, their work would have fit)", or nothing.
+std::string machine_text(const RunStatistics& statistics) {
+  if (statistics.missed_by_machine == 0) return {};
+  return " (" + std::to_string(statistics.missed_by_machine) +
+         " of them for the machine: preempted, their work would have fit)";
+}
+
+// "clipped: 1234 pixels of the PNG files, 0.1 %, are ...", or nothing.
+std::string clipped_text(const SessionReport& report) {
+  const std::int64_t clipped = report.statistics.clipped_pixels;
+  if (clipped == 0) return {};
+  double pixels = 0;  // of a frame
+  for (const PictureOutline& picture : report.pictures())
+    pixels += static_cast<double>(picture.width_px) * picture.height_px;
+  const double share =
+      static_cast<double>(clipped) / (pixels * static_cast<double>(report.statistics.frames));
+  return "clipped: " + std::to_string(clipped) + " pixels of the PNG files, " + fixed_text(100 * share, 2) +
+         " %, are brighter than white or below 0; --exposure moves white, --format png,exr keeps values "
+         "too\n";
+}
+
 // The heading and table of one session, and where its files are.
 std::string report_text(const SessionReport& report, const ReplayOptions& options) {
   const RunStatistics& statistics = report.statistics;
@@ -109,14 +130,16 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
     text += std::string(" of ") + std::to_string(report.range.count) + " (" + name_of(report.state) + ")";
   }
   text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
-          fixed_text(report.range.period_ms(), 2) + " ms; " + std::to_string(report.settings.threads) +
-          " threads, " + name_of(report.settings.isa) + ", " + settings_text(report.settings) + "\n\n";
+          fixed_text(report.range.period_ms(), 2) + " ms" + machine_text(statistics) + "; " +
+          std::to_string(report.settings.threads) + " threads, " + name_of(report.settings.isa) + ", " +
+          "scene " + printable(report.scene_name) + ", " + headline_text(options, report) + "\n\n";
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
   if (statistics.frames > 0 && options.policy != QualityPolicy{})
     text += quality_text(statistics, options) + "\n";
   if (statistics.k_radial.count() > 0) text += acuity_text(statistics);
   text += load_text(report) + "\n";
   text += further_views_text(report);
+  text += clipped_text(report);
   text += "results: " + printable(report.out_folder.string()) + "\n";
   if (report.state != ReplayState::done && is_reproducible(options)) {
     text += "to go on with it: the same command and --resume\n";

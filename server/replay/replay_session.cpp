@@ -130,7 +130,7 @@ void SessionReplay::note_failure() {
 
 void SessionReplay::start_output() {
   const bool resume = options_.resume && path_exists(folder_.checkpoint_json());
-  lock_.emplace(folder_.prepare(options_.format, resume ? EarlierResults::resume : EarlierResults::replace));
+  lock_.emplace(folder_.prepare(options_.formats, resume ? EarlierResults::resume : EarlierResults::replace));
   files_.emplace(folder_, options_, report_.pictures(), report_.range);
   step_.emplace(options_, report_, opened_);
   tracker_.emplace(*opened_.session, *opened_.renderer, report_.range.first);
@@ -204,18 +204,19 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
   csv.flush();
   // Two frames may wait: enough to even out the disk, little enough to hold in memory. One more place for a
   // frame's row and one for a checkpoint.
-  const std::size_t jobs_per_frame = std::max<std::size_t>(files_->pictures_per_frame(), 1) + 2;
+  const std::size_t jobs_per_frame = std::max<std::size_t>(files_->files_per_frame(), 1) + 2;
   writer_ = std::make_unique<FrameWriter>(2 * jobs_per_frame, std::move(csv));
   checkpoint_ns_ = steady_now_ns();
   PictureOutput::Config config;
-  config.format = options_.format;
+  config.formats = options_.formats;
   config.with_alpha = !report_.plan.camera;
   config.pictures = report_.pictures();
   config.metadata.session = printable(report_.name);
   config.metadata.scene = printable(report_.scene_name);
   config.metadata.program = program_with_version();
   config.metadata.isa = name_of(report_.settings.isa);
-  config.metadata.settings = settings_text(resolved_options(options_, report_));
+  config.metadata.settings =
+      settings_text(resolved_options(options_, report_), report_.findings.camera_rows[0] > 0);
   pictures_ = std::make_unique<PictureOutput>(std::move(config), *files_, *opened_.renderer, *writer_);
 }
 
@@ -293,6 +294,7 @@ bool SessionReplay::render_one(std::int64_t frame, const FramePacing& pacing) {
   record.write_ms = cost.encode_ms;
   record.wait_ms = cost.wait_ms;
   record.nonfinite_pictures = cost.nonfinite_values;
+  record.clipped_pixels = cost.clipped_pixels;
   report_.statistics.add(record);
   report_.writer_waits += record.wait_ms > 0 ? 1 : 0;
   writer_->add_row(frames_csv_row(record));

@@ -32,7 +32,7 @@ struct FoundFiles {
 
 FoundFiles files_of(const FrameFiles& files, std::int64_t frame) {
   FoundFiles found;
-  for (std::size_t i = 0; i < files.pictures_per_frame(); ++i) found.look_for(files.picture(frame, i));
+  for (std::size_t i = 0; i < files.files_per_frame(); ++i) found.look_for(files.file(frame, i));
   found.sheet = files.contact_sheet(frame);
   if (found.sheet) found.look_for(*found.sheet);
   return found;

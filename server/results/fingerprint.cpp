@@ -131,7 +131,21 @@ Fingerprint::Entries settings_of_run(const SessionReport& report, const ReplayOp
   return entries;
 }
 
-Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, PictureIdentity identity) {
+// Of a file that a scene names: where it lies below the scene's folder, or below an asset root.
+fs::path folder_of(const fs::path& file, const SessionReport& report, const ReplayOptions& options) {
+  const fs::path own = fs::absolute(report.scene_file).parent_path();
+  for (const fs::path& folder : options.asset_roots) {
+    const auto inside = [&file](const fs::path& outer) {
+      const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(outer));
+      return !name.empty() && *name.begin() != "..";
+    };
+    if (!inside(own) && inside(folder)) return folder;
+  }
+  return own;
+}
+
+Fingerprint::Entries inputs_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
+                               PictureIdentity identity) {
   Fingerprint::Entries inputs;
   const auto add = [&inputs](const fs::path& file, const fs::path& folder) {
     const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
@@ -146,7 +160,7 @@ Fingerprint::Entries inputs_of(const SessionReport& report, const Scene& scene, 
     if (is_folder(session / name)) inputs.emplace_back(name, images_text(session / name, identity));
   }
   const std::set<fs::path> files(scene.files.begin(), scene.files.end());
-  for (const fs::path& file : files) add(file, fs::absolute(report.scene_file).parent_path());
+  for (const fs::path& file : files) add(file, folder_of(file, report, options));
   inputs.emplace_back("the display profile", profile_text(report.profile));
   if (report.settings.outside) inputs.emplace_back("the view", view_text(*report.settings.outside));
   return inputs;
@@ -171,7 +185,7 @@ std::string in_words(const std::vector<Setting>& settings, const std::string& na
 
 Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
                            PictureIdentity identity) {
-  return {settings_of_run(report, options), inputs_of(report, scene, identity)};
+  return {settings_of_run(report, options), inputs_of(report, options, scene, identity)};
 }
 
 std::string difference(const Fingerprint& earlier, const Fingerprint& now) {

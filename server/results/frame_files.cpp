@@ -7,12 +7,16 @@ FrameFiles::FrameFiles(const OutputFolder& folder, const ReplayOptions& options,
     : folder_(folder),
       sheet_(options.sheet),
       sheet_frame_(options.sheet == SheetChoice::middle ? range.middle() : options.sheet_frame) {
-  if (options.format == PictureFormat::exr) suffixes_ = {".exr"};
-  if (options.format != PictureFormat::png) return;
-  for (const PictureOutline& picture : pictures) suffixes_.push_back("." + picture.name + ".png");
+  for (const PictureFormat format : kPictureFormats) {
+    first_[static_cast<std::size_t>(format)] = suffixes_.size();
+    if (!options.formats.has(format)) continue;
+    if (format == PictureFormat::exr) suffixes_.push_back(".exr");
+    if (format != PictureFormat::png) continue;
+    for (const PictureOutline& picture : pictures) suffixes_.push_back("." + picture.name + ".png");
+  }
 }
 
-std::filesystem::path FrameFiles::picture(std::int64_t frame, std::size_t index) const {
+std::filesystem::path FrameFiles::file(std::int64_t frame, std::size_t index) const {
   return folder_.picture(frame, suffixes_.at(index));
 }
 

@@ -2,6 +2,7 @@
 // Before: OutputFolder and the options. After: PictureOutput, earlier_frames.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -21,15 +22,20 @@ class FrameFiles {
   FrameFiles(const OutputFolder& folder, const ReplayOptions& options,
              const std::vector<PictureOutline>& pictures, const FrameRange& range);
 
-  std::size_t pictures_per_frame() const { return suffixes_.size(); }
-  // `index` < pictures_per_frame(): with PNG as they are listed, with EXR 0.
-  std::filesystem::path picture(std::int64_t frame, std::size_t index) const;
+  // Of all formats, contact sheets aside.
+  std::size_t files_per_frame() const { return suffixes_.size(); }
+  // The number of the first file of a format that the run keeps: of PNG one for each picture, as they are
+  // listed, of EXR one.
+  std::size_t first_of(PictureFormat format) const { return first_[static_cast<std::size_t>(format)]; }
+  // `index` < files_per_frame().
+  std::filesystem::path file(std::int64_t frame, std::size_t index) const;
   // None for frames without a contact sheet.
   std::optional<std::filesystem::path> contact_sheet(std::int64_t frame) const;
 
  private:
   OutputFolder folder_;
   std::vector<std::string> suffixes_;
+  std::array<std::size_t, kPictureFormats.size()> first_{};
   SheetChoice sheet_;
   std::int64_t sheet_frame_;
 };

@@ -64,6 +64,9 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("probe_change_share", record.probes.variability);
   visit("dropped_frames", record.dropped_frames);
   visit("repeated_ticks", record.repeated_ticks);
+  visit("preemptions", record.preemptions);
+  visit("miss_cause", record.cause);
+  visit("clipped_pixels", record.clipped_pixels);
   visit("stutter", record.stutter);  // stays last: one character, so that no cut row reads as a whole one
 }
 
@@ -75,6 +78,12 @@ std::string text_of(int value) {
 }
 std::string text_of(QualityReason reason) {
   return name_of(reason);
+}
+std::string text_of(MissCause cause) {
+  return name_of(cause);
+}
+std::string text_of(const std::optional<std::int64_t>& value) {
+  return value ? std::to_string(*value) : std::string();
 }
 std::string text_of(bool value) {
   return value ? "1" : "0";
@@ -109,6 +118,13 @@ bool read(std::string_view text, QualityReason& reason) {
   }
   return false;
 }
+bool read(std::string_view text, MissCause& cause) {
+  for (int i = 0; i < kMissCauses; ++i) {
+    cause = static_cast<MissCause>(i);
+    if (text == name_of(cause)) return true;
+  }
+  return false;
+}
 bool read(std::string_view text, bool& value) {
   value = text == "1";
   return value || text == "0";
@@ -116,7 +132,8 @@ bool read(std::string_view text, bool& value) {
 bool read(std::string_view text, double& value) {
   return read_number(text, value) && std::isfinite(value);
 }
-bool read(std::string_view text, std::optional<double>& value) {
+template <typename Number>
+bool read(std::string_view text, std::optional<Number>& value) {
   if (text.empty()) return true;
   return read(text, value.emplace());
 }

@@ -101,7 +101,7 @@ void OutputFolder::check(EarlierResults earlier) const {
   }
 }
 
-FolderLock OutputFolder::prepare(PictureFormat format, EarlierResults earlier) const {
+FolderLock OutputFolder::prepare(PictureFormats formats, EarlierResults earlier) const {
   if (const std::error_code error = make_folders(path_)) refuse_folder(path_, error);
   std::optional<FolderLock> lock = FolderLock::take(path_);
   if (!lock) {
@@ -114,7 +114,7 @@ FolderLock OutputFolder::prepare(PictureFormat format, EarlierResults earlier) c
   }
   // Only when it is empty: whatever else lies there belongs to somebody.
   remove_path(frames_folder());
-  if (format == PictureFormat::none) return std::move(*lock);
+  if (formats.empty()) return std::move(*lock);
   if (const std::error_code error = make_folders(frames_folder())) refuse_folder(frames_folder(), error);
   return std::move(*lock);
 }

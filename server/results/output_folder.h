@@ -29,7 +29,7 @@ class OutputFolder {
   // Makes the folders, keeps other processes out, and removes the results of an earlier replay, or only the
   // temporary files that one left (resume), and nothing else. Throws UsageError where the folder cannot be
   // made, WriteError when the disk refuses, TemporaryError when another process writes there.
-  FolderLock prepare(PictureFormat format, EarlierResults earlier) const;
+  FolderLock prepare(PictureFormats formats, EarlierResults earlier) const;
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path frames_folder() const { return path_ / "frames"; }

@@ -41,6 +41,16 @@ std::string phrase(const Setting& setting) {
   return label_of(setting) + " " + text + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
+// What means nothing beside the other settings, or in a session without a camera feed, and is not told.
+Names without_meaning(const RenderSettings& settings, bool session_has_camera) {
+  Names names;
+  if (settings.foveation == Foveation::off) names.emplace_back("polar");
+  if (session_has_camera) return names;
+  names.emplace_back("camera");
+  names.emplace_back("feed_distance_m");
+  return names;
+}
+
 // `defaults` are the same rows of a struct that nobody changed.
 std::string line_of(const std::vector<Setting>& settings, const std::vector<Setting>& defaults,
                     const Names& left_out) {
@@ -58,9 +68,17 @@ std::string line_of(const std::vector<Setting>& settings, const std::vector<Sett
   return always + (always.empty() || further.empty() ? "" : ", ") + further;
 }
 
-std::string line_of_render(RenderSettings settings, const Names& left_out) {
+std::string line_of_render(RenderSettings settings, bool session_has_camera, Names left_out) {
   RenderSettings defaults;
+  for (const std::string_view name : without_meaning(settings, session_has_camera)) left_out.push_back(name);
   return line_of(settings_of(settings), settings_of(defaults), left_out);
+}
+
+std::string line_of_run(const ReplayOptions& resolved, bool session_has_camera, Names left_out) {
+  ReplayOptions told = resolved, defaults;
+  for (const std::string_view name : without_meaning(told.render, session_has_camera))
+    left_out.push_back(name);
+  return line_of(settings_of(told), settings_of(defaults), left_out);
 }
 
 }  // namespace
@@ -91,17 +109,20 @@ Json settings_json(const ReplayOptions& resolved) {
   return json;
 }
 
-std::string settings_text(const ReplayOptions& resolved) {
-  ReplayOptions told = resolved, defaults;
-  return line_of(settings_of(told), settings_of(defaults), {});
+std::string settings_text(const ReplayOptions& resolved, bool session_has_camera) {
+  return line_of_run(resolved, session_has_camera, {});
 }
 
-std::string settings_text(const RenderSettings& settings) {
-  return line_of_render(settings, {"isa"});
+std::string headline_text(const ReplayOptions& options, const SessionReport& report) {
+  return line_of_run(resolved_options(options, report), report.findings.camera_rows[0] > 0, {"isa"});
 }
 
-std::string features_text(const RenderSettings& settings) {
-  return line_of_render(settings, {"isa", "polar", "light_samples"});
+std::string settings_text(const RenderSettings& settings, bool session_has_camera) {
+  return line_of_render(settings, session_has_camera, {"isa"});
+}
+
+std::string features_text(const RenderSettings& settings, bool session_has_camera) {
+  return line_of_render(settings, session_has_camera, {"isa", "polar", "light_samples"});
 }
 
 }  // namespace herr

@@ -111,10 +111,13 @@ static Json plan_changes_json(const std::vector<PlanChange>& changes) {
 }
 
 Json subject_json(const SessionReport& report, const ReplayOptions& options) {
+  Json asset_roots = Json::array();
+  for (const std::filesystem::path& root : options.asset_roots) asset_roots.push_back(root.string());
   return {{"session", session_json(report)},
           {"scene",
            {{"name", report.scene_name},
             {"file", report.scene_file.string()},
+            {"asset_roots", asset_roots},
             {"triangles", report.scene_triangles}}},
           {"profile", profile_json(report.profile)},
           {"further_views", further_views_json(report)},

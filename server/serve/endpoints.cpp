@@ -34,6 +34,14 @@ HttpResponse not_yet(const std::string& text) {
   return response;
 }
 
+// Without a body: whoever saves answers keeps none that is no picture.
+HttpResponse no_picture_yet(const std::string& reason) {
+  HttpResponse response = not_yet(reason);
+  response.headers.emplace_back("X-Herr-Reason", reason);
+  response.body.clear();
+  return response;
+}
+
 HttpResponse json(const nlohmann::ordered_json& document) {
   HttpResponse response;
   response.content_type = "application/json";
@@ -126,17 +134,21 @@ HttpResponse Endpoints::operator()(const HttpRequest& request) {
 }
 
 HttpResponse Endpoints::frames(const HttpRequest& request, const ServeSnapshot& snapshot) const {
+  const auto missed = request.query.find("missed");
+  const bool missed_only = missed != request.query.end() && missed->second == "1";
+  if (missed != request.query.end() && !missed_only && missed->second != "0")
+    return plain(400, "missed: neither 0 nor 1");
   const auto since = request.query.find("since");
-  if (since == request.query.end()) return json(frames_json(snapshot, 0));
+  if (since == request.query.end()) return json(frames_json(snapshot, 0, missed_only));
   const std::optional<std::int64_t> sequence = whole_number(since->second);
   if (!sequence) return plain(400, "since: not a whole number; give the greatest sequence that you have");
-  return json(frames_json(snapshot, *sequence));
+  return json(frames_json(snapshot, *sequence, missed_only));
 }
 
 HttpResponse Endpoints::polar_picture(const ServedPictures& pictures, std::size_t eye) {
   if (!pictures.subject->plan.polar) return plain(404, "404 no polar buffer: foveation is off");
   board_.polar_asked_ns = now_ns_();
-  if (!pictures.has_polar) return not_yet("the next frame will have it");
+  if (!pictures.has_polar) return no_picture_yet("the next frame will have it");
   HttpResponse response = png_of(pictures);
   response.body = pictures_.polar_png(pictures, eye);
   return response;
@@ -150,7 +162,7 @@ HttpResponse Endpoints::picture(const HttpRequest& request) {
     return plain(400, "full: neither 0 nor 1");
   }
   const std::shared_ptr<const ServedPictures> pictures = board_.pictures.get();
-  if (!pictures) return not_yet("no frame yet");
+  if (!pictures) return no_picture_yet("no frame yet");
   for (std::size_t eye = 0; eye < kPolarPictures.size(); ++eye) {
     if (name == std::string(kPolarPictures[eye]) + ".png") return polar_picture(*pictures, eye);
   }

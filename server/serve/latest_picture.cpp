@@ -16,7 +16,7 @@ void draw_polar_picture(const ViewportImage& texels, Srgb8Image& out) {
   out.width_px = texels.width_px;
   out.height_px = texels.height_px;
   out.channels = 3;
-  out.nonfinite_values = 0;
+  out.nonfinite_values = out.clipped_pixels = 0;
   out.values.resize(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
   const Srgb8Table& table = srgb8_of_half(texels.exposure);
   std::uint8_t* to = out.values.data();

@@ -65,6 +65,7 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"stages_ms", stages},
           {"sample_ms", record.sample_ms},
           {"cpu_ms", optional_json(record.cpu_ms)},
+          {"preemptions", record.preemptions ? Json(*record.preemptions) : Json(nullptr)},
           {"views_ms", record.times.views_ms},
           {"pose_age_ms", optional_json(record.pose_age_ms)},
           {"gaze_age_ms", optional_json(record.gaze_age_ms)},
@@ -83,6 +84,7 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"feed_shift_arcmin", optional_json(record.feed_shift_arcmin)},
           {"misregistration_arcmin", optional_json(record.misregistration_arcmin)},
           {"missed", record.missed},
+          {"cause", record.missed ? Json(name_of(record.cause)) : Json(nullptr)},
           {"dropped", record.dropped_frames},
           {"repeated", record.repeated_ticks}};
 }
@@ -133,19 +135,20 @@ Json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs
   return {{"format_version", 1}, {"window", window_part}, {"run", run_part}, {"definitions", definitions}};
 }
 
-Json frames_json(const ServeSnapshot& snapshot, std::int64_t since) {
+Json frames_json(const ServeSnapshot& snapshot, std::int64_t since, bool missed_only) {
   const std::vector<RecentFrame>& recent = snapshot.recent;
-  const auto first = std::upper_bound(
-      recent.begin(), recent.end(), since,
-      [](std::int64_t sequence, const RecentFrame& frame) { return sequence < frame.sequence; });
-  const auto count = std::min<std::ptrdiff_t>(recent.end() - first, kMostFramesInAnswer);
   Json frames = Json::array();
-  std::for_each(first, first + count,
-                [&](const RecentFrame& frame) { frames.push_back(frame_json(frame, snapshot.started_ns)); });
+  bool more = false;
+  for (const RecentFrame& frame : recent) {
+    if (frame.sequence <= since || (missed_only && !frame.record.missed)) continue;
+    more = frames.size() == kMostFramesInAnswer;
+    if (more) break;
+    frames.push_back(frame_json(frame, snapshot.started_ns));
+  }
   return {{"format_version", 1},
           {"oldest", recent.empty() ? Json(nullptr) : Json(recent.front().sequence)},
           {"newest", recent.empty() ? Json(nullptr) : Json(recent.back().sequence)},
-          {"more", first + count != recent.end()},
+          {"more", more},
           {"frames", frames}};
 }
 

@@ -18,8 +18,9 @@ double session_progress(const ServeSnapshot& snapshot);
 nlohmann::ordered_json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options,
                                    TimeNs now_ns);
 nlohmann::ordered_json latency_reply_json(const ServeSnapshot& snapshot, ReplayClock clock, TimeNs now_ns);
-// Frames whose sequence is greater than `since`, oldest first.
-nlohmann::ordered_json frames_json(const ServeSnapshot& snapshot, std::int64_t since);
+// Frames whose sequence is greater than `since`, oldest first; of these those alone that missed.
+nlohmann::ordered_json frames_json(const ServeSnapshot& snapshot, std::int64_t since,
+                                   bool missed_only = false);
 // `encoder_bytes`: LatestPicture::bytes_held().
 nlohmann::ordered_json plan_reply_json(const ServeSnapshot& snapshot, std::int64_t encoder_bytes);
 // What the snapshot has of memory, and the encoders' part.

@@ -71,6 +71,7 @@ std::string count_cells(const char* name, const RunStatistics& statistics, doubl
   const double rate = length_s > 0 ? static_cast<double>(statistics.frames) / length_s : 0;
   return std::string("<tr><td>") + name + "</td><td>" + std::to_string(statistics.frames) + "</td><td>" +
          fixed_text(rate, 1) + "</td><td>" + std::to_string(statistics.missed_frames) + "</td><td>" +
+         std::to_string(statistics.missed_by_machine) + "</td><td>" +
          std::to_string(statistics.dropped_frames) + "</td><td>" + std::to_string(statistics.repeated_ticks) +
          "</td></tr>\n";
 }
@@ -79,9 +80,44 @@ std::string counts_section(const ServeSnapshot& snapshot, const RunStatistics& w
   const double run_s = static_cast<double>(now_ns - snapshot.started_ns) * kSecondsPerNs;
   return "<h2>Frames</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th>rendered</th><th>per "
          "second</th><th>missed</th>"
-         "<th>dropped</th><th>repeated</th></tr></thead>\n<tbody>\n" +
+         "<th>for the machine</th><th>dropped</th><th>repeated</th></tr></thead>\n<tbody>\n" +
          count_cells("last 10 s", window, std::min(run_s, 10.0)) + count_cells("run", snapshot.run, run_s) +
          "</tbody>\n</table></div>\n";
+}
+
+std::string frame_row(const RecentFrame& frame, TimeNs now_ns) {
+  const FrameRecord& record = frame.record;
+  const double ago_s = static_cast<double>(now_ns - frame.finished_ns) * kSecondsPerNs;
+  const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
+  return "<tr><td>" + std::to_string(record.frame) + "</td>" + cell(std::to_string(frame.sequence)) +
+         cell(fixed_text(std::max(0.0, ago_s), 1)) + cell(fixed_text(record.times.frame_ms, 2)) +
+         cell(record.cpu_ms ? fixed_text(*record.cpu_ms, 2) : "–") +
+         cell(record.preemptions ? std::to_string(*record.preemptions) : "–") +
+         cell(record.missed ? name_of(record.cause) : "") + "</tr>\n";
+}
+
+// The newest frames, and the newest that missed: did the machine take the cores, or was it the work?
+std::string frames_section(const std::vector<RecentFrame>& recent, TimeNs now_ns) {
+  constexpr std::size_t kNewest = 5, kLate = 10;
+  std::string newest, late;
+  std::size_t shown_late = 0, late_count = 0;
+  for (std::size_t i = 0; i < recent.size(); ++i) {
+    const RecentFrame& frame = recent[recent.size() - 1 - i];
+    if (i < kNewest) newest += frame_row(frame, now_ns);
+    if (!frame.record.missed) continue;
+    ++late_count;
+    if (shown_late++ < kLate) late += frame_row(frame, now_ns);
+  }
+  const std::string head =
+      "<div class=\"wide\"><table>\n<thead><tr><th>frame</th><th>sequence</th><th>seconds ago</th>"
+      "<th>wall, ms</th><th>CPU, ms</th><th>preemptions</th><th>missed: cause</th></tr></thead>\n<tbody>\n";
+  std::string html = "<h2>Newest frames</h2>\n" + head + newest + "</tbody>\n</table></div>\n";
+  if (late.empty()) return html;
+  return html + "<h2>Late frames, " + std::to_string(late_count) + " in the last 10 s</h2>\n" + head + late +
+         "</tbody>\n</table></div>\n<p class=\"quiet\">machine: preempted, on the cores for less than 80 % "
+         "of "
+         "the frame, and its CPU time fits into the period; else work. "
+         "<a href=\"/v1/frames?missed=1\">All of them</a>.</p>\n";
 }
 
 std::string figure(const std::string& name, int width_px, int height_px, const std::string& caption) {
@@ -134,7 +170,7 @@ std::string heading(const ServeSnapshot& snapshot, const ReplayOptions& options)
           " of " + std::to_string(subject.range.first) + " … " +
           std::to_string(subject.range.first + subject.range.count - 1) + ", lap " +
           std::to_string(snapshot.lap + 1) + ". " + std::to_string(subject.settings.threads) + " threads, " +
-          name_of(subject.settings.isa) + ", " + shown(settings_text(subject.settings)) + ".</p>\n";
+          name_of(subject.settings.isa) + ", " + shown(headline_text(options, subject)) + ".</p>\n";
   for (const std::string& warning : subject.warnings) {
     html += "<p class=\"warning\">" + shown(warning) + "</p>\n";
   }
@@ -189,8 +225,8 @@ std::string start_page(const ServeSnapshot& snapshot, const ReplayOptions& optio
   if (snapshot.subject && snapshot.rendered > 0) {
     const RunStatistics window = window_statistics(snapshot.recent, now_ns);
     pictures = pictures_section(snapshot, polar);
-    numbers = counts_section(snapshot, window, now_ns) + latency_section(window) +
-              plan_section(snapshot.subject->plan);
+    numbers = counts_section(snapshot, window, now_ns) + frames_section(snapshot.recent, now_ns) +
+              latency_section(window) + plan_section(snapshot.subject->plan);
   }
   for (const char* path :
        {"/v1/status", "/v1/latency", "/v1/frames", "/v1/plan", "/metrics", "/livez", "/readyz"}) {

@@ -54,7 +54,7 @@ void check_replay_options(const ReplayOptions& options) {
   }
   check_policy(options);
   // Encoders on the render threads would make the frames late that they belong to.
-  const bool pictures = options.format != PictureFormat::none || options.sheet != SheetChoice::none;
+  const bool pictures = !options.formats.empty() || options.sheet != SheetChoice::none;
   if (options.clock == ReplayClock::realtime && pictures) {
     throw UsageError(
         "--clock realtime: measures times and writes no pictures; give --format none --contact-sheet none");

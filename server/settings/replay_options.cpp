@@ -2,18 +2,6 @@
 
 namespace herr {
 
-const char* name_of(PictureFormat format) {
-  switch (format) {
-    case PictureFormat::png:
-      return "png";
-    case PictureFormat::exr:
-      return "exr";
-    case PictureFormat::none:
-      return "none";
-  }
-  return "unknown";
-}
-
 const char* name_of(SamplingMode mode) {
   switch (mode) {
     case SamplingMode::latest:

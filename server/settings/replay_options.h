@@ -11,21 +11,22 @@
 
 #include "renderer/render_settings.h"
 #include "server/quality/quality_policy.h"
+#include "server/settings/picture_formats.h"
 #include "server/settings/replay_clock.h"
 #include "sessions/streams/session_options.h"
 
 namespace herr {
 
-enum class PictureFormat { png, exr, none };
 enum class SheetChoice { none, all, middle, one };
 
 struct ReplayOptions {
-  std::vector<std::filesystem::path> sessions;  // at least one folder
-  std::string scene;                            // empty: the scene that the session names
-  std::filesystem::path out = "out";            // each session gets a folder of its name in it
-  PictureFormat format = PictureFormat::png;
-  std::string profile;  // built-in name or file; empty: the profile of the session
-  std::string view;     // file of a camera outside the headset; empty: none
+  std::vector<std::filesystem::path> sessions;     // at least one folder
+  std::string scene;                               // empty: the scene that the session names
+  std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
+  std::filesystem::path out = "out";               // each session gets a folder of its name in it
+  PictureFormats formats = PictureFormat::png;     // of the pictures that are kept
+  std::string profile;                             // built-in name or file; empty: the profile of the session
+  std::string view;                                // file of a camera outside the headset; empty: none
   RenderSettings render;
   SessionOptions session;
   ReplayClock clock = ReplayClock::virtual_time;
@@ -44,7 +45,6 @@ struct ReplayOptions {
   bool json = false;             // results on stdout as JSON instead of a table
 };
 
-const char* name_of(PictureFormat format);
 const char* name_of(SamplingMode mode);
 
 }  // namespace herr

@@ -26,6 +26,12 @@ TextSetting path_setting(std::string& path, const char* form, const char* exampl
   return {[&path] { return path; }, set, form, example};
 }
 
+TextSetting format_setting(PictureFormats& formats) {
+  return {[&formats] { return text_of(formats); },
+          [&formats](const std::string& text) { formats = picture_formats_from(text); }, "NAME,...",
+          "png,exr"};
+}
+
 WordSetting policy_name(QualityPolicy& policy) {
   WordSetting setting;
   setting.get = [&policy] {
@@ -116,9 +122,9 @@ std::vector<Setting> of_time(ReplayOptions& o) {
 
 std::vector<Setting> of_files(ReplayOptions& o) {
   return {
-      {"format", "--format", "", Group::files, Effect::none, "pictures: png, exr or none",
-       one_of(o.format,
-              {name_of(PictureFormat::png), name_of(PictureFormat::exr), name_of(PictureFormat::none)})},
+      {"format", "--format", "", Group::files, Effect::none,
+       "pictures: png, exr, both as png,exr, or none; contact sheets are PNG whatever it says",
+       format_setting(o.formats)},
       {"contact_sheet", "--contact-sheet", "", Group::files, Effect::none,
        "viewports and further views in one picture: none, all, middle or a frame number", sheet_choice(o)},
   };

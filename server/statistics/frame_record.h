@@ -10,6 +10,7 @@
 #include "renderer/probe_counts.h"
 #include "renderer/stage_times.h"
 #include "server/quality/quality_policy.h"
+#include "server/statistics/miss_cause.h"
 #include "sessions/format/pose.h"
 
 namespace herr {
@@ -25,6 +26,8 @@ struct FrameRecord {
   double wait_ms = 0;    // waiting for room in the writer's queue
   // CPU time of all threads of the process during the frame time; none where the kernel does not tell.
   std::optional<double> cpu_ms;
+  // How often one of them lost its core to somebody else meanwhile (cpu_use.h); none likewise.
+  std::optional<std::int64_t> preemptions;
   // Sampling time minus stamp of the newest sample used; none where a stream is absent or interpolated.
   std::optional<double> pose_age_ms, gaze_age_ms, camera_age_ms;
   // Presentation time minus stamp of the pose used; none when the pose was interpolated.
@@ -38,11 +41,13 @@ struct FrameRecord {
   double head_deg_s = 0;     // how fast the head moved (motion_policy.h)
   // How well feed and virtual objects agree (feed_registration.h); none without a feed.
   std::optional<double> feed_turn_arcmin, feed_shift_arcmin, misregistration_arcmin;
-  bool missed = false;   // the frame time exceeds the display period; realtime: sampling and delays included
-  bool stutter = false;  // it took much longer than the frames before it in its run (frame_pace.h)
-  std::int64_t dropped_frames = 0;      // realtime: frames of the session left out just before this one
-  std::int64_t repeated_ticks = 0;      // realtime: display ticks before this frame that showed nothing new
+  bool missed = false;  // the frame time exceeds the display period; realtime: sampling and delays included
+  MissCause cause = MissCause::none;  // why it missed (miss_cause.h)
+  bool stutter = false;             // it took much longer than the frames before it in its run (frame_pace.h)
+  std::int64_t dropped_frames = 0;  // realtime: frames of the session left out just before this one
+  std::int64_t repeated_ticks = 0;  // realtime: display ticks before this frame that showed nothing new
   std::int64_t nonfinite_pictures = 0;  // NaN or Inf values that reached an encoder
+  std::int64_t clipped_pixels = 0;  // of PNG files: brighter than white or below 0, which they cannot show
 };
 
 }  // namespace herr

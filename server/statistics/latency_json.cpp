@@ -62,10 +62,18 @@ Json definitions_json(ReplayClock clock) {
   for (const DistributionRow& row : distribution_rows()) json[row.name] = row.sentence;
   json["missed"] = realtime ? "frames that were done later than their start + one display period"
                             : "frames whose frame time exceeds the display period";
+  json["missed_by_machine"] =
+      "missed frames during which the scheduler took a core from a thread of the process, whose threads were "
+      "on a core for less than 80 % of the time, and whose CPU time, spread over the threads, fits into the "
+      "period; every other missed frame is of the work";
   json["dropped"] = realtime ? "frames of the session that were never rendered: a newer one was due"
                              : "always 0: this clock leaves no frame out";
   json["repeated"] = realtime ? "display ticks between two presentations that had no new frame"
                               : "always 0: this clock has no display ticks";
+  json["clipped_pixels"] =
+      "pixels of PNG files whose colour, times 2^exposure, is above 1 or below 0: PNG shows white or 0 "
+      "there, "
+      "EXR has the value; without PNG 0";
   json["presentation_time"] = presentation_formula(clock);
   json.update(load_definitions_json());
   json.update(pace_definitions_json());
@@ -77,12 +85,14 @@ Json counters_json(const RunStatistics& statistics) {
   for_each_counter(statistics.counters,
                    [&](const std::string& name, std::int64_t count) { json[name] = count; });
   json["nonfinite_picture_values"] = statistics.nonfinite_pictures;
+  json["clipped_pixels"] = statistics.clipped_pixels;
   return json;
 }
 
 Json frame_counts_json(const RunStatistics& statistics) {
   return {{"rendered", statistics.frames},
           {"missed", statistics.missed_frames},
+          {"missed_by_machine", statistics.missed_by_machine},
           {"dropped", statistics.dropped_frames},
           {"repeated", statistics.repeated_ticks}};
 }

@@ -37,6 +37,7 @@ Json load_json(const RunStatistics& statistics, const ProcessLoad& load) {
     if (row.group == DistributionGroup::load) json[row.name] = distribution_json(statistics.*row.values);
   }
   json["cpu_share"] = or_null(share);
+  json["preemptions"] = statistics.preemptions;
   json["peak_resident_bytes"] = or_null(load.peak_resident_bytes);
   return json;
 }
@@ -44,6 +45,10 @@ Json load_json(const RunStatistics& statistics, const ProcessLoad& load) {
 Json load_definitions_json() {
   return {{"cores", "that the process may use: its CPU affinity, narrowed by a cgroup quota"},
           {"cpu_share", "mean cpu / (mean frame time x cores)"},
+          {"preemptions",
+           "times that the scheduler took a core from a thread of the process that wanted to go on, during "
+           "frames (getrusage, ru_nivcsw): for other programs, for threads of its own, or at the end of a "
+           "cgroup's quota; how long each lasted is not told"},
           {"peak_resident_bytes",
            "the most memory that was ever resident (VmHWM), of the whole process since it began: loading, "
            "earlier sessions and libraries are in it"},

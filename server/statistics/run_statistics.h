@@ -30,6 +30,7 @@ struct RunStatistics {
   std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
   std::int64_t dropped_frames = 0, repeated_ticks = 0;  // realtime only
   std::int64_t stutter_frames = 0, stutter_ns = 0;
+  std::int64_t missed_by_machine = 0, preemptions = 0, clipped_pixels = 0;
 
   void add(const FrameRecord& record);
   void merge(const RunStatistics& other);

@@ -102,10 +102,19 @@ constexpr std::array kCounts{
              &Run::nonfinite_pictures, [](const Record& r) { return r.nonfinite_pictures; }},
     CountRow{"stutter_frames", nullptr, "frames", "Frames that stuttered, as their own run saw them.",
              &Run::stutter_frames, [](const Record& r) -> std::int64_t { return r.stutter ? 1 : 0; }},
-    CountRow{"stutter_ns", nullptr, "ns", "Frame time of the frames that stuttered.", &Run::stutter_ns,
-             [](const Record& r) -> std::int64_t {
-               return r.stutter ? std::llround(r.times.frame_ms * 1e6) : 0;
-             }}};
+    CountRow{
+        "stutter_ns", nullptr, "ns", "Frame time of the frames that stuttered.", &Run::stutter_ns,
+        [](const Record& r) -> std::int64_t { return r.stutter ? std::llround(r.times.frame_ms * 1e6) : 0; }},
+    CountRow{"missed_by_machine", "frames_missed_by_machine", "frames",
+             "Of the missed frames, those whose work would have fit, had the cores not been taken away.",
+             &Run::missed_by_machine,
+             [](const Record& r) -> std::int64_t { return r.cause == MissCause::machine ? 1 : 0; }},
+    CountRow{"preemptions", "frame_preemptions", "preemptions",
+             "Times that a thread of the process lost its core to another one during a frame.",
+             &Run::preemptions, [](const Record& r) { return r.preemptions.value_or(0); }},
+    CountRow{"clipped_pixels", nullptr, "pixels",
+             "Pixels of PNG files brighter than white or below 0, which they cannot show.",
+             &Run::clipped_pixels, [](const Record& r) { return r.clipped_pixels; }}};
 
 static_assert(sizeof(Run) == sizeof(Run::stages) + kDistributions.size() * sizeof(LatencyHistogram) +
                                  sizeof(Run::reasons) + sizeof(FrameCounters) +

@@ -30,6 +30,8 @@ std::string command_line_of(const StudyOptions& options) {
   std::string text = "herr study " + std::string(options.stability ? "--stability " : "") +
                      shell_word(options.session.string());
   if (!options.scene.empty()) text += " --scene " + shell_word(options.scene);
+  for (const std::filesystem::path& root : options.asset_roots)
+    text += " --asset-root " + shell_word(root.string());
   text += " --profile " + shell_word(options.profile);
   const std::string flags = flags_text(changes_between(RenderSettings{}, options.render));
   if (!flags.empty()) text += " " + flags;

@@ -12,9 +12,10 @@ namespace herr {
 
 struct StudyOptions {
   std::filesystem::path session;
-  std::string scene;                 // empty: the scene that the session names
-  std::string profile = "xr1-half";  // built-in name or file
-  RenderSettings render;             // the default, around which everything is swept
+  std::string scene;                               // empty: the scene that the session names
+  std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
+  std::string profile = "xr1-half";                // built-in name or file
+  RenderSettings render;                           // the default, around which everything is swept
   SessionOptions reading;
   std::filesystem::path out;         // empty: out_folder()'s
   std::filesystem::path references;  // folder of references that studies share; empty: OUT/references

@@ -126,7 +126,7 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   StudyRecord record;
   static_cast<ReportHead&>(record) = report_head_of(options, report);
   record.minutes_allowed = options.minutes;
-  record.default_settings = settings_text(subject.defaults());
+  record.default_settings = settings_text(subject.defaults(), report.findings.camera_rows[0] > 0);
   const StudyFrames& frames = subject.frames();
   record.frames.assign(frames.frames.begin(),
                        frames.frames.begin() + static_cast<std::ptrdiff_t>(run.state().frames));

@@ -67,6 +67,7 @@ class QuickLook {
 StudySubject::StudySubject(const StudyOptions& options) {
   options_.sessions = {options.session};
   options_.scene = options.scene;
+  options_.asset_roots = options.asset_roots;
   options_.profile = options.profile;
   options_.render = options.render;
   options_.session = options.reading;

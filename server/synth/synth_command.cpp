@@ -116,12 +116,9 @@ SessionHeader header_for(const SynthOptions& options, const NewSessionFolder& fo
 // Seen from the session's folder, as replay will look for it.
 void check_replay_scene(const SynthOptions& options, const NewSessionFolder& folder) {
   if (options.scene.empty()) return;
-  const fs::path file = folder.path() / options.scene;
-  if (!is_file(file))
-    throw UsageError("--replay-scene: there is no file " + printable(folder.with_final_name(file.string())) +
-                     "; write the path relative to OUT");
+  const fs::path file = scene_beside(folder, "--replay-scene", options.scene);
   try {
-    (void)load_scene(file);
+    (void)load_scene(file, options.asset_roots);
   } catch (const InputError& problem) {
     throw InputError(options.scene, 0, folder.with_final_name(problem.what()),
                      "choose another --replay-scene");
@@ -149,7 +146,7 @@ void check_synth_options(const SynthOptions& options) {
 int run_synth(const SynthOptions& options) {
   DisplayProfile profile = load_display_profile(options.profile);
   std::optional<Scene> room;
-  if (!options.room.empty()) room = load_scene(options.room);
+  if (!options.room.empty()) room = load_scene(options.room, options.asset_roots);
   const HeadMotion head({options.seed, options.motion, walk_area(options, room)});
 
   NewSessionFolder folder(options.out, options.overwrite);

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "server/synth/gaze_targets.h"
 #include "server/synth/head_motion.h"
@@ -14,8 +15,9 @@
 namespace herr {
 
 struct SynthOptions {
-  std::filesystem::path out;    // the session's folder
-  std::filesystem::path room;   // scene file that the camera sees and that bounds a walk; may be empty
+  std::filesystem::path out;   // the session's folder
+  std::filesystem::path room;  // scene file that the camera sees and that bounds a walk; may be empty
+  std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
   std::string scene;            // written into session.json, relative to the session's folder; may be empty
   std::string profile = "xr1";  // display profile, built in or a file
   std::uint64_t seed = 1;       // same seed, same session

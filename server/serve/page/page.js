@@ -113,9 +113,14 @@ function makeCharts() {
   document.getElementById('charts').hidden = false;
   charts.frame = chart('chart-frame', [
     ...lines(['frame'], {}),
-    { label: 'missed', data: [], showLine: false, pointRadius: 3, borderColor: '#d22', backgroundColor: '#d22' },
+    { label: 'work', data: [], showLine: false, pointRadius: 3, borderColor: '#d22', backgroundColor: '#d22' },
+    { label: 'machine', data: [], showLine: false, pointRadius: 3, borderColor: '#e90', backgroundColor: '#e90' },
     { label: 'display period', data: [], borderColor: '#888', borderDash: [6, 4], borderWidth: 1, pointRadius: 0 },
   ], { y: {} });
+  charts.load = chart('chart-load', [
+    { ...lines(['CPU'], {})[0], yAxisID: 'y' },
+    { ...lines(['', 'preemptions'], { stepped: true })[1], yAxisID: 'right' },
+  ], { y: {}, right: { position: 'right' } });
   charts.stages = chart('chart-stages', [], { y: { stacked: true } });
   charts.quality = chart('chart-quality', [
     { ...lines(['polar width'], { stepped: true })[0], yAxisID: 'y' },
@@ -141,9 +146,13 @@ function stageNames() {
 
 function drawCharts() {
   if (frames.length === 0) return;
-  const [frame, missed, period] = charts.frame.data.datasets;
+  const [frame, work, machine, period] = charts.frame.data.datasets;
   frame.data = points((f) => f.frame_ms);
-  missed.data = points((f) => (f.missed ? f.frame_ms : null));
+  work.data = points((f) => (f.cause === 'work' ? f.frame_ms : null));
+  machine.data = points((f) => (f.cause === 'machine' ? f.frame_ms : null));
+  const [cpu, preemptions] = charts.load.data.datasets;
+  cpu.data = points((f) => f.cpu_ms);
+  preemptions.data = points((f) => f.preemptions);
   const ends = [frames[0], frames[frames.length - 1]];
   period.data = periodMs === null ? [] : ends.map((f) => ({ x: f.finished_s, y: periodMs }));
   const names = stageNames();

@@ -26,7 +26,7 @@ StabilityRecord stability_record_of(const StudyOptions& options, const Stability
   const RelationCase& asked = subject.relations();
   StabilityRecord record;
   static_cast<ReportHead&>(record) = report_head_of(options, report);
-  record.settings = settings_text(asked.settings);
+  record.settings = settings_text(asked.settings, asked.camera);
   record.viewports = sizes_of(asked.profile);
   record.frame = subject.frame();
   record.seconds = seconds;

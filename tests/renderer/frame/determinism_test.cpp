@@ -12,7 +12,7 @@ namespace {
 RenderSettings with_threads(int threads) {
   RenderSettings settings = test::small_settings();
   settings.light_samples = 16;
-  settings.gaze_marker = true;
+  settings.gaze_marker = settings.density_overlay = true;
   settings.threads = threads;
   return settings;
 }

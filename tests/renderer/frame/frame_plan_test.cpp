@@ -202,6 +202,9 @@ TEST(FramePlanTest, FollowsTheSceneAndTheSettings) {
   EXPECT_TRUE(runs(rich, "light samples"));
   EXPECT_TRUE(rich.camera);
   EXPECT_TRUE(rich.gaze_marker);
+  EXPECT_FALSE(runs(rich, "density overlay"));
+  settings.density_overlay = true;
+  EXPECT_TRUE(runs(plan_frame(scene, settings, true), "density overlay"));
   EXPECT_TRUE(runs(rich, "mirror rays"));
   EXPECT_FALSE(runs(rich, "log-polar rays"));
 

@@ -88,6 +88,34 @@ TEST(RendererTest, TheGazeMarkerIsDrawnWhereAskedFor) {
     EXPECT_FALSE(test::same_bits(without.viewports[i], with.viewports[i])) << i;
 }
 
+// Opaque blue and yellow lie on the picture without it, which is otherwise the same, bit for bit.
+TEST(RendererTest, TheDensityOverlayChangesItsLinesAlone) {
+  const FrameSample sample = test::sample_from({0, 0, 0}, test::gaze_deg(5, 5));
+  for (const Foveation foveation : {Foveation::log_polar, Foveation::off}) {
+    RenderSettings settings = test::small_settings();
+    settings.foveation = foveation;
+    const RenderedFrame without = test::render(grey_floor(), test::small_profile(), settings, sample);
+    settings.density_overlay = true;
+    const RenderedFrame with = test::render(grey_floor(), test::small_profile(), settings, sample);
+    EXPECT_GT(with.times[Stage::overlays], 0);
+    for (std::size_t i = 0; i < with.viewports.size(); ++i) {
+      int blue = 0, yellow = 0, same = 0;
+      test::for_each_pixel(with.viewports[i], [&](int x, int y, const test::Pixel& pixel) {
+        if (pixel == test::pixel_at(without.viewports[i], x, y)) {
+          ++same;
+          return;
+        }
+        ASSERT_EQ(pixel[3], 1.0) << x << ", " << y;
+        blue += pixel[2] == 1.0 ? 1 : 0;
+        yellow += pixel[0] == 1.0 ? 1 : 0;
+      });
+      EXPECT_GT(blue, 0) << i;
+      EXPECT_GT(blue + yellow + same, 0) << i;
+      EXPECT_GT(same, blue + yellow) << i;
+    }
+  }
+}
+
 TEST(RendererTest, DebugTilesAreConstantWithinATileAndDifferFromTheirNeighbours) {
   RenderSettings settings = test::small_settings();
   settings.debug_tiles = true;

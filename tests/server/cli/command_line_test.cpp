@@ -61,7 +61,7 @@ TEST(CommandLine, ReplayHasTheDefaultsOfThePaper) {
   EXPECT_TRUE(options.render.refraction);
   EXPECT_TRUE(options.render.probes.on);
   EXPECT_EQ(options.render.occlusion_rays, 1);
-  EXPECT_EQ(options.format, PictureFormat::png);
+  EXPECT_EQ(options.formats, PictureFormat::png);
   EXPECT_EQ(options.sheet, SheetChoice::middle);
 }
 
@@ -112,7 +112,7 @@ TEST(CommandLine, ReplayUnderstandsEveryFlagItOffers) {
   EXPECT_EQ(options.sessions.size(), 2u);
   EXPECT_EQ(options.scene, "a.scene.json");
   EXPECT_EQ(options.out, "o");
-  EXPECT_EQ(options.format, PictureFormat::exr);
+  EXPECT_EQ(options.formats, PictureFormat::exr);
   EXPECT_EQ(options.profile, "xr1-half");
   EXPECT_EQ(options.render.polar_width, 1024);  // per eye: half of both eyes
   EXPECT_EQ(options.render.polar_height, 1024);
@@ -183,6 +183,34 @@ TEST(CommandLine, ChoicesThatDoNotGoTogetherSaySo) {
             "--polar-floor: the policy fixed never goes below --polar; give --policy");
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar", "100x64", "--polar-floor", "102"}),
             "--polar-floor: is wider than --polar; give at most 100");
+}
+
+TEST(CommandLine, EveryCommandThatLoadsASceneTakesAssetRoots) {
+  const std::vector<std::filesystem::path> roots{"models", "more"};
+  const auto parsed = [](std::vector<std::string> line) {
+    for (const char* word : {"--asset-root", "models", "--asset-root", "more"}) line.emplace_back(word);
+    return parse_command_line(line);
+  };
+  EXPECT_EQ(std::get<ReplayOptions>(parsed({"replay", "walk"})).asset_roots, roots);
+  EXPECT_EQ(std::get<ServeOptions>(parsed({"serve", "walk"})).replay.asset_roots, roots);
+  EXPECT_EQ(std::get<BenchOptions>(parsed({"bench"})).asset_roots, roots);
+  EXPECT_EQ(std::get<StudyOptions>(parsed({"study", "walk"})).asset_roots, roots);
+  EXPECT_EQ(std::get<InspectOptions>(parsed({"inspect", "walk"})).asset_roots, roots);
+  EXPECT_EQ(std::get<LookOptions>(parsed({"look", "a.scene.json"})).asset_roots, roots);
+  EXPECT_EQ(std::get<SynthOptions>(parsed({"synth", "out"})).asset_roots, roots);
+  const auto check = std::get<CheckOptions>(parsed({"check", "walk", "--save", "a.json"}));
+  EXPECT_EQ(check.run.replay.asset_roots, roots);
+  // The processes that measure are given both.
+  std::string line;
+  for (const std::string& word : check.run_arguments) line += word + " ";
+  EXPECT_NE(line.find("--asset-root models --asset-root more "), std::string::npos) << line;
+  EXPECT_EQ(complaint({"replay", "walk", "--asset-root", ""}).find("--asset-root:"), 0u);
+}
+
+TEST(CommandLine, LookTakesFormatsAndAnEndingThatFitsThem) {
+  const auto look = std::get<LookOptions>(parse_command_line({"look", "a.glb", "--format", "png,exr"}));
+  EXPECT_EQ(look.formats, (PictureFormats{PictureFormat::png, PictureFormat::exr}));
+  EXPECT_EQ(complaint({"look", "a.glb", "--format", "jpg"}).find("--format: 'jpg'"), 0u);
 }
 
 TEST(CommandLine, PoliciesAreOneOrBoth) {

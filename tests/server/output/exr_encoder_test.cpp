@@ -7,17 +7,22 @@
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <exception>
+#include <filesystem>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "server/output/memory_stream.h"
+#include "tests/paths.h"
 #include "tests/server/output/pictures.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
@@ -103,6 +108,47 @@ TEST(ExrEncoder, PartsAreNamedAfterTheirViewportsAndSayWhatTheHeadsetKnew) {
   EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.gaze_in_head").value(),
             Imath::V3d(0.6, 0.0, -0.8));
   EXPECT_EQ(header.typedAttribute<Imf::DoubleAttribute>("herr.tan_left").value(), -1.0);
+}
+
+TEST(ExrEncoder, APartSaysWhatItsValuesMean) {
+  Frame frame = test_frame();
+  ViewportImage& opaque = frame.pictures[1];
+  for (int y = 0; y < opaque.height_px; ++y)
+    for (int x = 0; x < opaque.width_px; ++x) opaque.row(y)[4 * x + 3] = 0x3C00;
+  const std::vector<std::uint8_t> bytes = encoded(frame);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  const auto text = [&](int part, const char* name) {
+    return file.header(part).typedAttribute<Imf::StringAttribute>(name).value();
+  };
+  EXPECT_EQ(text(0, "herr.unit").find("W/(sr m^2)"), 0u);
+  EXPECT_EQ(text(0, "herr.alpha"), "premultiplied");
+  EXPECT_EQ(text(1, "herr.alpha"), "1 everywhere");
+  // ITU-R BT.709: the primaries and the white, D65, that sRGB has.
+  const Imf::Chromaticities found = Imf::chromaticities(file.header(0));
+  EXPECT_EQ(found.red, Imath::V2f(0.64f, 0.33f));
+  EXPECT_EQ(found.green, Imath::V2f(0.30f, 0.60f));
+  EXPECT_EQ(found.blue, Imath::V2f(0.15f, 0.06f));
+  EXPECT_EQ(found.white, Imath::V2f(0.3127f, 0.3290f));
+  EXPECT_EQ(Imf::adoptedNeutral(file.header(0)), found.white);
+  EXPECT_FALSE(Imf::hasWhiteLuminance(file.header(0))) << "nobody knows it";
+}
+
+// The README's table is the list that users look into.
+TEST(ExrEncoder, EveryAttributeOfOursStandsInTheReadme) {
+  const std::vector<std::uint8_t> bytes = encoded(test_frame());
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  const std::string readme =
+      content_of(std::filesystem::path(test::source_dir()) / "server/output/README.md");
+  int ours = 0;
+  for (auto attribute = file.header(0).begin(); attribute != file.header(0).end(); ++attribute) {
+    const std::string name = attribute.name();
+    if (!name.starts_with("herr.")) continue;
+    ++ours;
+    EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
+  }
+  EXPECT_GE(ours, 20);
 }
 
 TEST(ExrEncoder, AFurtherViewIsAPartAndWhatNoEyeSeesNamesNone) {

@@ -81,6 +81,42 @@ TEST(SrgbPicture, CountsNanAndInfButNotTheGarbageBetweenRows) {
   EXPECT_EQ(out.nonfinite_values, 2);
 }
 
+// Whole pixels count, once each, and by what is shown: at -1 EV white is 2.
+TEST(SrgbPicture, CountsPixelsThatEightBitsCannotShow) {
+  ViewportImage image;
+  image.resize(8, 1);
+  const auto set = [&](int x, float r, float g, float b, float alpha) {
+    std::uint16_t* texel = image.row(0) + 4 * x;
+    for (const float value : {r, g, b, alpha}) *texel++ = half_from_float(value);
+  };
+  set(0, 1, 1, 1, 1);       // white itself
+  set(1, 1.001f, 0, 0, 1);  // the next half above it is 1 + 2^-10
+  set(2, 3, 3, -1, 1);      // once, whatever the channels
+  set(3, -0.0f, 0, 0, 1);   // no less than 0
+  set(4, 0, -1e-4f, 0, 1);
+  set(5, 0.75f, 0, 0, 0.5f);  // 1.5 where alpha counts
+  set(6, 1.5f, 0, 0, 1);
+  set(7, NAN, 5, 0, 1);  // a fault, counted as such
+  Srgb8Image out;
+  srgb8_from_viewport(image, false, out);
+  EXPECT_EQ(out.clipped_pixels, 4) << "1, 2, 4 and 6";
+  srgb8_from_viewport(image, true, out);
+  EXPECT_EQ(out.clipped_pixels, 5) << "and 5";
+  image.exposure = 0.5f;
+  srgb8_from_viewport(image, true, out);
+  EXPECT_EQ(out.clipped_pixels, 2) << "2 and 4";
+  EXPECT_EQ(out.nonfinite_values, 1);
+}
+
+// White of a camera feed is 1 / exposure in the picture, rounded to a half.
+TEST(SrgbPicture, WhiteOfAFeedIsNotClippedAtAnyExposure) {
+  for (int i = -800; i <= 800; ++i) {
+    const float exposure = std::exp2(static_cast<float>(i) / 100);
+    EXPECT_LE(half_from_float(1 / exposure), white_half(exposure)) << exposure;
+    EXPECT_GT(half_from_float(1.002f / exposure), white_half(exposure)) << exposure;
+  }
+}
+
 TEST(SrgbPicture, NoCoverageIsTransparentBlack) {
   ViewportImage image;
   image.width_px = image.height_px = 1;

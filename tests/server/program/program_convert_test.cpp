@@ -115,6 +115,8 @@ TEST_F(ConvertProgram, RefusesWrongUsage) {
       {"walk.txt s --preset tum --camera pictures --camera-hfov 66 --camera-label left",
        "--camera-label: names a camera of a calibration"},
       {"walk.txt s --preset tum --scene /room.scene.json", "--scene: is an absolute path"},
+      {"walk.txt s --preset tum --scene ../room.scene.json",
+       "--scene: there is no file s/../room.scene.json; write the path relative to OUT"},
       {"walk.txt pictures --preset tum", "is not empty; give --overwrite"},
       {"walk.txt pictures --preset tum --overwrite", "only a session is overwritten"},
       {"walk.txt walk.txt --preset tum", "OUT:"}};

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ class ReplaySession : public ::testing::Test {
     write_small_session(root() / "walk", 0.25);
     options_.out = root() / "o";
     options_.profile = (root() / "small.profile.json").string();
-    options_.format = PictureFormat::none;
+    options_.formats = {};
     options_.sheet = SheetChoice::none;
     options_.overwrite = true;
     options_.render = direct_light_settings();
@@ -133,7 +134,7 @@ TEST_F(ReplaySession, ATargetThatIsEasilyReachedGivesTheWholeWidth) {
 }
 
 TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
-  options_.format = PictureFormat::exr;
+  options_.formats = PictureFormat::exr;
   options_.frames = 1;
   options_.render.isa = Isa::sse4;
   const auto header = [this] {
@@ -168,9 +169,56 @@ TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
   EXPECT_EQ(whole["quality"]["polar_width"]["min"], 64.0);
 }
 
+TEST_F(ReplaySession, BothFormatsInOneRunAreTheFilesOfTwoRuns) {
+  const fs::path frames = root() / "o/walk/frames";
+  options_.frames = 2;
+  std::map<std::string, std::string> apart;
+  std::int64_t bytes = 0;
+  for (const PictureFormat format : {PictureFormat::png, PictureFormat::exr}) {
+    options_.formats = format;
+    const SessionReport report = replay();
+    ASSERT_EQ(report.exit_code, 0) << report.error;
+    bytes += report.bytes_written;
+    for (const auto& file : fs::directory_iterator(frames))
+      apart[file.path().filename().string()] = content_of(file.path());
+  }
+  options_.formats = {PictureFormat::png, PictureFormat::exr};
+  const SessionReport both = replay();
+  ASSERT_EQ(both.exit_code, 0) << both.error;
+  EXPECT_EQ(both.files_written, 2 * (4 + 1));
+  EXPECT_EQ(both.bytes_written, bytes);
+  EXPECT_EQ(summary()["settings"]["format"], "png,exr");
+  for (const auto& [name, content] : apart) EXPECT_TRUE(content_of(frames / name) == content) << name;
+
+  // A frame is done when the files of both are there.
+  fs::remove(frames / "frame_000001.exr");
+  options_.overwrite = false;
+  options_.resume = true;
+  const SessionReport resumed = replay();
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.error;
+  EXPECT_EQ(resumed.kept_frames, 1);
+  EXPECT_EQ(resumed.files_written, both.files_written);
+  EXPECT_EQ(resumed.bytes_written, both.bytes_written);
+  EXPECT_EQ(resumed.statistics.clipped_pixels, both.statistics.clipped_pixels) << "by the rows of frames.csv";
+  EXPECT_TRUE(content_of(frames / "frame_000001.exr") == apart.at("frame_000001.exr"));
+}
+
+// At +16 EV all light is brighter than white, and EXR has it all the same.
+TEST_F(ReplaySession, PixelsThatPngCannotShowAreCounted) {
+  options_.formats = PictureFormat::exr;
+  options_.frames = 2;
+  options_.render.exposure_ev = 16;
+  EXPECT_EQ(replay().statistics.clipped_pixels, 0) << "no PNG is written";
+  options_.formats = {PictureFormat::png, PictureFormat::exr};
+  const SessionReport report = replay();
+  EXPECT_GT(report.statistics.clipped_pixels, 0);
+  EXPECT_LE(report.statistics.clipped_pixels, report.statistics.counters.viewport_pixels);
+  EXPECT_EQ(summary()["counters"]["clipped_pixels"], report.statistics.clipped_pixels);
+}
+
 // What each eye sees is written beside the viewports, timed by itself, and looked for by a resumed run.
 TEST_F(ReplaySession, AFurtherViewIsAPictureOfItsFrame) {
-  options_.format = PictureFormat::png;
+  options_.formats = PictureFormat::png;
   options_.sheet = SheetChoice::all;
   options_.frames = 3;
   options_.render.blended_view = Blend::context;

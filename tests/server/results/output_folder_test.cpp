@@ -77,9 +77,9 @@ TEST(OutputFolder, ResumingRemovesTemporaryFilesAndKeepsResults) {
 TEST(OutputFolder, OneProcessAtATimeWrites) {
   const TemporaryFolder root;
   const OutputFolder folder(root.path() / "out", root.path() / "walk");
-  const FolderLock lock = folder.prepare(PictureFormat::none, EarlierResults::replace);
+  const FolderLock lock = folder.prepare(PictureFormats(), EarlierResults::replace);
   touch(folder.frames_csv());
-  EXPECT_THROW((void)folder.prepare(PictureFormat::none, EarlierResults::replace), TemporaryError);
+  EXPECT_THROW((void)folder.prepare(PictureFormats(), EarlierResults::replace), TemporaryError);
   EXPECT_TRUE(fs::exists(folder.frames_csv()));
 }
 
@@ -107,8 +107,7 @@ TEST(OutputFolder, OverwritingRemovesEarlierResultsAndNothingElse) {
         "summary.json.tmp.999999999"}) {
     touch(out / name);
   }
-  OutputFolder(root.path() / "out", root.path() / "walk")
-      .prepare(PictureFormat::none, EarlierResults::replace);
+  OutputFolder(root.path() / "out", root.path() / "walk").prepare(PictureFormats(), EarlierResults::replace);
   EXPECT_TRUE(fs::exists(out / "notes.txt"));
   EXPECT_TRUE(fs::exists(out / "photo.png"));
   EXPECT_TRUE(fs::exists(out / "frames/my_frame.png"));
@@ -131,7 +130,7 @@ TEST(OutputFolder, ATemporaryFileWithOurOwnNumberIsLeftFromAnEarlierRun) {
   const std::string own = "frames.csv.tmp." + std::to_string(::getpid());
   touch(root.path() / "out" / "walk" / own);
   const OutputFolder folder(root.path() / "out", root.path() / "walk");
-  folder.prepare(PictureFormat::none, EarlierResults::replace);
+  folder.prepare(PictureFormats(), EarlierResults::replace);
   EXPECT_FALSE(fs::exists(folder.path() / own));
   EXPECT_NO_THROW(AtomicFile(folder.frames_csv()).write("x"));
 }

@@ -16,7 +16,7 @@ namespace herr {
 namespace {
 
 struct Told {
-  std::string header, summary;
+  std::string header, headline, summary;
   Fingerprint fingerprint;
 };
 
@@ -27,13 +27,14 @@ SessionReport report_of(const ReplayOptions& options) {
   report.profile.name = options.profile.empty() ? "xr1" : options.profile;
   report.scene_file = "room.scene.json";
   report.range.count = 9;
+  report.findings.camera_rows[0] = 1;
   return report;
 }
 
 Told told_by(const ReplayOptions& options) {
   const SessionReport report = report_of(options);
-  return {settings_text(resolved_options(options, report)), subject_json(report, options)["settings"].dump(),
-          fingerprint_of(report, options, Scene())};
+  return {settings_text(resolved_options(options, report)), headline_text(options, report),
+          subject_json(report, options)["settings"].dump(), fingerprint_of(report, options, Scene())};
 }
 
 // Probes and a policy, so that no setting of theirs is without effect.
@@ -59,6 +60,8 @@ TEST(SettingsReport, EachSettingThatShapesPicturesIsToldEverywhere) {
     const std::string what = difference(before.fingerprint, now.fingerprint);
     if (shapes_pictures(setting)) {
       EXPECT_NE(now.header, before.header) << now.header;
+      // The instruction set stands before it.
+      EXPECT_EQ(now.headline != before.headline, setting.name != "isa") << now.headline;
       const std::string& flag = setting.group == SettingGroup::probes ? "" : setting.flag;
       EXPECT_EQ(what.find((flag.empty() ? "" : flag + " was ")), 0u) << what;
       EXPECT_NE(what, "");
@@ -94,6 +97,23 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
       features_text(options.render),
       "occlusion rays 8, reflections, no probes, no camera, first light samples 4, occlusion radius 0.5 "
       "m, no refraction");
+}
+
+TEST(SettingsReport, WhatMeansNothingIsNotTold) {
+  ReplayOptions options;
+  options.profile = "xr1";
+  options.render.isa = Isa::avx2;
+  options.render.feed_distance_m = 3;  // of a feed that this session has not
+  EXPECT_EQ(settings_text(options, false),
+            "polar 1576x768, light samples 1, occlusion rays 1, reflections, probes, isa avx2, profile xr1");
+  EXPECT_EQ(features_text(options.render, false), "occlusion rays 1, reflections, probes");
+  SessionReport report = report_of(options);
+  report.findings.camera_rows[0] = 0;
+  EXPECT_EQ(headline_text(options, report).find("camera"), std::string::npos);
+  options.render.foveation = Foveation::off;
+  EXPECT_EQ(
+      settings_text(options.render),
+      "light samples 1, occlusion rays 1, reflections, probes, camera, foveation off, feed distance 3 m");
 }
 
 // Keys and values that scripts and earlier programs know.

@@ -40,7 +40,13 @@ TEST_F(Serve, BeforeTheFirstFrameItIsAliveAndNotReady) {
     EXPECT_EQ(get("/readyz").header("Retry-After"), "1");
     EXPECT_EQ(get("/").status, 200);
     EXPECT_EQ(get("/metrics").status, 200);
-    EXPECT_EQ(get("/v1/frames/latest/left_context.png").status, 503);
+    for (const char* name : {"left_context", "polar-left"}) {
+      const Reply early = get(std::string("/v1/frames/latest/") + name + ".png");
+      EXPECT_EQ(early.status, 503);
+      EXPECT_EQ(early.body, "") << "nobody saves it as a picture";
+      EXPECT_EQ(early.header("Retry-After"), "1");
+      EXPECT_EQ(early.header("X-Herr-Reason"), "no frame yet");
+    }
     EXPECT_EQ(get_json("/v1/status")["phase"], "starting");
     EXPECT_TRUE(get_json("/v1/latency")["run"]["frame"]["p50"].is_null());
     EXPECT_EQ(get_json("/v1/frames")["frames"].size(), 0u);
@@ -156,6 +162,36 @@ TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
   EXPECT_EQ(first["frames"].size(), 1000u);
   EXPECT_EQ(first["more"], true);
   EXPECT_EQ(get_json("/v1/frames?since=2000")["more"], false);
+}
+
+// Frames 2, 4, 6 ... missed; of these every second one for the machine.
+TEST_F(Serve, LateFramesSayWhetherTheMachineOrTheWorkMadeThemLate) {
+  publish(50);
+  const json late = get_json("/v1/frames?missed=1");
+  ASSERT_EQ(late["frames"].size(), 25u);
+  EXPECT_EQ(late["newest"], 50);
+  EXPECT_EQ(late["more"], false);
+  for (const json& frame : late["frames"]) {
+    const auto number = frame["frame"].get<int>();
+    EXPECT_EQ(number % 2, 0);
+    EXPECT_EQ(frame["cause"], number % 4 == 0 ? "machine" : "work");
+    EXPECT_EQ(frame["preemptions"], number % 4 == 0 ? 7 : 0);
+    EXPECT_EQ(frame["cpu_ms"], 1.5 * number) << "beside the wall time";
+  }
+  EXPECT_TRUE(get_json("/v1/frames?missed=0")["frames"][0]["cause"].is_null()) << "frame 1 was in time";
+  EXPECT_EQ(get_json("/v1/frames?missed=0")["frames"].size(), 50u);
+  EXPECT_EQ(get_json("/v1/frames?missed=1&since=45")["frames"].size(), 3u);
+  EXPECT_EQ(get("/v1/frames?missed=yes").status, 400);
+  EXPECT_EQ(get_json("/v1/status")["run"]["frames"]["missed_by_machine"], 12);
+  EXPECT_NE(get("/metrics").body.find("herr_frames_missed_by_machine_total 12\n"), std::string::npos);
+  const std::string page = get("/").body;
+  for (const char* part : {"Late frames, 25 in the last 10 s", "<td>75.00</td><td>0</td><td>work</td>",
+                           "<td>72.00</td><td>7</td><td>machine</td>", "/v1/frames?missed=1"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  publish(4000);
+  const json many = get_json("/v1/frames?missed=1");
+  EXPECT_EQ(many["frames"].size(), 1000u);
+  EXPECT_EQ(many["more"], true);
 }
 
 TEST_F(Serve, ThePlanSaysWhatRunsAndWhy) {

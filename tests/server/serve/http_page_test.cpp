@@ -68,6 +68,7 @@ TEST_F(Serve, ThePolarBufferIsCopiedOnlyWhenSomebodyAsks) {
   const Reply early = get("/v1/frames/latest/polar-left.png");
   EXPECT_EQ(early.status, 503);
   EXPECT_EQ(early.header("Retry-After"), "1");
+  EXPECT_EQ(early.body, "");
   EXPECT_EQ(board_.polar_asked_ns, now_ns_);
 
   auto pictures = std::make_shared<ServedPictures>(*board_.pictures.get());

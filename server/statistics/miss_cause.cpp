@@ -1,0 +1,24 @@
+#include "server/statistics/miss_cause.h"
+
+namespace herr {
+
+const char* name_of(MissCause cause) {
+  switch (cause) {
+    case MissCause::none:
+      return "";
+    case MissCause::work:
+      return "work";
+    case MissCause::machine:
+      return "machine";
+  }
+  return "unknown";
+}
+
+MissCause cause_of_miss(const MissFacts& facts) {
+  if (!facts.cpu_ms || facts.preemptions.value_or(0) == 0) return MissCause::work;
+  const bool kept_off = *facts.cpu_ms < kBusyShare * facts.threads * facts.frame_ms;
+  const bool fits = facts.beside_ms + *facts.cpu_ms / facts.threads <= facts.period_ms;
+  return kept_off && fits ? MissCause::machine : MissCause::work;
+}
+
+}  // namespace herr
