@@ -104,7 +104,7 @@ std::string frames_section(const std::vector<RecentFrame>& recent, TimeNs now_ns
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const RecentFrame& frame = recent[recent.size() - 1 - i];
     if (i < kNewest) newest += frame_row(frame, now_ns);
-    if (!frame.record.missed) continue;
+    if (!frame.record.missed || frame.finished_ns <= now_ns - kWindowNs) continue;
     ++late_count;
     if (shown_late++ < kLate) late += frame_row(frame, now_ns);
   }
