@@ -18,7 +18,8 @@ namespace HWY_NAMESPACE {
 constexpr float kInvPi = 0.318309886f;
 constexpr float kCoatF0 = 0.04f;  // index 1.5
 
-// One light's direction as a lobe needs it; `n` is the lobe's normal.
+// One light's direction as a lobe needs it; `n` is the lobe's normal. None is negative: at a silhouette an
+// interpolated normal can lie behind the viewer, and the half vector behind it.
 struct LobeAngles {
   V3 h;
   VF n_l, n_v, n_h, l_h;
@@ -171,7 +172,7 @@ HWY_INLINE V3 layers_lit(const HitBatch& hits, int slot, const LobeAngles& base,
   LobeAngles coat = base;
   coat.n_l = hn::Max(dot(coat_n, light), hn::Zero(kF));
   coat.n_v = hn::Max(hn::Abs(dot(coat_n, v)), set(1e-4f));
-  coat.n_h = dot(coat_n, base.h);
+  coat.n_h = hn::Max(dot(coat_n, base.h), hn::Zero(kF));
   const VF alpha2 = load(&lobes.coat_alpha2[slot]);
   const VF wide2 = widened(hits, slot, alpha2, base.l_h, sample_turn2);
   // Irradiance is that of the base's normal: the coat has its own.

@@ -23,8 +23,9 @@ HWY_INLINE V3 reflectance(const HitBatch& hits, int slot, const V3& n, const V3&
     const VF one = set(1.0f);
     const V3 v = load3(hits.viewer, slot);
     const V3 h = normalise(V3{hn::Add(light.x, v.x), hn::Add(light.y, v.y), hn::Add(light.z, v.z)});
-    const LobeAngles at{h, n_l, hn::Max(hn::Abs(dot(n, v)), set(1e-4f)), dot(n, h),
-                        hn::Max(dot(light, h), hn::Zero(kF))};
+    const VF zero = hn::Zero(kF);
+    const LobeAngles at{h, n_l, hn::Max(hn::Abs(dot(n, v)), set(1e-4f)), hn::Max(dot(n, h), zero),
+                        hn::Max(dot(light, h), zero)};
     const VF alpha2 = load(&hits.alpha2[slot]), wide2 = widened(hits, slot, alpha2, at.l_h, sample_turn2);
     VF common = ggx(at, n, alpha2, wide2);
     if constexpr (kLobe == Lobe::layered) {
