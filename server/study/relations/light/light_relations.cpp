@@ -91,6 +91,12 @@ void measure_brighter(const char* light, const RelationCase& bright, bool probes
   }
 }
 
+// Empty where catchers receive light over a camera feed.
+std::string why_no_feed(const FramePlan& plan) {
+  const std::string why = why_left_out(plan, "camera composite");
+  return why.empty() ? why_left_out(plan, "catchers") : why;
+}
+
 // Largest |P4 - P2 - 2 (P2 - P1)| / (P4 + 3 P2 + 2 P1).
 void measure_over_feed(const RelationCase& subject, RelationCase lit, CountedPictures& counted,
                        RelationLog& log) {
@@ -104,11 +110,8 @@ void measure_over_feed(const RelationCase& subject, RelationCase lit, CountedPic
       "sample and pixel of each picture are rounded to half floats, by 2^-11 of them at most";
   lit.camera = subject.camera;
   lit.settings.camera = subject.settings.camera;
-  const FramePlan plan = plan_of(lit);
-  for (const char* needed : {"camera composite", "catchers"}) {
-    const std::string why = why_left_out(plan, needed);
-    if (!why.empty()) return log.not_applicable(relation, why);
-  }
+  const std::string why = why_no_feed(plan_of(lit));
+  if (!why.empty()) return log.not_applicable(relation, why);
   std::vector<LinearPicture> pictures[3];
   for (auto& picture : pictures) {
     picture = counted.of(lit);
@@ -173,11 +176,8 @@ void measure_virtual(const RelationCase& subject, RelationCase lit, CountedPictu
   relation.bound_from = "sample and pixel of both pictures are rounded to half floats";
   lit.camera = subject.camera;
   lit.settings.camera = subject.settings.camera;
-  const FramePlan plan = plan_of(lit);
-  for (const char* needed : {"camera composite", "catchers"}) {
-    const std::string why = why_left_out(plan, needed);
-    if (!why.empty()) return log.not_applicable(relation, why);
-  }
+  const std::string why = why_no_feed(plan_of(lit));
+  if (!why.empty()) return log.not_applicable(relation, why);
   if (lit.state.lights.empty()) return log.not_applicable(relation, "the scene has no light");
   add_virtual_lights(lit);
   std::vector<LinearPicture> with = counted.of(lit);
