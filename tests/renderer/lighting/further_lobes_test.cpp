@@ -70,8 +70,8 @@ class Surface {
         z[i] = static_cast<float>(lights[first + i].z);
       }
       const kernels::V3 l = kernels::load3(x, y, z), n = kernels::load3(hits_->normal, 0);
-      const kernels::V3 f =
-          kernels::reflectance<kernels::Lobe::layered>(*hits_, 0, n, l, l.z, kernels::set(turn * turn));
+      const kernels::V3 f = kernels::reflectance<kernels::Lobe::layered>(
+          *hits_, 0, n, l, l.z, kernels::whole_highlights(kernels::set(turn * turn)));
       kernels::hn::Store(f.x, kernels::kF, x);
       kernels::hn::Store(f.y, kernels::kF, y);
       kernels::hn::Store(f.z, kernels::kF, z);
