@@ -35,6 +35,7 @@ struct StageTimes {
   double frame_ms = 0;                   // equals the sum of ms
   double commit_ms = 0;                  // of the stage acceleration: Embree's commits, 0 without any
   double views_ms = 0;                   // after the frame time: RenderedFrame::further, 0 without any
+  double outside_ms = 0;                 // of these: the view from outside, 0 without one
 
   double& operator[](Stage s) { return ms[static_cast<std::size_t>(s)]; }
   double operator[](Stage s) const { return ms[static_cast<std::size_t>(s)]; }

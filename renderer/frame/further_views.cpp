@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/frame/renderer_impl.h"
+#include "renderer/timing.h"
 
 namespace herr {
 namespace {
@@ -122,7 +123,10 @@ bool Renderer::Impl::make_further_views(const FrameSample& sample, RenderedFrame
                                         const std::atomic<bool>* abandon) {
   set_up_further_views(out);
   if (!blend_views(out, abandon)) return false;
-  return !outside_work || render_outside(sample, out, abandon);
+  if (!outside_work) return true;
+  bool whole = false;
+  out.times.outside_ms = wall_ms([&] { whole = render_outside(sample, out, abandon); });
+  return whole;
 }
 
 }  // namespace herr

@@ -1,8 +1,10 @@
 // Stage: light rays. Direct light of every light at the hits of a batch: N stratified samples per light,
-// E = (I / N) sum V cos(theta) / max(d^2, r^2), diffuse and specular.
+// E = (I / N) sum V cos(theta) / max(d^2, r^2), diffuse and specular; highlights that are narrower than
+// strata also by directions drawn from them.
 #pragma once
 
 #include "renderer/lighting/adaptive_light-inl.h"
+#include "renderer/lighting/lobe_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -16,13 +18,14 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
   for (const LightRecord& light : job.shading->lights) {
     if (light.first_samples < light.samples) {
       adaptive_light<kLobe>(job, light, hits, count, kind);
-      continue;
+    } else {
+      for (int s = 0; s < light.samples; ++s) {
+        queue_shadow_rays(job, light, s, hits, count);
+        find_visibility(job, light, hits, kind);
+        for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, hits, slot);
+      }
     }
-    for (int s = 0; s < light.samples; ++s) {
-      queue_shadow_rays(job, light, s, hits, count);
-      find_visibility(job, light, hits, kind);
-      for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, hits, slot);
-    }
+    add_highlights<kLobe>(job, light, hits, count, kind);
   }
 }
 

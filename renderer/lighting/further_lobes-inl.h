@@ -18,7 +18,8 @@ namespace HWY_NAMESPACE {
 constexpr float kInvPi = 0.318309886f;
 constexpr float kCoatF0 = 0.04f;  // index 1.5
 
-// One light's direction as a lobe needs it; `n` is the lobe's normal.
+// One light's direction as a lobe needs it; `n` is the lobe's normal. None is negative: at a silhouette an
+// interpolated normal can lie behind the viewer, and the half vector behind it.
 struct LobeAngles {
   V3 h;
   VF n_l, n_v, n_h, l_h;
@@ -43,21 +44,22 @@ HWY_INLINE VF ggx(const LobeAngles& at, const V3& n, VF alpha2, VF wide2) {
 }
 
 // KHR_materials_anisotropy: alpha along the tangent is mix(alpha, 1, strength^2), across it alpha.
+HWY_INLINE VF alpha_along(VF alpha, VF strength) {
+  return hn::MulAdd(hn::Mul(strength, strength), hn::Sub(set(1.0f), alpha), alpha);
+}
+
 HWY_INLINE VF stretched_ggx(const HitBatch& hits, int slot, const LobeAngles& at, const V3& n,
                             const V3& light, const V3& v, VF alpha2, VF wide2) {
-  const VF strength = load(&hits.lobes->stretch[slot]), one = set(1.0f);
+  const VF strength = load(&hits.lobes->stretch[slot]);
   const V3 t = load3(hits.lobes->tangent, slot);
   const V3 b = cross(n, t);
-  const auto along = [&](VF alpha) HWY_ATTR {
-    return hn::MulAdd(hn::Mul(strength, strength), hn::Sub(one, alpha), alpha);
-  };
-  const VF wide_b = hn::Sqrt(wide2), wide_t = along(wide_b);
+  const VF wide_b = hn::Sqrt(wide2), wide_t = alpha_along(wide_b, strength);
   const VF both = hn::Mul(wide_t, wide_b);
   const V3 f{hn::Mul(wide_b, dot(t, at.h)), hn::Mul(wide_t, dot(b, at.h)), hn::Mul(both, at.n_h)};
   const VF w2 = hn::Div(both, hn::Max(dot(f, f), set(1e-20f)));
   const VF share = hn::Div(hn::MulAdd(hn::Sub(wide2, alpha2), at.n_h, alpha2), wide2);
   const VF lobe = hn::Mul(hn::Mul(both, share), hn::Mul(set(kInvPi), hn::Mul(w2, w2)));
-  const VF alpha_b = hn::Sqrt(alpha2), alpha_t = along(alpha_b);
+  const VF alpha_b = hn::Sqrt(alpha2), alpha_t = alpha_along(alpha_b, strength);
   const auto masked = [&](const V3& way, VF cosine) HWY_ATTR {
     const V3 scaled{hn::Mul(alpha_t, dot(t, way)), hn::Mul(alpha_b, dot(b, way)), cosine};
     return hn::Sqrt(dot(scaled, scaled));
@@ -163,20 +165,39 @@ HWY_NOINLINE inline void cover_bases(HitBatch& hits, int count) {
   }
 }
 
-// Coat and sheen under direct light; the base is there already.
-HWY_INLINE V3 layers_lit(const HitBatch& hits, int slot, const LobeAngles& base, const V3& n, const V3& light,
-                         VF sample_turn2) {
+// What one sample of a light stands for in a highlight: by how much half vectors turn across it, squared, and
+// which share of the highlight it brings (the rest comes by directions drawn from the lobe).
+struct HighlightPart {
+  VF turn2, share;
+};
+struct HighlightParts {
+  HighlightPart base, coat;
+};
+HWY_INLINE HighlightParts whole_highlights(VF turn2) {
+  const HighlightPart whole{turn2, set(1.0f)};
+  return {whole, whole};
+}
+
+// The coat's highlight; `base`: the light's direction as the base needs it.
+HWY_INLINE VF coat_lit(const HitBatch& hits, int slot, const LobeAngles& base, const V3& light, VF turn2) {
   const FurtherLobes& lobes = *hits.lobes;
   const V3 coat_n = load3(lobes.coat_normal, slot), v = load3(hits.viewer, slot);
   LobeAngles coat = base;
   coat.n_l = hn::Max(dot(coat_n, light), hn::Zero(kF));
   coat.n_v = hn::Max(hn::Abs(dot(coat_n, v)), set(1e-4f));
-  coat.n_h = dot(coat_n, base.h);
+  coat.n_h = hn::Max(dot(coat_n, base.h), hn::Zero(kF));
   const VF alpha2 = load(&lobes.coat_alpha2[slot]);
-  const VF wide2 = widened(hits, slot, alpha2, base.l_h, sample_turn2);
+  const VF wide2 = widened(hits, slot, alpha2, base.l_h, turn2);
   // Irradiance is that of the base's normal: the coat has its own.
   const VF turned = hn::Div(coat.n_l, hn::Max(base.n_l, set(1e-6f)));
-  const VF shine = hn::Mul(hn::Mul(load(&lobes.coat[slot]), turned), ggx(coat, coat_n, alpha2, wide2));
+  return hn::Mul(hn::Mul(load(&lobes.coat[slot]), turned), ggx(coat, coat_n, alpha2, wide2));
+}
+
+// Coat and sheen under direct light; the base is there already.
+HWY_INLINE V3 layers_lit(const HitBatch& hits, int slot, const LobeAngles& base, const V3& n, const V3& light,
+                         const HighlightPart& coat) {
+  const FurtherLobes& lobes = *hits.lobes;
+  const VF shine = hn::Mul(coat_lit(hits, slot, base, light, coat.turn2), coat.share);
   const V3 sheen = load3(lobes.sheen, slot);
   V3 f{shine, shine, shine};
   const MF fibres = hn::Gt(hn::Max(sheen.x, hn::Max(sheen.y, sheen.z)), hn::Zero(kF));

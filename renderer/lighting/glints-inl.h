@@ -39,7 +39,7 @@ HWY_INLINE MF may_glint(const ShadingInputs& shading, const HitBatch& hits, int 
     const VF turn = sun ? zero : hn::Mul(per_distance, set(0.5f * radius));
     const V3 off = cross(n, h);
     const VF away = hn::Max(hn::Sub(hn::Sqrt(dot(off, off)), hn::Add(turn, turn)), zero);
-    const VF sample = hn::Mul(per_distance, set(light.half_turn_m));
+    const VF sample = hn::Mul(per_distance, set(meets_directions(light) ? 0.0f : light.half_turn_m));
     const VF l_h = hn::Max(dot(direction, h), zero);
     const VF wide2 = widened(hits, slot, alpha2, l_h, hn::Mul(sample, sample));
     const VF spread = hn::Max(hn::MulAdd(away, away, wide2), set(1e-12f));

@@ -1,31 +1,12 @@
 // One sample of a light at the hits of a batch: its shadow rays, and its light where they pass.
 #pragma once
 
-#include "renderer/lighting/reflectance-inl.h"
+#include "renderer/lighting/lobe_light-inl.h"
 #include "renderer/lighting/shadow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-// Irradiance per unit of intensity and cosine: 1 / max(d^2, r^2), times a spot's cone and the end of its
-// range (KHR_lights_punctual). `direction` is towards the light, unit. A sun is equally bright everywhere.
-HWY_INLINE VF falloff(const LightRecord& light, VF distance2, const V3& direction) {
-  const VF zero = hn::Zero(kF), one = set(1.0f);
-  if (light.kind == LightKind::sun) return one;
-  VF value = hn::Div(one, hn::Max(distance2, set(light.min_distance2)));
-  if (light.kind == LightKind::spot) {
-    const VF cosine = hn::Neg(dot(set3(light.direction), direction));
-    const VF cone =
-        hn::Min(hn::Max(hn::MulAdd(cosine, set(light.cone_scale), set(light.cone_offset)), zero), one);
-    value = hn::Mul(value, hn::Mul(cone, cone));
-  }
-  if (light.inverse_range2 > 0) {
-    const VF share = hn::Mul(distance2, set(light.inverse_range2));
-    value = hn::Mul(value, hn::Max(hn::NegMulAdd(share, share, one), zero));
-  }
-  return value;
-}
 
 // The way from hits to the middle of the stratum that light sample `s` lies in, unit.
 HWY_INLINE V3 towards_stratum(const LightRecord& light, int s, const HitBatch& hits, int slot) {
@@ -75,8 +56,10 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const VF geometry = hn::IfThenElseZero(lit, hn::Mul(n_l, share));
   const VF seen = hn::Mul(geometry, visible);
   const VF turn = hn::Mul(per_distance, set(light.half_turn_m)), turn2 = hn::Mul(turn, turn);
-  V3 f = reflectance<kLobe>(hits, slot, n, shining_from<kLobe>(light, s, hits, slot, direction, turn2), n_l,
-                            turn2);
+  const HighlightParts parts = highlight_parts<kLobe>(light, hits, slot, direction, turn2);
+  const VF spread2 = hn::Max(parts.base.turn2, parts.coat.turn2);
+  const V3 shines = shining_from<kLobe>(light, s, hits, slot, direction, spread2);
+  V3 f = reflectance<kLobe>(hits, slot, n, shines, n_l, parts);
   if (job.shading->plan->catchers) {
     // On a catcher the sum is irradiance itself, twice: with all that is virtual, lights too, and without.
     const MF catcher = of_kind(hits, slot, HitKind::catcher);

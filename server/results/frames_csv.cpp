@@ -56,6 +56,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("nonfinite_picture_values", record.nonfinite_pictures);
   visit("commit_ms", record.times.commit_ms);
   visit("views_ms", record.times.views_ms);
+  visit("outside_ms", record.times.outside_ms);
   visit("active_probes", record.probes.active);
   visit("relocated_probes", record.probes.relocated);
   visit("inactive_probes", record.probes.inactive);

@@ -67,6 +67,7 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"cpu_ms", optional_json(record.cpu_ms)},
           {"preemptions", record.preemptions ? Json(*record.preemptions) : Json(nullptr)},
           {"views_ms", record.times.views_ms},
+          {"outside_ms", record.times.outside_ms},
           {"pose_age_ms", optional_json(record.pose_age_ms)},
           {"gaze_age_ms", optional_json(record.gaze_age_ms)},
           {"camera_age_ms", optional_json(record.camera_age_ms)},

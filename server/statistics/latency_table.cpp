@@ -45,6 +45,7 @@ std::string latency_table(const RunStatistics& statistics) {
   text += rule + "\n" + row("frame", statistics.frame, &statistics.frame);
   if (statistics.sample.sum_ns() > 0) text += row("sample (before)", statistics.sample, nullptr);
   if (statistics.views.sum_ns() > 0) text += row("views (after)", statistics.views, nullptr);
+  if (statistics.outside.sum_ns() > 0) text += row("  outside view", statistics.outside, nullptr);
   if (statistics.write.sum_ns() > 0) text += row("write (after)", statistics.write, nullptr);
   if (statistics.cpu.count() > 0) text += row("CPU, all threads", statistics.cpu, nullptr);
   if (statistics.motion_to_photon.count() > 0) {

@@ -18,7 +18,7 @@ namespace herr {
 // Not thread-safe.
 struct RunStatistics {
   std::array<LatencyHistogram, kStageCount> stages;
-  LatencyHistogram frame, sample, views, write, wait, cpu;
+  LatencyHistogram frame, sample, views, outside, write, wait, cpu;
   LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
   // Their "milliseconds" are columns, light samples, degrees per second, samples per degree and arc minutes.
   LatencyHistogram polar_width, light_samples, head_deg_s;

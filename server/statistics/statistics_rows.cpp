@@ -31,6 +31,13 @@ constexpr std::array kDistributions{
                       if (!(r.times.views_ms > 0)) return std::nullopt;
                       return r.times.views_ms;
                     }},
+    DistributionRow{"outside", "ms", Group::latency,
+                    "of the further views: wall time of the view from outside, where there is one",
+                    &Run::outside,
+                    [](const Record& r) -> Value {
+                      if (!(r.times.outside_ms > 0)) return std::nullopt;
+                      return r.times.outside_ms;
+                    }},
     DistributionRow{"write", "ms", Group::latency,
                     "wall time of encoding one frame's pictures on the render threads, after the frame",
                     &Run::write, [](const Record& r) -> Value { return r.write_ms; }},

@@ -65,6 +65,7 @@ TEST(FurtherViews, ChangeNoViewportAndAreNotOfTheFrameTime) {
   test::expect_same_bits(with, without);
   test::expect_times_add_up(with);
   EXPECT_GT(with.times.views_ms, 0);
+  EXPECT_EQ(with.times.outside_ms, 0);  // no camera stands outside
 }
 
 TEST(FurtherViews, AreTheSameBitsWithAnyNumberOfThreads) {

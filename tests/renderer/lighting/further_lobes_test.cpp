@@ -56,8 +56,9 @@ class Surface {
     kernels::cover_bases(*hits_, kernels::kLanes);
   }
 
-  // Radiance per unit of irradiance from kLanes directions at once.
-  std::vector<glm::dvec3> response(const std::vector<glm::dvec3>& lights) const {
+  // Radiance per unit of irradiance from kLanes directions at once. `turn`: what the half vector turns by
+  // across a sample of the light.
+  std::vector<glm::dvec3> response(const std::vector<glm::dvec3>& lights, float turn = 0) const {
     std::vector<glm::dvec3> all;
     for (std::size_t first = 0; first < lights.size(); first += kernels::kLanes) {
       alignas(64) float x[kMaxLanes] = {}, y[kMaxLanes] = {}, z[kMaxLanes] = {};
@@ -69,8 +70,8 @@ class Surface {
         z[i] = static_cast<float>(lights[first + i].z);
       }
       const kernels::V3 l = kernels::load3(x, y, z), n = kernels::load3(hits_->normal, 0);
-      const kernels::V3 f =
-          kernels::reflectance<kernels::Lobe::layered>(*hits_, 0, n, l, l.z, kernels::set(0));
+      const kernels::V3 f = kernels::reflectance<kernels::Lobe::layered>(
+          *hits_, 0, n, l, l.z, kernels::whole_highlights(kernels::set(turn * turn)));
       kernels::hn::Store(f.x, kernels::kF, x);
       kernels::hn::Store(f.y, kernels::kF, y);
       kernels::hn::Store(f.z, kernels::kF, z);
@@ -263,6 +264,30 @@ TEST(FurtherLobesTest, NoLayerSendsBackMoreLightThanComes) {
       }
     }
   }
+}
+
+TEST(FurtherLobesTest, NoHighlightIsNegativeWhereTheNormalLiesBehindTheViewer) {
+  // At silhouettes of meshes interpolated normals do, by some ten degrees; half vectors then lie below the
+  // surface. A distribution of normals is nowhere negative, however wide a sample of the light makes it.
+  Layers plain, coated, stretched;
+  coated.coat = 1;
+  coated.coat_roughness = plain.roughness = 0.1;
+  coated.coat_normal = glm::normalize(glm::dvec3{-0.3, 0, 1});
+  stretched.stretch = 0.8;
+  stretched.roughness = 0.2;
+  bool below = false;
+  for (const double height : {-0.5, -0.3, -0.1, 0.0}) {
+    const glm::dvec3 v{std::sqrt(1 - height * height), 0, height};
+    const std::vector<glm::dvec3> lights = some_directions();
+    for (const Layers& layers : {plain, coated, stretched}) {
+      const std::vector<glm::dvec3> f = Surface(layers, v).response(lights, 0.3f);
+      for (std::size_t i = 0; i < lights.size(); ++i) {
+        below = below || (lights[i] + v).z < 0;
+        for (int c = 0; c < 3; ++c) ASSERT_GE(f[i][c], 0) << "light " << i << " viewer " << v.z;
+      }
+    }
+  }
+  EXPECT_TRUE(below);
 }
 
 // Calls check(cosine at the viewer, radiance) for each pixel of a floor in ambient light 1.

@@ -76,6 +76,9 @@ TEST_F(ViewReplay, WritesOnePictureMoreAndChangesNoOther) {
   ASSERT_EQ(summary["further_views"].size(), 1u);
   EXPECT_EQ(summary["further_views"][0]["kind"], "outside");
   EXPECT_EQ(report.statistics.views.count(), report.statistics.frames);
+  EXPECT_EQ(report.statistics.outside.count(), report.statistics.frames);
+  // Beside it only the pictures are set up.
+  EXPECT_LE(report.statistics.outside.sum_ns(), report.statistics.views.sum_ns());
 }
 
 TEST_F(ViewReplay, AnotherViewStartsAnew) {

@@ -91,6 +91,12 @@ void measure_brighter(const char* light, const RelationCase& bright, bool probes
   }
 }
 
+// Empty where catchers receive light over a camera feed.
+std::string why_no_feed(const FramePlan& plan) {
+  const std::string why = why_left_out(plan, "camera composite");
+  return why.empty() ? why_left_out(plan, "catchers") : why;
+}
+
 // Largest |P4 - P2 - 2 (P2 - P1)| / (P4 + 3 P2 + 2 P1).
 void measure_over_feed(const RelationCase& subject, RelationCase lit, CountedPictures& counted,
                        RelationLog& log) {
@@ -104,11 +110,8 @@ void measure_over_feed(const RelationCase& subject, RelationCase lit, CountedPic
       "sample and pixel of each picture are rounded to half floats, by 2^-11 of them at most";
   lit.camera = subject.camera;
   lit.settings.camera = subject.settings.camera;
-  const FramePlan plan = plan_of(lit);
-  for (const char* needed : {"camera composite", "catchers"}) {
-    const std::string why = why_left_out(plan, needed);
-    if (!why.empty()) return log.not_applicable(relation, why);
-  }
+  const std::string why = why_no_feed(plan_of(lit));
+  if (!why.empty()) return log.not_applicable(relation, why);
   std::vector<LinearPicture> pictures[3];
   for (auto& picture : pictures) {
     picture = counted.of(lit);
@@ -146,6 +149,53 @@ double extent_of(const Scene& scene) {
   const glm::dvec3 size = box.upper - box.lower;
   const double extent_m = std::max({size.x, size.y, size.z, 0.0});
   return std::isfinite(extent_m) ? extent_m : 1;
+}
+
+// The scene's virtual lights, or a virtual copy of each light beside it.
+void add_virtual_lights(RelationCase& lit) {
+  const auto is_virtual = [](const AreaLight& light) { return light.is_virtual; };
+  if (std::any_of(lit.state.lights.begin(), lit.state.lights.end(), is_virtual)) return;
+  const double extent_m = extent_of(lit.scene);
+  for (std::vector<AreaLight>* lights : {&lit.scene.lights, &lit.state.lights}) {
+    const std::size_t real = lights->size();
+    for (std::size_t i = 0; i < real; ++i) {
+      lights->push_back(moved_copy((*lights)[i], extent_m));
+      lights->back().is_virtual = true;
+    }
+  }
+}
+
+// Largest amount by which a value is lower with virtual lights than without, as a share of it.
+void measure_virtual(const RelationCase& subject, RelationCase lit, CountedPictures& counted,
+                     RelationLog& log) {
+  Relation relation;
+  relation.name = "virtual lights over the camera feed";
+  relation.holds = "over a feed a virtual light brightens or changes nothing, in its shadow too";
+  relation.bound = 0x1p-10;
+  relation.unit = "of the value without it";
+  relation.bound_from = "sample and pixel of both pictures are rounded to half floats";
+  lit.camera = subject.camera;
+  lit.settings.camera = subject.settings.camera;
+  const std::string why = why_no_feed(plan_of(lit));
+  if (!why.empty()) return log.not_applicable(relation, why);
+  if (lit.state.lights.empty()) return log.not_applicable(relation, "the scene has no light");
+  add_virtual_lights(lit);
+  std::vector<LinearPicture> with = counted.of(lit);
+  for (std::vector<AreaLight>* lights : {&lit.scene.lights, &lit.state.lights}) {
+    for (AreaLight& light : *lights) {
+      if (light.is_virtual) light.intensity_w_sr = glm::vec3(0.0f);
+    }
+  }
+  const std::vector<LinearPicture> without = counted.of(lit);
+  for (std::size_t v = 0; v < with.size(); ++v) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t i = 0; i < with[v].pixels(); ++i)
+        with[v].plane[c][i] = std::min(with[v].plane[c][i], without[v].plane[c][i]);
+    }
+  }
+  const PictureDistance apart = largest_of_sum(with, without, without, 2 * kSmallestNormalHalf, lit.profile);
+  log.measured(relation, apart.error, apart.where,
+               worst_pictures(apart, with, without, "darker with virtual lights | without | difference"));
 }
 
 void measure_sum(RelationCase lit, CountedPictures& counted, RelationLog& log) {
@@ -204,6 +254,7 @@ void measure_light(const RelationCase& subject, RelationLog& log) {
   CountedPictures counted;
   measure_brighter("hard", lit, false, counted, log);
   measure_over_feed(subject, lit, counted, log);
+  measure_virtual(subject, lit, counted, log);
   measure_sum(lit, counted, log);
   measure_brighter("all", steady(all_light(lit)), true, counted, log);
   log.measured(only_numbers("light gives numbers",

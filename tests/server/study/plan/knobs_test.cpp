@@ -208,5 +208,23 @@ TEST(Knobs, SizesAtAnEndOfTheRangeAreSweptOnce) {
                                             "16384x8192"}));
 }
 
+// A default that follows the acuity is no point of its own sweep; sizes around it have a fixed one.
+TEST(Knobs, PolarAcuityIsAPointUnlessItIsTheDefault) {
+  const auto points = [](const RenderSettings& defaults) {
+    std::map<std::string, RenderSettings> all;
+    for (const StudySetting& setting : sweeps_in(plain_scene(), defaults).settings) {
+      if (setting.knob == "polar" && setting.base == "N = 64")
+        all[setting.value] = with_changes(defaults, setting.changes);
+    }
+    return all;
+  };
+  EXPECT_TRUE(points({}).at("acuity").polar_acuity);
+  const auto around = points(with_changes({}, {{"polar", "acuity"}}));
+  EXPECT_EQ(around.count("acuity"), 0u);
+  const RenderSettings half = around.at("1040x588");
+  EXPECT_FALSE(half.polar_acuity);
+  EXPECT_EQ(half.polar_width, kMostAcuityWidth / 2);
+}
+
 }  // namespace
 }  // namespace herr

@@ -62,6 +62,7 @@ TEST(LightRelationsTest, OverAFeedLightIsAffineWhereCatchersAre) {
   const auto results = results_of(measure_light, subject);
   expect_all_asked_hold(results);
   EXPECT_TRUE(results.at("hard light over the camera feed").asked());
+  EXPECT_TRUE(results.at("virtual lights over the camera feed").asked());
 }
 
 TEST(LightRelationsTest, WithoutLightNothingIsAsked) {
