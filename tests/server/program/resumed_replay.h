@@ -54,7 +54,8 @@ inline std::size_t row_begin(const std::string& csv, int frame) {
   return begin;
 }
 
-// Columns of frames.csv that are not times of the machine. motion_to_photon_ms holds the frame's time.
+// Columns of frames.csv that are not times of the machine, nor follow from them. motion_to_photon_ms holds
+// the frame's time.
 inline std::vector<std::string> reproducible_rows(const fs::path& csv) {
   std::vector<std::string> rows, names;
   std::ifstream file(csv);
@@ -66,7 +67,9 @@ inline std::vector<std::string> reproducible_rows(const fs::path& csv) {
       if (rows.empty()) names.push_back(cell);
       const std::string& name = names.at(column);
       const bool timed = name.ends_with("_ms") && name.find("_age_") == std::string::npos;
-      if (!timed && name != "missed" && name != "stutter") kept += cell + ',';
+      const bool follows =
+          name == "missed" || name == "stutter" || name == "preemptions" || name == "miss_cause";
+      if (!timed && !follows) kept += cell + ',';
     }
     rows.push_back(kept);
   }
