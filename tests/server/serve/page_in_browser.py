@@ -137,7 +137,7 @@ def look(browser, address, folder):
     browser.wait_for(f"{NUMBERS} !== {json.dumps(numbers)}", "newer numbers")
     browser.wait_for(f"{POINTS} > {points}", "newer frames in the chart")
     check(browser.value(PICTURES + ".every((i) => i.naturalWidth > 8)"), "a picture is empty")
-    for chart in ("chart-frame", "chart-stages", "chart-quality", "chart-ages"):
+    for chart in ("chart-frame", "chart-load", "chart-stages", "chart-quality", "chart-ages"):
         check(browser.value(f"Chart.getChart('{chart}').data.datasets.some((d) => d.data.length > 1)"), chart)
     check("left out" in browser.value(NUMBERS), "the plan does not say what was left out")
     browser.screenshot(folder / "page-desktop.png")
