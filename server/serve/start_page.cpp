@@ -89,34 +89,33 @@ std::string frame_row(const RecentFrame& frame, TimeNs now_ns) {
   const FrameRecord& record = frame.record;
   const double ago_s = static_cast<double>(now_ns - frame.finished_ns) * kSecondsPerNs;
   const auto cell = [](const std::string& text) { return "<td>" + text + "</td>"; };
-  return "<tr><td>" + std::to_string(record.frame) + "</td>" + cell(std::to_string(frame.sequence)) +
-         cell(fixed_text(std::max(0.0, ago_s), 1)) + cell(fixed_text(record.times.frame_ms, 2)) +
+  return "<tr><td>" + std::to_string(record.frame) + "</td>" + cell(fixed_text(record.times.frame_ms, 2)) +
          cell(record.cpu_ms ? fixed_text(*record.cpu_ms, 2) : "–") +
          cell(record.preemptions ? std::to_string(*record.preemptions) : "–") +
-         cell(record.missed ? name_of(record.cause) : "") + "</tr>\n";
+         cell(record.missed ? name_of(record.cause) : "") + cell(fixed_text(std::max(0.0, ago_s), 1)) +
+         cell(std::to_string(frame.sequence)) + "</tr>\n";
 }
 
 // The newest frames, and the newest that missed: did the machine take the cores, or was it the work?
 std::string frames_section(const std::vector<RecentFrame>& recent, TimeNs now_ns) {
   constexpr std::size_t kNewest = 5, kLate = 10;
   std::string newest, late;
-  std::size_t shown_late = 0, late_count = 0;
+  std::size_t late_count = 0;
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const RecentFrame& frame = recent[recent.size() - 1 - i];
     if (i < kNewest) newest += frame_row(frame, now_ns);
     if (!frame.record.missed || frame.finished_ns <= now_ns - kWindowNs) continue;
-    ++late_count;
-    if (shown_late++ < kLate) late += frame_row(frame, now_ns);
+    if (++late_count <= kLate) late += frame_row(frame, now_ns);
   }
   const std::string head =
-      "<div class=\"wide\"><table>\n<thead><tr><th>frame</th><th>sequence</th><th>seconds ago</th>"
-      "<th>wall, ms</th><th>CPU, ms</th><th>preemptions</th><th>missed: cause</th></tr></thead>\n<tbody>\n";
+      "<div class=\"wide\"><table>\n<thead><tr><th>frame</th><th>wall, ms</th><th>CPU, ms</th>"
+      "<th>preemptions</th><th>missed: cause</th><th>seconds "
+      "ago</th><th>sequence</th></tr></thead>\n<tbody>\n";
   std::string html = "<h2>Newest frames</h2>\n" + head + newest + "</tbody>\n</table></div>\n";
   if (late.empty()) return html;
   return html + "<h2>Late frames, " + std::to_string(late_count) + " in the last 10 s</h2>\n" + head + late +
-         "</tbody>\n</table></div>\n<p class=\"quiet\">machine: preempted, on the cores for less than 80 % "
-         "of "
-         "the frame, and its CPU time fits into the period; else work. "
+         "</tbody>\n</table></div>\n<p class=\"quiet\">machine: preempted, less than 80 % of the frame on "
+         "the cores, and its CPU time fits into the period; else work. "
          "<a href=\"/v1/frames?missed=1\">All of them</a>.</p>\n";
 }
 

@@ -74,8 +74,10 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
                        name.ends_with("_values") || name.ends_with("_frames") || name.ends_with("_ticks") ||
                        name.ends_with("_probes") || name.ends_with("_paths") || name.ends_with("_share") ||
                        name.starts_with("instances_") || name.starts_with("meshes_") ||
-                       name == "plan_changes" || name == "polar_width" || name == "light_beyond_feed";
-    const bool word = name.find("_source") != std::string::npos || name == "quality_reason";
+                       name == "plan_changes" || name == "polar_width" || name == "light_beyond_feed" ||
+                       name == "preemptions";
+    const bool word =
+        name.find("_source") != std::string::npos || name == "quality_reason" || name == "miss_cause";
     EXPECT_TRUE(unit || count || word) << name;
   }
 }
@@ -101,6 +103,10 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   record.nonfinite_pictures = 3;
   record.repeated_ticks = 2;
   record.decision = {{16, 315, 128}, QualityReason::grow_limited, 40.5, 48.25};
+  record.missed = true;
+  record.cause = MissCause::machine;
+  record.preemptions = 17;
+  record.clipped_pixels = 1234;
   record.head_deg_s = 31.25;
   record.misregistration_arcmin = 171.5;
   const std::string row = frames_csv_row(record);
@@ -108,6 +114,9 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   ASSERT_TRUE(read);
   EXPECT_EQ(frames_csv_row(*read), row);
   EXPECT_EQ(read->nonfinite_pictures, 3);
+  EXPECT_EQ(read->cause, MissCause::machine);
+  EXPECT_EQ(read->preemptions, 17);
+  EXPECT_EQ(read->clipped_pixels, 1234);
   EXPECT_FALSE(read->gaze_age_ms);
   EXPECT_FALSE(read->feed_turn_arcmin);
   EXPECT_EQ(read->decision.reason, QualityReason::grow_limited);
