@@ -135,7 +135,8 @@ std::vector<Setting> of_pictures(RenderSettings& s) {
        "choose the exposure by the first frame of the session, whichever frames are drawn",
        on_off(s.auto_exposure)},
       {"density_overlay", "--density-overlay", "", Group::look, Effect::pictures,
-       "lines of degrees off the gaze (blue) and of samples per degree (yellow) over every viewport",
+       "lines of degrees off the gaze (blue) and of samples per degree (yellow) over every viewport; "
+       "counted in frame_ms",
        on_off(s.density_overlay)},
   };
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "renderer/viewports/overlay_glyphs.h"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::array kDegrees{1, 2, 5, 10, 15, 20, 30, 40, 50, 60, 70, 80, 90};
 constexpr std::array kDensities{100, 50, 20, 10, 5, 2, 1};
-constexpr int kBlock = 16;  // pixels looked at together
+constexpr int kBlock = 16;  // pixels a side, looked at together
 
 using Colour = std::array<float, 3>;  // as shown, linear
 constexpr Colour kBlue{0.05f, 0.45f, 1.0f}, kYellow{1.0f, 0.7f, 0.0f}, kBlack{0.0f, 0.0f, 0.0f};
@@ -51,6 +52,12 @@ int dot_px(const Viewport& v) {
 struct Threshold {
   float cosine, sine;
 };
+using Thresholds = std::array<Threshold, OverlayCircles::kMost>;
+
+// Half a line on the plane at distance 1: in radians in the middle, and no wider anywhere.
+float half_line_of(const Viewport& v) {
+  return static_cast<float>(0.5 * line_px(v) * step_x(v));
+}
 
 // "10°", "20/°".
 std::string label_of(OverlayLineKind kind, int number) {
@@ -95,6 +102,67 @@ void draw_label(const std::string& label, const Box& box, int dot, const Colour&
   }
 }
 
+// Which lines may lie in a block: most blocks have none, and no pixel of theirs is looked at.
+class BlockBounds {
+ public:
+  BlockBounds(const Viewport& v, const glm::dvec3& axis) : v_(v), axis_(axis), half_line_(half_line_of(v)) {
+    const double radius = 0.5 * kBlock * std::hypot(step_x(v), step_y(v));
+    cosine_ = std::cos(radius), sine_ = std::sin(radius);
+  }
+
+  // Of the first `count` lines those that may lie in the block that begins at (x, y); returns their number.
+  // No pixel is farther from the middle of its block, seen from the eye, than on the plane at distance 1.
+  int meeting(const Thresholds& lines, int count, int x, int y, Thresholds& met) const {
+    const glm::dvec3 d(v_.tan_left + (x + 0.5 * kBlock) * step_x(v_),
+                       v_.tan_up - (y + 0.5 * kBlock) * step_y(v_), -1.0);
+    const double cosine = glm::dot(d, axis_) / glm::length(d);
+    const double across = std::sqrt(std::max(0.0, 1 - cosine * cosine)) * sine_;
+    const double nearest = cosine >= cosine_ ? 1 : cosine * cosine_ + across;
+    const double farthest = cosine <= -cosine_ ? -1 : cosine * cosine_ - across;
+    int found = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      const double reach = static_cast<double>(lines[i].sine) * half_line_ + kRounding;
+      if (lines[i].cosine + reach >= farthest && lines[i].cosine - reach <= nearest)
+        met[static_cast<std::size_t>(found++)] = lines[i];
+    }
+    return found;
+  }
+
+ private:
+  static constexpr double kRounding = 2e-6;  // 16 steps of a float of the pixel loop at 1
+
+  const Viewport& v_;
+  glm::dvec3 axis_;
+  double half_line_, cosine_ = 1, sine_ = 0;
+};
+
+// A pixel d off the middle of the plane is smaller by 1 / |d|^2 along the radius, by 1 / |d| around it: a
+// line is drawn between the two.
+void draw_lines_in(const Viewport& v, const glm::vec3& axis, std::span<const Threshold> lines,
+                   const Box& block, const std::array<std::uint16_t, 4>& texel, ViewportImage& image) {
+  const float half_line = half_line_of(v);
+  std::array<float, kBlock> cosine{}, half{};
+  std::array<bool, kBlock> on{};
+  for (int y = block.y0; y < block.y1; ++y) {
+    const auto dy = static_cast<float>(v.tan_up - (y + 0.5) * step_y(v));
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const auto dx = static_cast<float>(v.tan_left + (block.x0 + static_cast<int>(i) + 0.5) * step_x(v));
+      const float nearness = 1.0f / std::sqrt(dx * dx + dy * dy + 1.0f);
+      cosine[i] = (dx * axis.x + dy * axis.y - axis.z) * nearness;
+      half[i] = half_line * nearness * std::sqrt(nearness);
+      on[i] = false;
+    }
+    for (const Threshold& line : lines) {
+      for (std::size_t i = 0; i < kBlock; ++i)
+        on[i] = on[i] || std::abs(cosine[i] - line.cosine) <= line.sine * half[i];
+    }
+    for (int x = block.x0; x < block.x1; ++x) {
+      if (on[static_cast<std::size_t>(x - block.x0)])
+        std::copy(texel.begin(), texel.end(), image.row(y) + 4 * x);
+    }
+  }
+}
+
 }  // namespace
 
 OverlayCircles degree_circles(const GazeFrame& gaze) {
@@ -130,39 +198,22 @@ OverlayCircles density_circles(const Viewport& viewport, int columns, int rows) 
 
 void draw_overlay_lines(const Viewport& v, const OverlayCircles& circles, int y0, int y1,
                         ViewportImage& image) {
-  std::array<Threshold, OverlayCircles::kMost> thresholds{};
+  Thresholds lines{};
   for (int i = 0; i < circles.count; ++i) {
     const double theta = circles.circles[static_cast<std::size_t>(i)].theta_deg / kDegreesPerRadian;
-    thresholds[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(theta)),
-                                               static_cast<float>(std::sin(theta))};
+    lines[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(theta)),
+                                          static_cast<float>(std::sin(theta))};
   }
   const auto texel = texel_of(colour_of(circles.kind), image.exposure);
-  const glm::vec3 axis(circles.axis);
-  // A pixel d off the middle of the plane is smaller by 1 / |d|^2 along the radius, by 1 / |d| around it: a
-  // line is drawn between the two.
-  const auto half_line = static_cast<float>(0.5 * line_px(v) * step_x(v));
-  std::array<float, kBlock> cosine{}, half{};
-  std::array<bool, kBlock> on{};
-  for (int y = y0; y < y1; ++y) {
-    const auto dy = static_cast<float>(v.tan_up - (y + 0.5) * step_y(v));
+  const BlockBounds bounds(v, circles.axis);
+  for (int y = y0; y < y1; y += kBlock) {
     for (int x = 0; x < v.width_px; x += kBlock) {
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        const auto dx = static_cast<float>(v.tan_left + (x + static_cast<int>(i) + 0.5) * step_x(v));
-        const float nearness = 1.0f / std::sqrt(dx * dx + dy * dy + 1.0f);
-        cosine[i] = (dx * axis.x + dy * axis.y - axis.z) * nearness;
-        half[i] = half_line * nearness * std::sqrt(nearness);
-        on[i] = false;
-      }
-      for (int k = 0; k < circles.count; ++k) {
-        const Threshold& line = thresholds[static_cast<std::size_t>(k)];
-        for (std::size_t i = 0; i < kBlock; ++i)
-          on[i] = on[i] || std::abs(cosine[i] - line.cosine) <= line.sine * half[i];
-      }
-      const auto columns = static_cast<std::size_t>(std::min(kBlock, v.width_px - x));
-      for (std::size_t i = 0; i < columns; ++i) {
-        if (!on[i]) continue;
-        std::copy(texel.begin(), texel.end(), image.row(y) + 4 * (x + static_cast<int>(i)));
-      }
+      Thresholds met{};
+      const int count = bounds.meeting(lines, circles.count, x, y, met);
+      if (count == 0) continue;
+      const Box block{x, y, std::min(x + kBlock, v.width_px), std::min(y + kBlock, y1)};
+      draw_lines_in(v, glm::vec3(circles.axis), {met.data(), static_cast<std::size_t>(count)}, block, texel,
+                    image);
     }
   }
 }
