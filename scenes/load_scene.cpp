@@ -107,6 +107,12 @@ void warn_of_virtual_light_alone(const std::filesystem::path& file, Scene& scene
                                    "all of their light as ambient"));
 }
 
+void warn_of_asset_roots_without_effect(const std::filesystem::path& file, Scene& scene) {
+  scene.warnings.push_back(printable(file.string()) +
+                           ": --asset-root has no effect on a model alone, whose files lie beside it; only "
+                           "a scene document looks there");
+}
+
 // No vertex may lie so far out that the ray tracer's floats overflow.
 void check_bounds(const Scene& scene, const std::filesystem::path& file) {
   const Bounds bounds = scene_bounds(scene);
@@ -145,6 +151,7 @@ Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, Defaul
                      "name a .scene.json, .gltf, .glb or .vox file (convert other "
                      "models to .glb first)");
   }
+  if (extension != ".json" && !asset_roots.empty()) warn_of_asset_roots_without_effect(file, scene);
   check_bounds(scene, file);
   complete_objects(scene);
   scene.changes = !scene.timeline.empty() || !scene.models.empty() ||

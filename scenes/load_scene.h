@@ -24,7 +24,8 @@ bool is_scene_document(const std::filesystem::path& file);
 std::string no_lights_warning(const std::filesystem::path& file);
 
 // Reads a *.scene.json, or a bare .gltf, .glb or .vox. What a document names lies below its own folder or
-// below one of `asset_roots`, folders all of them. Throws InputError.
+// below one of `asset_roots`, folders all of them; to a bare model they are nothing, as a warning says.
+// Throws InputError.
 Scene load_scene(const std::filesystem::path& file, TexturePixels pixels = TexturePixels::decoded,
                  DefaultLight light = DefaultLight::above,
                  std::span<const std::filesystem::path> asset_roots = {});

@@ -58,7 +58,7 @@ void add_asset_root_flag(CLI::App& app, std::vector<std::filesystem::path>& asse
              asset_roots.emplace_back(non_empty(kAssetRootFlag, folder));
          },
          "folder below which a scene document finds models that are not in its own; may be given several "
-         "times")
+         "times; has no effect on a bare .gltf, .glb or .vox")
       ->type_name("DIR")
       ->expected(1)
       ->take_all();

@@ -1,6 +1,7 @@
 // Files of a scene document that lie below a folder of models in place of the document's own.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -89,6 +90,20 @@ TEST_F(AssetRoot, NoNameLeadsOutOfARoot) {
 TEST_F(AssetRoot, ARootThatIsNoFolderIsRefusedByName) {
   const std::string error = error_of(scene("model.gltf"), {root("absent")});
   EXPECT_EQ(error.find(root("absent").string() + ": is no folder"), 0u) << error;
+}
+
+// A bare glTF or VOX names files beside itself alone: who gives a root is told that nobody looks there.
+TEST_F(AssetRoot, OfABareModelIsSaidToHaveNoEffect) {
+  fs::create_directories(root("one"));
+  const fs::path bare = model("scene/model.gltf");
+  const auto about_roots = [](const Scene& scene) {
+    return std::count_if(scene.warnings.begin(), scene.warnings.end(), [](const std::string& warning) {
+      return warning.find("--asset-root has no effect") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(about_roots(load_scene(bare, {{root("one")}})), 1);
+  EXPECT_EQ(about_roots(load_scene(bare)), 0);
+  EXPECT_EQ(about_roots(load_scene(scene("model.gltf"), {{root("one")}})), 0);
 }
 
 }  // namespace
