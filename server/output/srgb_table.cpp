@@ -37,8 +37,10 @@ const Srgb8Table& srgb8_of_half(float exposure) {
   return entry->second;
 }
 
-std::uint16_t white_half(float exposure) {
-  const double most = (1.0 + std::exp2(-11)) / double{exposure};
+namespace {
+
+// The greatest pattern of a finite half that is no greater than `most`.
+std::uint16_t half_below(double most) {
   std::uint16_t low = 0, high = 0x7BFF;  // 0 and the greatest finite half
   while (low < high) {
     const auto middle = static_cast<std::uint16_t>((low + high + 1) / 2);
@@ -51,9 +53,19 @@ std::uint16_t white_half(float exposure) {
   return low;
 }
 
+}  // namespace
+
+std::uint16_t white_half(float exposure) {
+  return half_below((1.0 + std::exp2(-11)) / double{exposure});
+}
+
+std::uint16_t black_half(float exposure) {
+  return half_below(1.0 / (2 * 255 * 12.92) / double{exposure});
+}
+
 namespace {
 
-constexpr std::uint16_t kHalfOne = 0x3C00, kHalfMinusZero = 0x8000;
+constexpr std::uint16_t kHalfOne = 0x3C00, kHalfSign = 0x8000;
 
 std::uint8_t unit8(float value) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
@@ -73,10 +85,11 @@ ShownTexel unassociated(const std::uint16_t* texel) {
   return result;
 }
 
-// Below 0 (-0 is not), or above `white`.
-bool is_clipped(const ShownTexel& texel, std::uint16_t white) {
-  return std::any_of(texel.colour.begin(), texel.colour.end(),
-                     [white](std::uint16_t bits) { return bits > white && bits != kHalfMinusZero; });
+// Above `white`, or below -`black`.
+bool is_clipped(const ShownTexel& texel, std::uint16_t white, std::uint16_t black) {
+  return std::any_of(texel.colour.begin(), texel.colour.end(), [white, black](std::uint16_t bits) {
+    return bits > ((bits & kHalfSign) != 0 ? kHalfSign + black : white);
+  });
 }
 
 }  // namespace
@@ -90,7 +103,7 @@ void srgb8_from_viewport(const ViewportImage& image, bool with_alpha, Srgb8Image
   out.values.resize(width * static_cast<std::size_t>(image.height_px) *
                     static_cast<std::size_t>(out.channels));
   const Srgb8Table& table = srgb8_of_half(image.exposure);
-  const std::uint16_t white = white_half(image.exposure);
+  const std::uint16_t white = white_half(image.exposure), black = black_half(image.exposure);
   std::uint8_t* pixel = out.values.data();
   for (int y = 0; y < image.height_px; ++y) {
     const std::uint16_t* bits = image.row(y);
@@ -101,7 +114,7 @@ void srgb8_from_viewport(const ViewportImage& image, bool with_alpha, Srgb8Image
       int nonfinite = 0;
       for (int c = 0; c < 4; ++c) nonfinite += half_is_finite(bits[c]) ? 0 : 1;
       out.nonfinite_values += nonfinite;
-      out.clipped_pixels += nonfinite == 0 && is_clipped(texel, white) ? 1 : 0;
+      out.clipped_pixels += nonfinite == 0 && is_clipped(texel, white, black) ? 1 : 0;
     }
   }
 }

@@ -22,6 +22,9 @@ const Srgb8Table& srgb8_of_half(float exposure = 1);
 
 // The greatest pattern of a finite half h with h * exposure <= 1 + 2^-11: what lies above it is clipped.
 std::uint16_t white_half(float exposure);
+// The greatest pattern of a half h with h * exposure <= 1 / (2 * 255 * 12.92), half an 8-bit step above
+// black: what lies below 0 by no more is shown within its rounding, and is not clipped.
+std::uint16_t black_half(float exposure);
 
 float float_from_half(std::uint16_t bits);
 std::uint16_t half_from_float(float value);
@@ -34,8 +37,8 @@ struct Srgb8Image {
   int width_px = 0, height_px = 0, channels = 3;
   std::vector<std::uint8_t> values;
   std::int64_t nonfinite_values = 0;  // NaN or Inf found in the source: a fault, shown as a warning
-  // Pixels of finite values with a colour, as shown, below 0 or above 1 by more than the rounding of a half
-  // (2^-11): an 8-bit picture shows 0 or 255 there.
+  // Pixels of finite values with a colour, as shown, above 1 by more than the rounding of a half (2^-11), or
+  // below 0 by more than that of 8 bits (1.5e-4): an 8-bit picture shows 255 or 0 there.
   std::int64_t clipped_pixels = 0;
 };
 

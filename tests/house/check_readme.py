@@ -21,7 +21,8 @@ SUBCOMMAND = re.compile(r"^  ([a-z]+) {2,}", re.MULTILINE)
 # Options of `herr` that no help lists, and those of other tools.
 HIDDEN = {"--measure", "--slow-down"}
 FOREIGN = {"--build", "--preset", "--install", "--prefix", "--target", "--fix", "--gtest_filter", "--resize", "--quick",
-           "--only", "--list", "--scanline", "--compression", "--info", "--mulc", "--subimage", "--colorconvert"}
+           "--only", "--list", "--scanline", "--compression", "--info", "--mulc", "--subimage", "--fullpixels", "--ch",
+           "--colorconvert"}
 
 
 def markdown_files(root):

@@ -84,7 +84,7 @@ TEST(SrgbPicture, CountsNanAndInfButNotTheGarbageBetweenRows) {
 // Whole pixels count, once each, and by what is shown: at -1 EV white is 2.
 TEST(SrgbPicture, CountsPixelsThatEightBitsCannotShow) {
   ViewportImage image;
-  image.resize(8, 1);
+  image.resize(9, 1);
   const auto set = [&](int x, float r, float g, float b, float alpha) {
     std::uint16_t* texel = image.row(0) + 4 * x;
     for (const float value : {r, g, b, alpha}) *texel++ = half_from_float(value);
@@ -93,10 +93,12 @@ TEST(SrgbPicture, CountsPixelsThatEightBitsCannotShow) {
   set(1, 1.001f, 0, 0, 1);  // the next half above it is 1 + 2^-10
   set(2, 3, 3, -1, 1);      // once, whatever the channels
   set(3, -0.0f, 0, 0, 1);   // no less than 0
-  set(4, 0, -1e-4f, 0, 1);
+  set(4, 0, -4e-4f, 0, 1);
   set(5, 0.75f, 0, 0, 0.5f);  // 1.5 where alpha counts
   set(6, 1.5f, 0, 0, 1);
   set(7, NAN, 5, 0, 1);  // a fault, counted as such
+  // A step of 8 bits is 1 / 255 of the code, 12.92 times the value near black: 3.04e-4.
+  set(8, -1.5e-4f, -6e-8f, 0, 1);
   Srgb8Image out;
   srgb8_from_viewport(image, false, out);
   EXPECT_EQ(out.clipped_pixels, 4) << "1, 2, 4 and 6";
@@ -106,6 +108,9 @@ TEST(SrgbPicture, CountsPixelsThatEightBitsCannotShow) {
   srgb8_from_viewport(image, true, out);
   EXPECT_EQ(out.clipped_pixels, 2) << "2 and 4";
   EXPECT_EQ(out.nonfinite_values, 1);
+  image.exposure = 2;
+  srgb8_from_viewport(image, false, out);
+  EXPECT_EQ(out.clipped_pixels, 7) << "all but 3, which is 0, and 7: pixel 8 is -3e-4 as shown";
 }
 
 // White of a camera feed is 1 / exposure in the picture, rounded to a half.
