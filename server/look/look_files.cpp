@@ -41,6 +41,13 @@ PictureFormats formats_of(const LookOptions& options) {
   return options.formats.value_or(PictureFormat::png);
 }
 
+// A picture goes to a file: its name is never made of a folder's.
+void check_names_a_file(const fs::path& out) {
+  const fs::path name = out.filename();
+  if (is_folder(out) || name.empty() || name == "." || name == "..")
+    throw UsageError("--out: '" + printable(out.string()) + "' is a folder; give the name of a file");
+}
+
 // Without an ending that names a format.
 fs::path stem_of(const fs::path& out) {
   for (const PictureFormat format : kPictureFormats)
@@ -52,6 +59,7 @@ fs::path stem_of(const fs::path& out) {
 
 LookFiles look_files(const LookOptions& options) {
   LookFiles files;
+  if (options.turntable == 0 && !options.out.empty()) check_names_a_file(options.out);
   files.formats = formats_of(options);
   if (options.turntable > 0) {
     files.folder = options.out.empty() ? fs::path(model_name(options.path) + "-turntable") : options.out;

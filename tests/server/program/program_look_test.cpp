@@ -180,7 +180,13 @@ TEST_F(Look, SaysInOneLineWhatItCannotLookAtAndLeavesNothing) {
                 {"scene/triangle.gltf --from 0,91", kExitUsage, "--from"},
                 {"scene/triangle.gltf --from frnt", kExitUsage, "front"},
                 {"scene/triangle.gltf --environment none.hdr", kExitBadInput, "none.hdr"},
-                {"scene/triangle.gltf --turntable 4 --out t.png", kExitUsage, "it is a folder"}};
+                {"scene/triangle.gltf --turntable 4 --out t.png", kExitUsage, "it is a folder"},
+                {"scene/triangle.gltf --out . --format png", kExitUsage, "--out: '.' is a folder"},
+                {"scene/triangle.gltf --out .. --format exr", kExitUsage, "--out: '..' is a folder"},
+                {"scene/triangle.gltf --out new/.. --format png", kExitUsage, "--out: 'new/..' is a folder"},
+                {"scene/triangle.gltf --out new/ --format png", kExitUsage, "--out: 'new/' is a folder"},
+                {"scene/triangle.gltf --out scene --format png", kExitUsage, "--out: 'scene' is a folder"},
+                {"scene/triangle.gltf --out scene/ --format png", kExitUsage, "give the name of a file"}};
   const std::vector<std::string> before = files_below(root());
   for (const auto& [arguments, exit_code, part] : kCases) {
     const Outcome got = look(std::string(arguments) + " --size 16x16");
