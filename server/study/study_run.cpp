@@ -43,8 +43,10 @@ const char* kind_of(const ReferencePicture& reference) {
 }
 
 std::string subject_of(const StudySubject& subject, const StudyOptions& options) {
-  return std::string(program_with_version()) + "; " + subject.inputs() + settings_text(subject.defaults()) +
-         "; " + std::to_string(options.frames) + " frames" + only_text(options);
+  const bool camera = subject.report().findings.camera_rows[0] > 0;
+  return std::string(program_with_version()) + "; " + subject.inputs() +
+         settings_text(subject.defaults(), camera) + "; " + std::to_string(options.frames) + " frames" +
+         only_text(options);
 }
 
 double seconds_since(TimeNs start_ns) {

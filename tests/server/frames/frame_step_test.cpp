@@ -124,7 +124,7 @@ TEST_F(FrameStepTest, FramesAfterRewindingAreThoseOfAFreshReplay) {
 // Told in the header of pictures and in the fingerprint as it was used, whoever named it.
 TEST_F(FrameStepTest, TheFeedLiesWhereTheFlagElseTheSessionSays) {
   const auto told = [](const Opened& opened) {
-    return settings_text(resolved_options(opened.options, opened.report));
+    return settings_text(resolved_options(opened.options, opened.report), true);
   };
   const auto usual = open();
   EXPECT_EQ(usual->report.settings.feed_distance_m, 2.0);

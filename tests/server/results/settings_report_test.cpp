@@ -33,7 +33,7 @@ SessionReport report_of(const ReplayOptions& options) {
 
 Told told_by(const ReplayOptions& options) {
   const SessionReport report = report_of(options);
-  return {settings_text(resolved_options(options, report)), headline_text(options, report),
+  return {settings_text(resolved_options(options, report), true), headline_text(options, report),
           subject_json(report, options)["settings"].dump(), fingerprint_of(report, options, Scene())};
 }
 
@@ -77,7 +77,7 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
   options.profile = "xr1";
   options.render.isa = Isa::avx2;
   EXPECT_EQ(
-      settings_text(options),
+      settings_text(options, true),
       "polar 1576x768, light samples 1, occlusion rays 1, reflections, probes, camera, isa avx2, profile "
       "xr1");
   options.render.probes.on = false;
@@ -89,12 +89,12 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
   options.policy.deadline = true;
   options.target_ms = 20;
   EXPECT_EQ(
-      settings_text(options),
+      settings_text(options, true),
       "polar 1576x768, light samples 1, occlusion rays 8, reflections, no probes, no camera, first light "
       "samples 4, occlusion radius 0.5 m, no refraction, isa avx2, profile xr1, policy deadline, target "
       "20 ms");
   EXPECT_EQ(
-      features_text(options.render),
+      features_text(options.render, true),
       "occlusion rays 8, reflections, no probes, no camera, first light samples 4, occlusion radius 0.5 "
       "m, no refraction");
 }
@@ -112,7 +112,7 @@ TEST(SettingsReport, WhatMeansNothingIsNotTold) {
   EXPECT_EQ(headline_text(options, report).find("camera"), std::string::npos);
   options.render.foveation = Foveation::off;
   EXPECT_EQ(
-      settings_text(options.render),
+      settings_text(options.render, true),
       "light samples 1, occlusion rays 1, reflections, probes, camera, foveation off, feed distance 3 m");
 }
 
