@@ -131,36 +131,37 @@ Fingerprint::Entries settings_of_run(const SessionReport& report, const ReplayOp
   return entries;
 }
 
-// Of a file that a scene names: where it lies below the scene's folder, or below an asset root.
-fs::path folder_of(const fs::path& file, const SessionReport& report, const ReplayOptions& options) {
-  const fs::path own = fs::absolute(report.scene_file).parent_path();
-  for (const fs::path& folder : options.asset_roots) {
-    const auto inside = [&file](const fs::path& outer) {
-      const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(outer));
-      return !name.empty() && *name.begin() != "..";
-    };
-    if (!inside(own) && inside(folder)) return folder;
+fs::path relative_to(const fs::path& folder, const fs::path& file) {
+  return fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
+}
+
+// Of a file that a scene names: where it lies below the scene's folder, else the first asset root that holds
+// it, by its number, and where it lies below that; else how it is reached from the scene's folder. No two
+// files have one name.
+std::string name_of_input(const fs::path& file, const SessionReport& report, const ReplayOptions& options) {
+  const auto inside = [](const fs::path& name) { return !name.empty() && *name.begin() != ".."; };
+  const fs::path own = relative_to(fs::absolute(report.scene_file).parent_path(), file);
+  for (std::size_t i = 0; i < options.asset_roots.size() && !inside(own); ++i) {
+    const fs::path name = relative_to(options.asset_roots[i], file);
+    if (inside(name)) return "asset root " + std::to_string(i + 1) + '/' + printable(name.generic_string());
   }
-  return own;
+  return printable(own.generic_string());
 }
 
 Fingerprint::Entries inputs_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
                                PictureIdentity identity) {
   Fingerprint::Entries inputs;
-  const auto add = [&inputs](const fs::path& file, const fs::path& folder) {
-    const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
-    inputs.emplace_back(printable(name.generic_string()), content_text(file));
-  };
   const fs::path& session = report.session_folder;
   for (const char* name :
        {"session.json", "pose/data.csv", "gaze/data.csv", "cam0/data.csv", "cam1/data.csv", "events.jsonl"}) {
-    if (path_exists(session / name)) add(session / name, session);
+    if (path_exists(session / name)) inputs.emplace_back(name, content_text(session / name));
   }
   for (const char* name : {"cam0/data", "cam1/data"}) {
     if (is_folder(session / name)) inputs.emplace_back(name, images_text(session / name, identity));
   }
   const std::set<fs::path> files(scene.files.begin(), scene.files.end());
-  for (const fs::path& file : files) add(file, folder_of(file, report, options));
+  for (const fs::path& file : files)
+    inputs.emplace_back(name_of_input(file, report, options), content_text(file));
   inputs.emplace_back("the display profile", profile_text(report.profile));
   if (report.settings.outside) inputs.emplace_back("the view", view_text(*report.settings.outside));
   return inputs;

@@ -210,6 +210,38 @@ TEST_F(Resume, WithOtherSettingsOrInputsIsRefusedAndNamesWhatDiffers) {
   expect_as_uninterrupted("other");
 }
 
+// Files of one name, beside the scene's model and beside a model below an asset root: nothing changed, and
+// each of them is guarded.
+TEST_F(Resume, FilesOfOneNameInTwoFoldersAreToldApart) {
+  const std::string model = content_of(root() / "scene/triangle.gltf");
+  const std::string data =
+      model.substr(model.find("data:"), model.find("\"}]", model.find("data:")) - model.find("data:"));
+  std::string named = model;
+  named.replace(named.find(data), data.size(), "corners.bin");
+  const float corners[3][3] = {{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}};
+  std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+  write_text(root() / "two/near.gltf", named);
+  write_text(root() / "two/corners.bin", bytes);
+  write_text(root() / "models/far.gltf", named);
+  write_text(root() / "models/corners.bin", bytes + "longer");
+  write_text(root() / "two/two.scene.json", R"({"format_version": 1, "name": "two",
+"gltf": [{"file": "near.gltf", "name": "near"}, {"file": "far.gltf", "name": "far"}], "ambient": [1, 1, 1]})");
+  const std::string flags = kFlags + "--scene two/two.scene.json --asset-root models --out apart ";
+  ASSERT_EQ(replay(flags).exit_code, 5);
+  const Outcome same = replay(flags + "--resume");
+  EXPECT_EQ(same.exit_code, 5) << same.err;
+  EXPECT_NE(same.err.find("nothing to do"), std::string::npos) << same.err;
+  for (const auto& [file, name] : {std::pair{"two/corners.bin", "apart/walk: corners.bin has changed"},
+                                   {"models/corners.bin", "asset root 1/corners.bin has changed"}}) {
+    const std::string kept = content_of(root() / file);
+    write_text(root() / file, kept + "longer");
+    const Outcome refused = replay(flags + "--resume");
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    EXPECT_NE(refused.err.find(name), std::string::npos) << refused.err;
+    write_text(root() / file, kept);
+  }
+}
+
 TEST_F(Resume, ADamagedCheckpointIsBadInputAndNothingIsTouched) {
   fs::create_directories(root() / "damaged");
   copy_with_rows(root() / "whole/walk", root() / "damaged/walk", 5);
