@@ -212,8 +212,8 @@ HWY_NOINLINE inline void decide(const HitBatch& hits, int count, AdaptiveLight& 
 
 // One light at hits [0, count) of a batch.
 template <Lobe kLobe>
-HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, HitBatch& hits, int count,
-                                 RayKind kind) {
+HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, const HighlightUse& use,
+                                 HitBatch& hits, int count, RayKind kind) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
   for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
   find_pairs(hits, count, adaptive);
@@ -228,7 +228,7 @@ HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, H
     note_seen(job, light, s, hits, count);
     for (int slot = 0; slot < count; slot += kLanes) {
       if (s < light.first_samples) count_seen(job, light, s, hits, slot);
-      add_sample<kLobe>(job, light, s, hits, slot);
+      add_sample<kLobe>(job, light, s, use, hits, slot);
     }
   }
 }

@@ -16,16 +16,18 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
   clear(hits.direct, count);
   if (job.shading->plan->catchers) clear(hits.direct_without, count);
   for (const LightRecord& light : job.shading->lights) {
+    HighlightUse use;
+    find_use<kLobe>(light, hits, count, use);
     if (light.first_samples < light.samples) {
-      adaptive_light<kLobe>(job, light, hits, count, kind);
+      adaptive_light<kLobe>(job, light, use, hits, count, kind);
     } else {
       for (int s = 0; s < light.samples; ++s) {
         queue_shadow_rays(job, light, s, hits, count);
         find_visibility(job, light, hits, kind);
-        for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, hits, slot);
+        for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, use, hits, slot);
       }
     }
-    add_highlights<kLobe>(job, light, hits, count, kind);
+    add_highlights<kLobe>(job, light, use, hits, count, kind);
   }
 }
 

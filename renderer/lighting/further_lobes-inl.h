@@ -7,7 +7,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
-#include "renderer/lighting/highlight_width-inl.h"
+#include "renderer/highlights/highlight_width-inl.h"
 #include "renderer/lighting/interfaces-inl.h"
 #include "renderer/lighting/sheen_albedo.h"
 

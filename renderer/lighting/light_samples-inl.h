@@ -1,7 +1,7 @@
 // One sample of a light at the hits of a batch: its shadow rays, and its light where they pass.
 #pragma once
 
-#include "renderer/lighting/lobe_light-inl.h"
+#include "renderer/lighting/drawn_highlights-inl.h"
 #include "renderer/lighting/shadow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,7 +38,8 @@ HWY_INLINE V3 shining_from(const LightRecord& light, int s, const HitBatch& hits
 
 // Adds one light sample, with the visibility found by tracing.
 template <Lobe kLobe>
-HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, HitBatch& hits, int slot) {
+HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, const HighlightUse& use,
+                           HitBatch& hits, int slot) {
   const TileScratch& scratch = *job.scratch;
   const V3 to_light = way_to_light(light, s, hits, slot);
   const VF visible = load(&scratch.visible[slot]);
@@ -56,7 +57,7 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const VF geometry = hn::IfThenElseZero(lit, hn::Mul(n_l, share));
   const VF seen = hn::Mul(geometry, visible);
   const VF turn = hn::Mul(per_distance, set(light.half_turn_m)), turn2 = hn::Mul(turn, turn);
-  const HighlightParts parts = highlight_parts<kLobe>(light, hits, slot, direction, turn2);
+  const HighlightParts parts = highlight_parts<kLobe>(light, use, hits, slot, direction, turn2);
   const VF spread2 = hn::Max(parts.base.turn2, parts.coat.turn2);
   const V3 shines = shining_from<kLobe>(light, s, hits, slot, direction, spread2);
   V3 f = reflectance<kLobe>(hits, slot, n, shines, n_l, parts);

@@ -115,8 +115,8 @@ HWY_INLINE DrawnLight draw_light(const LightRecord& light, const LightBox& box, 
 
 // Adds what directions drawn from one highlight bring of a light.
 template <Lobe kLobe>
-HWY_NOINLINE void add_highlight(const TileJob& job, const LightRecord& light, HitBatch& hits, int count,
-                                RayKind kind, Highlight which) {
+HWY_NOINLINE void add_highlight(const TileJob& job, const LightRecord& light, const Lane<std::int32_t>& use,
+                                HitBatch& hits, int count, RayKind kind, Highlight which) {
   constexpr std::uint32_t kNumbers = 1u << 16;  // beyond those of the strata
   const std::uint32_t own = which == Highlight::coat ? 1 : 0;
   const std::uint32_t numbers = light.key + kNumbers + own * 2 * kMostLightSamples;
@@ -127,20 +127,16 @@ HWY_NOINLINE void add_highlight(const TileJob& job, const LightRecord& light, Hi
   for (int ray = 0; ray < counts.rays; ++ray) {
     begin_light_rays(queue, light, kMostLightSamples + 2 * ray + static_cast<int>(own));
     const LobePlaces places = lobe_places(counts, ray);
-    bool any = false;
     for (int slot = 0; slot < count; slot += kLanes) {
-      const VF n_v = dot(lobe_normal(hits, slot, which), load3(hits.viewer, slot));
-      const MF drawn = draws<kLobe>(light, hits, slot, which, n_v);
-      if (hn::AllFalse(kF, drawn)) continue;
-      any = true;
+      const MF shared = used_as(use, slot, kShared);
+      if (hn::AllFalse(kF, shared)) continue;
       const DrawnLight of = draw_light<kLobe>(light, box, counts, places, ray, hits, slot, which, numbers);
-      const MF lanes = hn::And(drawn, of.lanes);
+      const MF lanes = hn::And(shared, of.lanes);
       hn::StoreU(hn::Compress(of.brings.x, lanes), kF, red.data() + queue.count);
       hn::StoreU(hn::Compress(of.brings.y, lanes), kF, green.data() + queue.count);
       hn::StoreU(hn::Compress(of.brings.z, lanes), kF, blue.data() + queue.count);
       push_shadow_rays(queue, hits, slot, of.to_light, lanes);
     }
-    if (!any) return;
     std::fill_n(passes.begin(), queue.count, 1.0f);
     trace_occlusion(job, hits, queue, kAllMask, kind,
                     [&](int i, float share) { passes[static_cast<std::size_t>(i)] = share; });
@@ -155,12 +151,13 @@ HWY_NOINLINE void add_highlight(const TileJob& job, const LightRecord& light, Hi
 
 // Narrow highlights of a light at hits [0, count), whose samples were added.
 template <Lobe kLobe>
-HWY_INLINE void add_highlights(const TileJob& job, const LightRecord& light, HitBatch& hits, int count,
-                               RayKind kind) {
-  if (kLobe == Lobe::none || !meets_directions(light)) return;
-  add_highlight<kLobe>(job, light, hits, count, kind, Highlight::base);
+HWY_INLINE void add_highlights(const TileJob& job, const LightRecord& light, const HighlightUse& use,
+                               HitBatch& hits, int count, RayKind kind) {
+  if constexpr (kLobe != Lobe::none) {
+    if (use.shares_base) add_highlight<kLobe>(job, light, use.base, hits, count, kind, Highlight::base);
+  }
   if constexpr (kLobe == Lobe::layered) {
-    add_highlight<kLobe>(job, light, hits, count, kind, Highlight::coat);
+    if (use.shares_coat) add_highlight<kLobe>(job, light, use.coat, hits, count, kind, Highlight::coat);
   }
 }
 

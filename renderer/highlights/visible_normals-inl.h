@@ -1,18 +1,13 @@
-// Directions drawn from a highlight, and how densely they lie: what the strata of a light miss, a narrow lobe
-// finds. Lobes are as wide as their rays ask for. Before: highlight_width. After: light_samples weighs strata
-// against them, lobe_samples draws.
-// Sources: visible normals: Heitz, "Sampling the GGX Distribution of Visible Normals" (2018), drawn by the
-// spherical caps of Dupuy & Benyoub (2023).
+// Directions drawn from a GGX highlight, and how densely they lie. Before: highlight_width says how wide
+// lobes are. After: lighting draws what the strata of a lamp miss. Sources: Heitz, "Sampling the GGX
+// Distribution of Visible Normals" (2018); drawn by the spherical caps of Dupuy & Benyoub (2023).
 #pragma once
 
-#include "renderer/lighting/reflectance-inl.h"
+#include "renderer/simd/simd_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
-
-// Which highlight of a hit: the surface's own, or its coat's.
-enum class Highlight : std::uint8_t { base, coat };
 
 // GGX as drawn from: across `n`, alpha_t along `t` and alpha_b along `b`; `v` is the viewer in that frame.
 struct DrawnLobe {
@@ -20,19 +15,6 @@ struct DrawnLobe {
   VF alpha_t, alpha_b;
   VF stretched_v;  // length of (alpha_t v.x, alpha_b v.y, v.z)
 };
-
-// Below this cosine to the viewer, highlights are not drawn from.
-constexpr float kLeastViewerCosine = 1e-3f;
-
-HWY_INLINE V3 lobe_normal(const HitBatch& hits, int slot, Highlight which) {
-  return load3(which == Highlight::coat ? hits.lobes->coat_normal : hits.normal, slot);
-}
-
-// alpha^2 of a highlight in its middle, as wide as its ray asks for. Of a stretched one, across its length.
-HWY_INLINE VF drawn_alpha2(const HitBatch& hits, int slot, Highlight which, VF n_v) {
-  const VF alpha2 = load(which == Highlight::coat ? &hits.lobes->coat_alpha2[slot] : &hits.alpha2[slot]);
-  return widened(hits, slot, alpha2, n_v, hn::Zero(kF));
-}
 
 // A unit vector across `n`, in the plane of `n` and `v`: patterns turn with what is seen, so that no place or
 // turn of a scene changes them.
@@ -47,27 +29,13 @@ HWY_INLINE V3 across_towards(const V3& n, const V3& v, VF n_v) {
   return normalise(t);
 }
 
-template <Lobe kLobe>
-HWY_INLINE DrawnLobe drawn_lobe(const HitBatch& hits, int slot, Highlight which) {
-  DrawnLobe lobe;
-  lobe.n = lobe_normal(hits, slot, which);
-  const V3 v = load3(hits.viewer, slot);
-  const VF n_v = dot(lobe.n, v);
-  lobe.t = across_towards(lobe.n, v, n_v);
-  lobe.alpha_b = lobe.alpha_t = hn::Sqrt(drawn_alpha2(hits, slot, which, n_v));
-  if constexpr (kLobe == Lobe::layered) {
-    if (which == Highlight::base) {
-      const VF strength = load(&hits.lobes->stretch[slot]);
-      const MF stretched = hn::Gt(strength, hn::Zero(kF));
-      lobe.t = select(stretched, load3(hits.lobes->tangent, slot), lobe.t);
-      lobe.alpha_t = hn::IfThenElse(stretched, alpha_along(lobe.alpha_b, strength), lobe.alpha_t);
-    }
-  }
-  lobe.b = cross(lobe.n, lobe.t);
+// The lobe of normal `n`, seen from `v`, whose tangent and widths are set.
+HWY_INLINE void set_up(DrawnLobe& lobe, const V3& n, const V3& v, VF n_v) {
+  lobe.n = n;
+  lobe.b = cross(n, lobe.t);
   lobe.v = {dot(lobe.t, v), dot(lobe.b, v), n_v};
   const V3 stretched{hn::Mul(lobe.alpha_t, lobe.v.x), hn::Mul(lobe.alpha_b, lobe.v.y), n_v};
   lobe.stretched_v = hn::Sqrt(dot(stretched, stretched));
-  return lobe;
 }
 
 // How densely directions of half vector `h` (unit) are drawn, per steradian of the direction: that of visible
@@ -78,7 +46,16 @@ HWY_INLINE VF density_of(const DrawnLobe& lobe, const V3& h) {
   const VF spread = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
   const VF area = hn::Mul(hn::Mul(lobe.alpha_t, lobe.alpha_b), hn::Mul(spread, spread));
   const VF twice = hn::Mul(set(2.0f), hn::Add(lobe.v.z, lobe.stretched_v));
-  return hn::Div(set(kInvPi), hn::Mul(area, twice));
+  return hn::Div(set(0.318309886f), hn::Mul(area, twice));  // 1 / pi
+}
+
+// The same of a lobe that is as wide along all directions.
+HWY_INLINE VF density_of(VF alpha2, const V3& n, VF n_v, const V3& h) {
+  const V3 c = cross(n, h);
+  const VF n_h = dot(n, h), spread = hn::MulAdd(hn::Mul(alpha2, n_h), n_h, dot(c, c));
+  const VF stretched_v = hn::Sqrt(hn::MulAdd(hn::Sub(set(1.0f), alpha2), hn::Mul(n_v, n_v), alpha2));
+  const VF twice = hn::Mul(set(2.0f), hn::Add(n_v, stretched_v));
+  return hn::Div(hn::Mul(alpha2, set(0.318309886f)), hn::Mul(twice, hn::Mul(spread, spread)));
 }
 
 struct DrawnDirection {
