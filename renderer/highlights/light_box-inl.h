@@ -88,6 +88,23 @@ HWY_INLINE Chord chord_through(const LightBox& box, const V3& p, const V3& direc
   return {begin, least(through, across, end)};
 }
 
+// `t` moved to where the light itself lies along the way: what a plate was thickened by may lie within the
+// surface that the plate hangs on.
+HWY_INLINE VF within_light(const LightRecord& light, const LightBox& box, const Chord& chord, const V3& p,
+                           const V3& direction, VF t) {
+  const VF from[3] = {p.x, p.y, p.z}, along[3] = {direction.x, direction.y, direction.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    const float half = 0.5f * light.size[axis];
+    if (half >= box.half[axis]) continue;
+    const VF per_length = hn::Div(set(1.0f), along[axis]);
+    const VF middle = hn::Mul(hn::Sub(set(box.centre[axis]), from[axis]), per_length);
+    const VF reach = hn::Mul(set(half), hn::Abs(per_length));
+    const VF inside = hn::Min(hn::Max(t, hn::Sub(middle, reach)), hn::Add(middle, reach));
+    t = hn::Min(hn::Max(inside, chord.begin), hn::Add(chord.begin, chord.length));
+  }
+  return t;
+}
+
 // How densely a light's samples lie along a direction, per steradian: N / V times the integral of t^2.
 HWY_INLINE VF density_of_strata(const LightRecord& light, const LightBox& box, const Chord& chord) {
   const VF length = hn::Max(chord.length, hn::Zero(kF));

@@ -1,6 +1,7 @@
 // Highlights that are narrower than the strata of a light, by directions drawn from their lobes. Of each few
 // directions one has a shadow ray, chosen by what it would bring (Talbot et al., "Importance Resampling for
-// Global Illumination", 2005): where nothing is in the way, or all of it, rays add no noise.
+// Global Illumination", 2005): where nothing is in the way, or all of it, rays add no noise. The one ray
+// stands for the colours of all: near grazing, where Fresnel's differ, a shadow's edge takes their mean.
 // Before: light_samples brought the strata's share. After: direct light is complete.
 #pragma once
 
@@ -16,11 +17,11 @@ namespace HWY_NAMESPACE {
 
 // Places in a lobe that one ray stands for: neighbours in azimuth, so that a shadow's edge across the lobe
 // divides few groups. Hammersley's points, moved by three random numbers of each hit.
-struct LobePlace {
+struct DrawnPlace {
   float cosine, sine, u, along;  // azimuth; out of [0, 1); which part of the chord
 };
 constexpr int kMostEach = 32;
-using LobePlaces = std::array<LobePlace, kMostEach>;
+using DrawnPlaces = std::array<DrawnPlace, kMostEach>;
 
 HWY_INLINE float mirrored_bits(std::uint32_t i) {
   std::uint32_t mirrored = 0;
@@ -28,9 +29,9 @@ HWY_INLINE float mirrored_bits(std::uint32_t i) {
   return static_cast<float>(mirrored) * 0x1p-24f;
 }
 
-HWY_INLINE LobePlaces lobe_places(const LobeCounts& counts, int ray) {
+HWY_INLINE DrawnPlaces drawn_places(const LobeCounts& counts, int ray) {
   constexpr double kTwoPi = 6.283185307179586, kGolden = 0.6180339887498949;
-  LobePlaces places;
+  DrawnPlaces places;
   for (int k = 0; k < counts.each; ++k) {
     const int i = ray * counts.each + k;
     const double azimuth = kTwoPi * i / counts.all(), along = kGolden * i;
@@ -71,7 +72,7 @@ HWY_INLINE V3 highlight(const HitBatch& hits, int slot, Highlight which, const L
 // Random numbers `numbers` and on of the light belong to this highlight.
 template <Lobe kLobe>
 HWY_INLINE DrawnLight draw_light(const LightRecord& light, const LightBox& box, const LobeCounts& counts,
-                                 const LobePlaces& places, int ray, const HitBatch& hits, int slot,
+                                 const DrawnPlaces& places, int ray, const HitBatch& hits, int slot,
                                  Highlight which, std::uint32_t numbers) {
   constexpr float kTwoPi = 6.28318531f;
   const VF zero = hn::Zero(kF);
@@ -85,7 +86,7 @@ HWY_INLINE DrawnLight draw_light(const LightRecord& light, const LightBox& box, 
   DrawnLight out{{zero, zero, zero}, {zero, zero, zero}, first_lanes(0)};
   VF sum = zero;
   for (int k = 0; k < counts.each; ++k) {
-    const LobePlace& place = places[static_cast<std::size_t>(k)];
+    const DrawnPlace& place = places[static_cast<std::size_t>(k)];
     const VF c = hn::MulSub(cosine, set(place.cosine), hn::Mul(sine, set(place.sine)));
     const VF s = hn::MulAdd(sine, set(place.cosine), hn::Mul(cosine, set(place.sine)));
     const DrawnDirection drawn = draw(lobe, v, c, s, moved(place.u, by_u));
@@ -94,7 +95,8 @@ HWY_INLINE DrawnLight draw_light(const LightRecord& light, const LightBox& box, 
     const VF least = hn::Min(chord.length, hn::Min(n_l, dot(g, drawn.direction)));
     const MF meets = hn::Gt(least, zero);
     if (hn::AllFalse(kF, meets)) continue;
-    const VF t = hn::MulAdd(moved(place.along, by_along), chord.length, chord.begin), t2 = hn::Mul(t, t);
+    const VF place_along = hn::MulAdd(moved(place.along, by_along), chord.length, chord.begin);
+    const VF t = within_light(light, box, chord, p, drawn.direction, place_along), t2 = hn::Mul(t, t);
     const VF radiance = hn::Mul(hn::Mul(hn::Mul(chord.length, t2), falloff(light, t2, drawn.direction)),
                                 set(1.0f / box.volume));
     const VF density = hn::MulAdd(set(static_cast<float>(counts.all())), density_of(lobe, drawn.h),
@@ -126,7 +128,7 @@ HWY_NOINLINE void add_highlight(const TileJob& job, const LightRecord& light, co
   const LobeCounts counts = lobe_counts(light);
   for (int ray = 0; ray < counts.rays; ++ray) {
     begin_light_rays(queue, light, kMostLightSamples + 2 * ray + static_cast<int>(own));
-    const LobePlaces places = lobe_places(counts, ray);
+    const DrawnPlaces places = drawn_places(counts, ray);
     for (int slot = 0; slot < count; slot += kLanes) {
       const MF shared = used_as(use, slot, kShared);
       if (hn::AllFalse(kF, shared)) continue;

@@ -212,6 +212,14 @@ TEST(NarrowHighlightTest, OfCoatsAndStretchedOnesHasTheSameEnergyWithFewSamplesA
   }
 }
 
+TEST(NarrowHighlightTest, OfAPlateIsTheSameWhereItHangsOnACeiling) {
+  // What lies in the plate's plane hides none of it: shadow rays end a 4096th of their way before their
+  // place.
+  MirroredLamp open(0.05, {1.6f, 0, 1.6f}, 8), hung = open;
+  test::add(hung.scene, test::quad({-5, 1.4f, -5}, {10, 0, 0}, {0, 0, 10}), test::matte(glm::vec3{0.0f}));
+  test::expect_same_bits(open.render(64, 1), hung.render(64, 1));
+}
+
 TEST(NarrowHighlightTest, OfOneSampleHasTheEnergyOfTheWholeLamp) {
   // The whole highlight and what it is spread over: 45 degrees about it.
   const MirroredLamp lamp(0.02, {0.4f, 0.1f, 0.4f}, 45);
