@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <numeric>
 
 #include "renderer/broken_on_purpose.h"
@@ -113,9 +114,10 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     record.stratified = sampling.stratified;
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
-    // The half vector turns by half of what the light's direction does. One sample lies in the middle, half
-    // the light away from its ends; others lie anywhere in their strata.
-    const float across = record.samples == 1 ? 0.25f : 0.5f;
+    // The half vector turns by half of what the light's direction does. Others than one lie anywhere in their
+    // strata. One lies in the middle, and its highlight is to send half of its light as near to its own middle
+    // as a square lamp's: GGX does within alpha, a square within sqrt(2 / pi) of half its edge.
+    const float across = record.samples == 1 ? 0.25f * std::sqrt(2.0f * std::numbers::inv_pi_v<float>) : 0.5f;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float stratum = record.size[axis] / static_cast<float>(strata[axis]);
       record.half_turn_m = std::max(record.half_turn_m, across * stratum);
