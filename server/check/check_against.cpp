@@ -2,85 +2,38 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "server/check/measure/not_comparable.h"
+#include "server/check/check_progress.h"
+#include "server/check/pairs.h"
 #include "server/check/run_length.h"
 #include "server/check/statistics/pair_design.h"
 #include "server/check/statistics/signed_rank.h"
-#include "server/process/progress_bar.h"
+#include "server/process/progress_line.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {
 
-// Both programs, run in turn, and what their runs came down to.
-class Pairs {
- public:
-  Pairs(MeasuredProgram candidate, MeasuredProgram baseline, std::int64_t frames)
-      : candidate_(std::move(candidate)), baseline_(std::move(baseline)), frames_(frames) {}
-
-  // AB, BA, AB, ...: what changes steadily hits both alike. This program goes first: what is wrong with the
-  // input is then its message, not the other's.
-  void add_pair() {
-    if (candidate_runs.size() % 2 == 0) {
-      add(candidate_, candidate_runs);
-      add(baseline_, baseline_runs);
-    } else {
-      add(baseline_, baseline_runs);
-      add(candidate_, candidate_runs);
-    }
-    check_alike(baseline_runs.front(), candidate_runs.back());
-    check_alike(baseline_runs.front(), baseline_runs.back());
-  }
-
-  std::vector<RunValues> values_of(const std::vector<Measurement>& runs) const {
-    std::vector<RunValues> values;
-    for (const Measurement& run : runs) values.push_back(run_values(run));
-    return values;
-  }
-
-  std::vector<Measurement> candidate_runs, baseline_runs;
-
- private:
-  void add(const MeasuredProgram& program, std::vector<Measurement>& runs) {
-    runs.push_back(program.measure(frames_));
-  }
-  static void check_alike(const Measurement& baseline, const Measurement& candidate) {
-    std::string what = work_difference(baseline.fingerprint, candidate.fingerprint);
-    if (what.empty()) what = machine_difference(baseline.fingerprint, candidate.fingerprint);
-    if (!what.empty()) throw NotComparable("the programs do not do the same: " + what);
-  }
-
-  MeasuredProgram candidate_, baseline_;
-  std::int64_t frames_;
-};
-
-std::vector<double> differences(std::span<const double> candidate, std::span<const double> baseline) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < candidate.size(); ++i) values.push_back(candidate[i] - baseline[i]);
-  return values;
-}
-
 Shift told_pair_shift(std::span<const double> candidate, std::span<const double> baseline) {
-  return signed_rank_shift(differences(candidate, baseline), kToldTail);
+  std::vector<double> differences(candidate.begin(), candidate.end());
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= baseline[i];
+  return signed_rank_shift(differences, kToldTail);
 }
+
+enum class Look { planned, cut_short };  // where the design has one; where no more pairs come
 
 // Judges all pairs so far; true when no more are needed.
-bool look(const Pairs& pairs, const PairDesign& design, CheckReport& report) {
-  const std::vector<RunValues> candidate = pairs.values_of(pairs.candidate_runs);
-  const std::vector<RunValues> baseline = pairs.values_of(pairs.baseline_runs);
-  std::vector<RunValues> all = candidate;
-  all.insert(all.end(), baseline.begin(), baseline.end());
-  report.noise = noise_of(all);
-  report.times = told_times(candidate, baseline, told_pair_shift);
-  report.candidate_ms = median_frame_ms(candidate), report.baseline_ms = median_frame_ms(baseline);
+bool look(Look kind, const Pairs& pairs, const PairDesign& design, CheckReport& report) {
+  const PairValues& values = pairs.values;
+  report.noise = noise_of(values.all());
+  report.times = told_times(values.candidate, values.baseline, told_pair_shift);
+  report.candidate_ms = median_frame_ms(values.candidate);
+  report.baseline_ms = median_frame_ms(values.baseline);
 
   CheckedTime& median = report.times.front();
-  const PairJudgement judgement = judge_pairs(
-      differences(logarithms(candidate, &RunValues::median), logarithms(baseline, &RunValues::median)),
-      design);
+  const PairJudgement judgement = kind == Look::planned ? judge_pairs(values.differences(), design)
+                                                        : judge_cut_short(values.differences(), design);
   median.shift = judgement.shift;
   median.rule = design.rule;
   median.verdict = judgement.verdict;
@@ -90,36 +43,61 @@ bool look(const Pairs& pairs, const PairDesign& design, CheckReport& report) {
     median.reason = noise;
     return judgement.last_look;
   }
-  if (judgement.verdict == Verdict::inconclusive) {
+  if (pairs.count() < fewest_pairs(design)) {
+    median.reason = "too few pairs to tell, it takes " + std::to_string(fewest_pairs(design));
+  } else if (judgement.verdict == Verdict::inconclusive) {
     median.reason = open_text(median.shift);
   }
   return judgement.verdict != Verdict::inconclusive || judgement.last_look;
 }
 
+// Pairs and looks until the verdict is clear, time runs out, or nothing but `noisy` can come.
+void run_pairs(const TimeLimit& limit, Pairs& pairs, CheckReport& report) {
+  const PairDesign design;
+  const int most = design.looks.back();
+  ProgressLine progress;
+  while (pairs.add_pair()) {
+    const bool at_look =
+        std::find(design.looks.begin(), design.looks.end(), pairs.count()) != design.looks.end();
+    if (at_look && look(Look::planned, pairs, design, report)) return;
+    // Two runs a pair.
+    if (stays_noisy(pairs.values.all(), 2 * most)) {
+      report.ended_early = "ended after " + pairs_text(pairs.count(), design) +
+                           ": whatever the others measured, it would be noisy";
+      break;
+    }
+    const Shift shift = signed_rank_shift(pairs.values.differences(), kToldTail);
+    progress.show(pair_progress(pairs.count(), design, state_so_far(noise_of(pairs.values.all()), shift),
+                                pairs.typical_seconds(), limit.seconds_left()),
+                  at_look);
+  }
+  if (pairs.count() == 0) throw OutOfTime();
+  if (report.ended_early.empty()) {
+    report.ended_early = "--max-seconds ended it after " + pairs_text(pairs.count(), design);
+  }
+  look(Look::cut_short, pairs, design, report);
+}
+
 }  // namespace
 
-void check_against(const CheckOptions& options, CheckReport& report) {
+void check_against(const CheckOptions& options, const TimeLimit& limit, CheckReport& report) {
   const MeasuredProgram candidate = candidate_of(options);
   const MeasuredProgram baseline = MeasuredProgram::other(options.against, options.run_arguments);
-  const std::int64_t frames = frames_of_run(options, candidate);
-  Pairs pairs(candidate, baseline, frames);
-  const PairDesign design;
-  const bool timed = options.tiers != CheckedTiers::counters;
-  ProgressBar progress("pairs of runs", timed ? design.looks.back() : 1);
-  for (bool done = false; !done;) {
-    pairs.add_pair();
-    const auto count = static_cast<int>(pairs.candidate_runs.size());
-    progress.update(count);
-    const bool at_look = std::find(design.looks.begin(), design.looks.end(), count) != design.looks.end();
-    done = !timed || (at_look && look(pairs, design, report));
+  const std::int64_t frames = frames_of_run(options, candidate, limit);
+  Pairs pairs(candidate, baseline, frames, options.allowed, limit);
+  if (options.tiers != CheckedTiers::counters) {
+    run_pairs(limit, pairs, report);
+  } else if (!pairs.add_pair()) {
+    throw OutOfTime();
   }
   const Measurement& first = pairs.candidate_runs.front();
   report.candidate = "this program (" + printable(first.program) + ")";
   report.baseline =
       printable(options.against.string()) + " (" + printable(pairs.baseline_runs.front().program) + ")";
   report.settings = settings_line(first.fingerprint);
-  report.runs = report.baseline_runs = static_cast<int>(pairs.candidate_runs.size());
+  report.runs = report.baseline_runs = pairs.count();
   report.frames = static_cast<std::int64_t>(first.frame_ms.size());
+  report.differences = pairs.differences;
   if (options.tiers != CheckedTiers::times) {
     std::vector<CounterRange> before = counter_ranges(pairs.baseline_runs);
     std::vector<CounterRange> now = counter_ranges(pairs.candidate_runs);

@@ -5,13 +5,16 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/timing.h"
+#include "server/check/allowed_differences.h"
 #include "server/check/baseline_file.h"
+#include "server/check/check_progress.h"
 #include "server/check/measure/not_comparable.h"
 #include "server/check/run_length.h"
 #include "server/check/statistics/baseline_design.h"
 #include "server/check/statistics/rank_sum.h"
 #include "server/process/exit_code.h"
-#include "server/process/progress_bar.h"
+#include "server/process/progress_line.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
@@ -23,24 +26,70 @@ Shift told_rank_shift(std::span<const double> candidate, std::span<const double>
   return rank_sum_shift(candidate, baseline, kToldTail);
 }
 
-// Runs of this program after the first one, all of the same work.
-struct Runs {
-  std::vector<Measurement> measured;
-  std::vector<RunValues> values;
+// Runs of this program one after the other, all of the same work.
+class Runs {
+ public:
+  Runs(MeasuredProgram program, std::int64_t frames, TimeLimit limit)
+      : program_(std::move(program)), frames_(frames), limit_(limit) {}
 
-  void add(const MeasuredProgram& program, std::int64_t frames) {
-    measured.push_back(program.measure(frames));
+  // Throws OutOfTime.
+  void add() {
+    const double ms = wall_ms([&] { measured.push_back(program_.measure(frames_, limit_)); });
+    seconds_.push_back(1e-3 * ms);
     values.push_back(run_values(measured.back()));
     const std::string what = work_difference(measured.front().fingerprint, measured.back().fingerprint);
     if (!what.empty()) throw NotComparable("the inputs changed while they were measured: " + what);
   }
-  void add_until(int count, const MeasuredProgram& program, std::int64_t frames) {
-    ProgressBar progress("runs", count);
-    while (static_cast<int>(measured.size()) < count) {
-      add(program, frames);
-      progress.update(static_cast<std::int64_t>(measured.size()));
+
+  // Until there are `count`; why there are fewer, empty where there are not. `stored`: the runs to compare
+  // with, if any.
+  std::string add_until(int count, std::span<const RunValues> stored) {
+    ProgressLine progress;
+    while (this->count() < count) {
+      if (!add_in_time()) return "--max-seconds ended it after " + of_runs(count);
+      if (this->count() == count) break;
+      if (stays_noisy(values, count)) {
+        return "ended after " + of_runs(count) + ": whatever the others measured, it would be noisy";
+      }
+      progress.show(
+          run_progress(this->count(), count, state(stored), median(seconds_), limit_.seconds_left()));
     }
+    return {};
   }
+
+  std::int64_t frames() const { return frames_; }  // that each was asked for
+
+  std::vector<Measurement> measured;
+  std::vector<RunValues> values;
+
+ private:
+  int count() const { return static_cast<int>(measured.size()); }
+  std::string of_runs(int count) const {
+    return std::to_string(this->count()) + " of " + std::to_string(count) + " runs";
+  }
+  bool add_in_time() {
+    if (!limit_.has_room_for_another(seconds_)) return false;
+    try {
+      add();
+    } catch (const OutOfTime&) {
+      if (measured.empty()) throw;
+      return false;
+    }
+    return true;
+  }
+  std::string state(std::span<const RunValues> stored) const {
+    const Noise noise = noise_of(values);
+    if (!stored.empty()) {
+      return state_so_far(noise, told_rank_shift(logarithms(values, &RunValues::median),
+                                                 logarithms(stored, &RunValues::median)));
+    }
+    return noise_text(noise).empty() ? "quiet so far" : "noisy so far";
+  }
+
+  MeasuredProgram program_;
+  std::int64_t frames_;
+  TimeLimit limit_;
+  std::vector<double> seconds_;  // that each run took
 };
 
 void describe(const Runs& runs, CheckReport& report) {
@@ -63,9 +112,12 @@ void judge_times(const Baseline& baseline, const Runs& runs, CheckReport& report
   median.shift = judgement.shift;
   median.rule = design.rule;
   median.verdict = judgement.verdict;
+  const auto count = static_cast<int>(runs.values.size());
   if (const std::string noise = noise_text(*report.noise); !noise.empty()) {
     median.verdict = Verdict::noisy;
     median.reason = noise;
+  } else if (count < design.runs) {
+    median.reason = "too few runs to tell, it takes " + std::to_string(design.runs);
   } else if (baseline.runs.size() < static_cast<std::size_t>(design.stored_runs)) {
     median.reason = "the baseline holds " + std::to_string(baseline.runs.size()) + " runs, not " +
                     std::to_string(design.stored_runs);
@@ -76,50 +128,52 @@ void judge_times(const Baseline& baseline, const Runs& runs, CheckReport& report
 
 }  // namespace
 
-void save_baseline(const CheckOptions& options, CheckReport& report) {
+void save_baseline(const CheckOptions& options, const TimeLimit& limit, CheckReport& report) {
   report.baseline = printable(options.save.string());
   if (!options.overwrite && path_exists(options.save)) {
     throw UsageError("--save: " + printable(options.save.string()) +
                      " is there already; give --overwrite to replace it");
   }
   const MeasuredProgram program = candidate_of(options);
-  const std::int64_t frames = frames_of_run(options, program);
+  Runs runs(program, frames_of_run(options, program, limit), limit);
   const bool timed = options.tiers != CheckedTiers::counters;
-  Runs runs;
-  runs.add_until(timed ? BaselineDesign{}.stored_runs : 1, program, frames);
+  report.ended_early = runs.add_until(timed ? BaselineDesign{}.stored_runs : 1, {});
   describe(runs, report);
   report.noise = noise_of(runs.values);
-  if (const std::string noise = noise_text(*report.noise); timed && !noise.empty()) {
-    report.verdict = Verdict::noisy;
-    report.reason = noise + "; nothing was stored";
+  const std::string noise = timed ? noise_text(*report.noise) : "";
+  if (!noise.empty() || !report.ended_early.empty()) {
+    report.verdict = noise.empty() ? Verdict::inconclusive : Verdict::noisy;
+    report.reason = noise;
+    for (const std::string& more : {report.ended_early, std::string("nothing was stored")}) {
+      if (!more.empty()) report.reason += (report.reason.empty() ? "" : "; ") + more;
+    }
     return;
   }
   const Measurement& first = runs.measured.front();
-  write_whole_file(options.save, baseline_text({first.program, frames, first.fingerprint, runs.values,
+  write_whole_file(options.save, baseline_text({first.program, runs.frames(), first.fingerprint, runs.values,
                                                 counter_ranges(runs.measured)}));
   report.verdict = Verdict::ok;
   report.reason =
       std::to_string(runs.measured.size()) + " runs stored in " + printable(options.save.string());
 }
 
-void check_baseline(const CheckOptions& options, CheckReport& report) {
+void check_baseline(const CheckOptions& options, const TimeLimit& limit, CheckReport& report) {
   const Baseline baseline = read_baseline(options.baseline);
   report.baseline = printable(options.baseline.string()) + " (" + printable(baseline.program) + ")";
   report.baseline_runs = static_cast<int>(baseline.runs.size());
   const MeasuredProgram program = candidate_of(options);
   // The same frames as then, whatever they take here; another choice would be other work.
   const std::int64_t frames = options.run.replay.frames.value_or(baseline.frames);
-  Runs runs;
-  runs.add(program, frames);
+  Runs runs(program, frames, limit);
+  runs.add();
   const CheckFingerprint& now = runs.measured.front().fingerprint;
   // The stored runs were given other flags than these: a setting that they do not know had its default.
-  if (const std::string what = difference(baseline.fingerprint.work, now.work); !what.empty()) {
-    throw NotComparable("the baseline did other work: " + what);
-  }
+  report.differences = told_differences(differences(baseline.fingerprint.work, now.work), options.allowed,
+                                        "the baseline did other work");
   const std::string other_machine = machine_difference(baseline.fingerprint, now);
   const bool timed = options.tiers != CheckedTiers::counters;
   if (timed && other_machine.empty()) {
-    runs.add_until(BaselineDesign{}.runs, program, frames);
+    report.ended_early = runs.add_until(BaselineDesign{}.runs, baseline.runs);
     judge_times(baseline, runs, report);
   } else if (timed) {
     CheckedTime unknown;

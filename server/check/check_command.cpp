@@ -36,17 +36,22 @@ int print_measurement(const CheckOptions& options) {
 }
 
 void compare(const CheckOptions& options, CheckReport& report) {
+  const TimeLimit limit = options.max_seconds ? TimeLimit(*options.max_seconds) : TimeLimit();
   try {
     if (!options.against.empty()) {
-      check_against(options, report);
+      check_against(options, limit, report);
     } else if (!options.baseline.empty()) {
-      check_baseline(options, report);
+      check_baseline(options, limit, report);
     } else {
-      save_baseline(options, report);
+      save_baseline(options, limit, report);
     }
   } catch (const NotComparable& difference) {
     report.verdict = Verdict::not_comparable;
     report.reason = difference.what();
+  } catch (const OutOfTime&) {
+    report.verdict = Verdict::inconclusive;
+    report.ended_early = "--max-seconds ended it before there was anything to compare";
+    report.reason = report.ended_early + "; give more seconds, or fewer --frames";
   }
 }
 

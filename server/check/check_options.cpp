@@ -24,6 +24,34 @@ void check_place(const char* flag, const std::filesystem::path& file) {
   }
 }
 
+// A gate that is asked to go red and stays green by mistake would be trusted.
+void check_slow_down(const CheckOptions& options) {
+  if (options.run.slow_down_percent <= 0) return;
+  if (!options.save.empty()) {
+    throw UsageError(
+        "--slow-down: --save gives no verdict that it could change, and would store the slow runs; give it "
+        "with "
+        "--against or --baseline");
+  }
+  if (options.tiers == CheckedTiers::counters) {
+    throw UsageError("--slow-down: has no effect on counters; leave --only counters out");
+  }
+}
+
+void check_allowed_differences(const CheckOptions& options) {
+  if (options.allowed.empty()) return;
+  if (!options.save.empty()) {
+    throw UsageError("--allow-different: --save compares nothing; give it with --baseline");
+  }
+  if (options.against.empty()) return;
+  for (const DifferentPart part : {DifferentPart::scene, DifferentPart::session}) {
+    if (!options.allowed.has(part)) continue;
+    throw UsageError(std::string("--allow-different: with --against both builds render the same ") +
+                     name_of(part) +
+                     "; store runs of the other one with --save, then compare with --baseline");
+  }
+}
+
 }  // namespace
 
 void check_check_options(const CheckOptions& options) {
@@ -39,6 +67,8 @@ void check_check_options(const CheckOptions& options) {
         "check: give one of --against PROGRAM (another build), --save FILE (store runs) and --baseline FILE "
         "(compare with stored runs)");
   }
+  check_slow_down(options);
+  check_allowed_differences(options);
   check_place("--save", options.save);
   check_place("--junit", options.junit);
   check_place("--markdown", options.markdown);

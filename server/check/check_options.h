@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "server/check/allowed_differences.h"
 #include "server/check/measure/measure_options.h"
 
 namespace herr {
@@ -20,6 +22,8 @@ struct CheckOptions {
   std::filesystem::path save;              // where to store runs; empty: nowhere
   CheckedTiers tiers = CheckedTiers::all;
   double run_seconds = 1.5;               // length of a measured run, where --frames does not say it
+  std::optional<double> max_seconds;      // that the whole check may take
+  AllowedDifferences allowed;             // between the two that are compared
   bool overwrite = false;                 // replace the file of --save
   bool json = false;                      // the report on stdout as JSON
   std::filesystem::path markdown, junit;  // reports as files; markdown is appended

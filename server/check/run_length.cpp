@@ -26,10 +26,11 @@ MeasuredProgram candidate_of(const CheckOptions& options) {
   return MeasuredProgram::this_one(std::move(arguments));
 }
 
-std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate) {
+std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate,
+                           const TimeLimit& limit) {
   if (options.run.replay.frames) return *options.run.replay.frames;
   if (options.tiers == CheckedTiers::counters) return kPilotFrames;
-  const Measurement pilot = candidate.measure(kPilotFrames);
+  const Measurement pilot = candidate.measure(kPilotFrames, limit);
   double pilot_ms = 0;
   for (std::size_t i = 0; i < pilot.frame_ms.size(); ++i) {
     pilot_ms += pilot.frame_ms[i] + pilot.calibration_rays_ms[i] + pilot.calibration_memory_ms[i];
@@ -102,6 +103,9 @@ void conclude(CheckReport& report) {
                                fixed_text(100 * time.rule.limit, 0) + " %, p " + p_text(time.shift.p) + ")";
     add(time.verdict, time.reason.empty() ? slower : time.reason);
     if (report.verdict == Verdict::ok) report.reason = slower;
+  }
+  for (const std::string& more : {report.ended_early, differences_text(report)}) {
+    if (!more.empty()) report.reason += (report.reason.empty() ? "" : "; ") + more;
   }
 }
 

@@ -16,8 +16,10 @@ namespace herr {
 // Of this program, with what only tests give it.
 MeasuredProgram candidate_of(const CheckOptions& options);
 
-// As many as --frames says, or as last --run-seconds here and now: a short run finds that out.
-std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate);
+// As many as --frames says, or as last --run-seconds here and now: a short run finds that out. Throws as it
+// does.
+std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate,
+                           const TimeLimit& limit);
 
 // "--profile xr1-half, --polar 788x384, ..., --threads 2": what somebody would look at first, and each
 // further setting that has not its default.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <string_view>
 
 #include "renderer/settings_list.h"
@@ -16,9 +17,10 @@ namespace herr {
 namespace {
 
 // Of the command, not of the runs that it starts. --frames is given to each run by the command.
-constexpr std::array<std::string_view, 13> kOfTheCommand{
-    "--against", "--baseline", "--save",  "--only",        "--run-seconds", "--frames",   "--overwrite",
-    "--json",    "--markdown", "--junit", "--annotations", "--measure",     "--slow-down"};
+constexpr std::array<std::string_view, 15> kOfTheCommand{
+    "--against",     "--baseline",        "--save",        "--only",      "--run-seconds",
+    "--max-seconds", "--allow-different", "--frames",      "--overwrite", "--json",
+    "--markdown",    "--junit",           "--annotations", "--measure",   "--slow-down"};
 
 // Adds the flags of what --preset chooses between, as it is: another build may know no preset, or begin with
 // another one. Returns their names, which are then no longer taken from the line.
@@ -41,6 +43,14 @@ std::vector<std::string> add_flags_of_preset(RenderSettings render, std::vector<
   return names;
 }
 
+AllowedDifferences read_parts(const std::string& text) {
+  try {
+    return allowed_differences_from(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--allow-different: ") + error.what());
+  }
+}
+
 void add_comparison_flags(CLI::App& app, CheckOptions& options) {
   file_flag(app, "--against", "compare with this other build of herr, in alternating runs",
             [&](const std::string& text) { options.against = text; });
@@ -57,6 +67,24 @@ void add_comparison_flags(CLI::App& app, CheckOptions& options) {
              [&](const std::string& text) {
                options.run_seconds = parse_real_number("--run-seconds", text, 0.01, 600);
              });
+  value_flag(
+      app, "--max-seconds", "S",
+      "end the check by then, 1 ... 1000000, with the verdict that the runs so far allow: 4 where they "
+      "are too few",
+      [&](const std::string& text) {
+        options.max_seconds = parse_real_number("--max-seconds", text, 1, 1e6);
+      });
+  value_flag(
+      app, "--allow-different", "PART,...",
+      "compare although these differ, and say how: scene, settings, session; of --against, settings alone",
+      [&](const std::string& text) { options.allowed = read_parts(text); });
+  value_flag(
+      app, "--slow-down", "PERCENT",
+      "shows that the gate goes red: each frame of this program waits busily for this share of its time, "
+      "0.1 ... 1000; not with --save or --only counters",
+      [&](const std::string& text) {
+        options.run.slow_down_percent = parse_real_number("--slow-down", text, 0.1, 1000);
+      });
   app.add_flag_callback(
       "--overwrite", [&] { options.overwrite = true; }, "replace the file of --save");
 }
@@ -86,15 +114,11 @@ void add_forced_flags(CLI::App& app) {
   only("--format", "none", "pictures");
 }
 
-// Between this program and the processes that it starts; and a slower build for tests.
+// Between this program and the processes that it starts.
 void add_hidden_flags(CLI::App& app, CheckOptions& options) {
   app.add_flag_callback(
          "--measure", [&] { options.measure = true; }, "be one measured run")
       ->group("");
-  value_flag(app, "--slow-down", "PERCENT", "wait busily in each frame", [&](const std::string& text) {
-    options.run.slow_down_percent = parse_real_number("--slow-down", text, 0, 1000);
-  });
-  app.get_option("--slow-down")->group("");
 }
 
 }  // namespace

@@ -14,13 +14,6 @@ namespace {
 
 constexpr int kBarWidth = 30;
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
-constexpr const char* kClearLine = "\r\033[K";
-
-std::string minutes_text(double seconds) {
-  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
-  const std::string rest = std::to_string(whole % 60);
-  return std::to_string(whole / 60) + ":" + (rest.size() < 2 ? "0" : "") + rest;
-}
 
 }  // namespace
 

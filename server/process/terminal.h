@@ -17,7 +17,10 @@ void print_message(const std::string& message);
 // True when stderr is a terminal that can redraw a line.
 bool stderr_is_terminal();
 
-// Writes to stderr as it is (progress bar).
+// Back to the start of a terminal's line, and clears it.
+inline constexpr const char* kClearLine = "\r\033[K";
+
+// Writes to stderr as it is (progress).
 void print_progress(const std::string& text);
 
 }  // namespace herr

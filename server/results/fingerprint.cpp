@@ -189,32 +189,44 @@ Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& opt
   return {settings_of_run(report, options), inputs_of(report, options, scene, identity)};
 }
 
-std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
+std::vector<FingerprintDifference> differences(const Fingerprint& earlier, const Fingerprint& now) {
   ReplayOptions without;
   without.render = direct_light_settings();
   without.render.occlusion_smoothing = false;
   const std::vector<Setting> settings = settings_of(without);
   const Fingerprint::Entries defaults = setting_entries(without);
+  std::vector<FingerprintDifference> found;
   for (const auto& [name, value] : now.settings) {
     const std::string* before = find(earlier.settings, name);
     // A program that did not know a setting had its default, no light but direct light, and no mean over
     // short rays.
     const std::string* unknown = before == nullptr ? find(defaults, name) : nullptr;
     if (unknown != nullptr && *unknown == value) continue;
-    if (before == nullptr) return name + " was not known then, is " + in_words(settings, name, value);
-    if (*before != value) {
-      return name + " was " + in_words(settings, name, *before) + ", is " + in_words(settings, name, value);
+    const std::string is = ", is " + in_words(settings, name, value);
+    if (before == nullptr) {
+      found.push_back({name, false, name + " was not known then" + is});
+    } else if (*before != value) {
+      found.push_back({name, false, name + " was " + in_words(settings, name, *before) + is});
     }
   }
   for (const auto& [name, value] : now.inputs) {
     const std::string* before = find(earlier.inputs, name);
-    if (before == nullptr) return name + " was not among the inputs";
-    if (*before != value) return name + " has changed";
+    if (before == nullptr) {
+      found.push_back({name, true, name + " was not among the inputs"});
+    } else if (*before != value) {
+      found.push_back({name, true, name + " has changed"});
+    }
   }
   for (const auto& [name, value] : earlier.inputs) {
-    if (find(now.inputs, name) == nullptr) return name + " is no longer among the inputs";
+    if (find(now.inputs, name) == nullptr)
+      found.push_back({name, true, name + " is no longer among the inputs"});
   }
-  return {};
+  return found;
+}
+
+std::string difference(const Fingerprint& earlier, const Fingerprint& now) {
+  const std::vector<FingerprintDifference> found = differences(earlier, now);
+  return found.empty() ? std::string() : found.front().text;
 }
 
 }  // namespace herr

@@ -26,8 +26,15 @@ enum class PictureIdentity { size_and_time, size };
 Fingerprint fingerprint_of(const SessionReport& report, const ReplayOptions& options, const Scene& scene,
                            PictureIdentity identity = PictureIdentity::size_and_time);
 
-// The first difference, "--light-samples was 64, is 1"; empty when there is none. A setting that the earlier
-// program did not know had its default.
+struct FingerprintDifference {
+  std::string name;       // of the entry
+  bool of_input = false;  // or of a setting
+  std::string text;       // "--light-samples was 64, is 1"
+};
+// Settings first, each in the order of `now`, then inputs that are gone. A setting that the earlier program
+// did not know had its default.
+std::vector<FingerprintDifference> differences(const Fingerprint& earlier, const Fingerprint& now);
+// The text of the first one; empty when there is none.
 std::string difference(const Fingerprint& earlier, const Fingerprint& now);
 
 // Each setting that shapes pictures or says which files a run leaves, by its flag, as fingerprints tell it.

@@ -19,7 +19,7 @@ OPTION = re.compile(r"(?<![\w-])--[a-z][a-z0-9_-]*")
 HERR_LINE = re.compile(r"^\s*herr ([a-z]+) [^#\n]*", re.MULTILINE)
 SUBCOMMAND = re.compile(r"^  ([a-z]+) {2,}", re.MULTILINE)
 # Options of `herr` that no help lists, and those of other tools.
-HIDDEN = {"--measure", "--slow-down"}
+HIDDEN = {"--measure"}
 FOREIGN = {"--build", "--preset", "--install", "--prefix", "--target", "--fix", "--gtest_filter", "--resize", "--quick",
            "--only", "--list", "--scanline", "--compression", "--info", "--mulc", "--subimage", "--fullpixels", "--ch",
            "--colorconvert"}

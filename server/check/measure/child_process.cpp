@@ -13,7 +13,6 @@
 #include <system_error>
 #include <utility>
 
-#include "server/process/exit_code.h"
 #include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
 #include "sessions/files/input_error.h"
@@ -115,8 +114,8 @@ ProcessOutcome run_process(const std::filesystem::path& program, const std::vect
       return outcome;
     }
     if (steady_now_ns() > end_ns) {
-      throw TemporaryError(printable(program.string()) + " did not end within " +
-                           std::to_string(static_cast<int>(most_seconds)) + " s; give fewer --frames");
+      throw TookTooLong(printable(program.string()) + " did not end within " +
+                        std::to_string(static_cast<int>(most_seconds)) + " s; give fewer --frames");
     }
     if (::poll(ends.data(), ends.size(), kPatience_ms) <= 0) continue;
     if (ends[0].revents != 0 && !out.read_into(outcome.out)) ends[0].fd = -1;

@@ -6,7 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "server/process/exit_code.h"
+
 namespace herr {
+
+class TookTooLong : public TemporaryError {
+ public:
+  using TemporaryError::TemporaryError;
+};
 
 struct ProcessOutcome {
   int exit_code = 0;  // 128 + n where signal n ended it
@@ -14,7 +21,7 @@ struct ProcessOutcome {
 };
 
 // Waits for its end and reads both outputs meanwhile. The program is killed when this process is asked to
-// stop (stop_signal()) or when it takes longer than `most_seconds`; the latter throws TemporaryError. Throws
+// stop (stop_signal()) or when it takes longer than `most_seconds`; the latter throws TookTooLong. Throws
 // std::system_error when it cannot be started.
 ProcessOutcome run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                            double most_seconds);

@@ -8,7 +8,7 @@ namespace herr {
 
 struct MeasureOptions {
   ReplayOptions replay;          // one session; nothing is written
-  double slow_down_percent = 0;  // tests only: each frame waits busily for this share of its own time
+  double slow_down_percent = 0;  // each frame waits busily for this share of its own time; 0: none
 };
 
 }  // namespace herr

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -29,6 +30,18 @@ std::string last_message(const std::string& err) {
   return line.starts_with("herr: ") ? line.substr(6) : line;
 }
 
+ProcessOutcome run_within(const std::filesystem::path& program, const std::vector<std::string>& words,
+                          const TimeLimit& limit) {
+  const double left = limit.seconds_left();
+  if (left <= 0) throw OutOfTime();
+  try {
+    return run_process(program, words, std::min(left, kMostRunSeconds));
+  } catch (const TookTooLong&) {
+    if (left < kMostRunSeconds) throw OutOfTime();
+    throw;
+  }
+}
+
 }  // namespace
 
 MeasuredProgram::MeasuredProgram(std::filesystem::path program, std::vector<std::string> arguments,
@@ -48,10 +61,10 @@ MeasuredProgram MeasuredProgram::other(const std::filesystem::path& program,
   return {std::filesystem::absolute(program), std::move(arguments), true};
 }
 
-Measurement MeasuredProgram::measure(std::int64_t frames) const {
+Measurement MeasuredProgram::measure(std::int64_t frames, const TimeLimit& limit) const {
   std::vector<std::string> words{"check", "--measure", "--frames", std::to_string(frames)};
   words.insert(words.end(), arguments_.begin(), arguments_.end());
-  const ProcessOutcome outcome = run_process(program_, words, kMostRunSeconds);
+  const ProcessOutcome outcome = run_within(program_, words, limit);
   if (const int signal = stop_signal(); signal != 0) {
     throw RunFailed(kExitSignalBase + signal, "ended by signal " + std::to_string(signal));
   }

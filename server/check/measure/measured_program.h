@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "server/check/measure/measurement.h"
+#include "server/check/measure/time_limit.h"
 
 namespace herr {
 
@@ -30,8 +31,8 @@ class MeasuredProgram {
   static MeasuredProgram other(const std::filesystem::path& program, std::vector<std::string> arguments);
 
   // One run of at most `frames` frames. Throws RunFailed when this program fails or a signal asks for the
-  // end, NotComparable when another program cannot do it.
-  Measurement measure(std::int64_t frames) const;
+  // end, NotComparable when another program cannot do it, OutOfTime when it does not end within the limit.
+  Measurement measure(std::int64_t frames, const TimeLimit& limit) const;
 
  private:
   MeasuredProgram(std::filesystem::path program, std::vector<std::string> arguments, bool is_other);

@@ -59,9 +59,15 @@ std::vector<double> read_times(const JsonObject& object, const char* key) {
 
 }  // namespace
 
+std::vector<FingerprintDifference> work_differences(const CheckFingerprint& earlier,
+                                                    const CheckFingerprint& now) {
+  return differences({known_to(now, earlier.work.settings), earlier.work.inputs},
+                     {known_to(earlier, now.work.settings), now.work.inputs});
+}
+
 std::string work_difference(const CheckFingerprint& earlier, const CheckFingerprint& now) {
-  return difference({known_to(now, earlier.work.settings), earlier.work.inputs},
-                    {known_to(earlier, now.work.settings), now.work.inputs});
+  const std::vector<FingerprintDifference> found = work_differences(earlier, now);
+  return found.empty() ? std::string() : found.front().text;
 }
 
 std::string machine_difference(const CheckFingerprint& earlier, const CheckFingerprint& now) {

@@ -23,8 +23,11 @@ struct CheckFingerprint {
   Fingerprint work;              // settings and inputs
   Fingerprint::Entries machine;  // threads, libraries, CPU, build
 };
-// The first difference as one line, "--isa was avx512, is avx2"; empty when there is none. A setting that
-// only one of the two knows is none: the other was not given it, and the first has its default.
+// A setting that only one of the two knows is no difference: the other was not given it, and the first has
+// its default.
+std::vector<FingerprintDifference> work_differences(const CheckFingerprint& earlier,
+                                                    const CheckFingerprint& now);
+// The first difference as one line, "--isa was avx512, is avx2"; empty when there is none.
 std::string work_difference(const CheckFingerprint& earlier, const CheckFingerprint& now);
 std::string machine_difference(const CheckFingerprint& earlier, const CheckFingerprint& now);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/timing.h"
+#include "server/check/statistics/lasting_noise.h"
 
 namespace herr {
 namespace {
@@ -88,6 +89,21 @@ Noise noise_of(std::span<const RunValues> runs) {
   const auto asked = static_cast<double>(ticks.used + ticks.stolen);
   if (known) noise.steal = asked > 0 ? static_cast<double>(ticks.stolen) / asked : 0.0;
   return noise;
+}
+
+bool stays_noisy(std::span<const RunValues> runs, int final_count) {
+  std::vector<double> rays_ms;
+  std::vector<CpuDemand> demands;
+  for (const RunValues& run : runs) {
+    rays_ms.push_back(run.rays_ms);
+    CpuDemand demand{0, std::numeric_limits<double>::quiet_NaN()};
+    if (run.cpu) {
+      demand.asked = static_cast<double>(run.cpu->used + run.cpu->stolen);
+      demand.stolen = static_cast<double>(run.cpu->stolen);
+    }
+    demands.push_back(demand);
+  }
+  return speed_stays_restless(rays_ms, final_count) || steal_stays_high(demands, final_count);
 }
 
 std::vector<CounterRange> counter_ranges(std::span<const Measurement> runs) {

@@ -33,6 +33,8 @@ double median_frame_ms(std::span<const RunValues> runs);
 
 // Of all runs together: steal is not a number where one of them does not tell.
 Noise noise_of(std::span<const RunValues> runs);
+// Too restless so far, and no runs to come, up to `final_count` in all, could change that.
+bool stays_noisy(std::span<const RunValues> runs, int final_count);
 
 // Of one program over its runs. Kinds of rays that a run does not list count as 0; a counter that is unknown
 // in one of the runs is left out.

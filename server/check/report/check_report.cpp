@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
 
 #include "server/process/exit_code.h"
 #include "server/text/number_text.h"
 
 namespace herr {
 namespace {
+
+constexpr int kMostToldOfAPart = 3;  // the rest is counted; JSON has all
 
 std::string signed_percent(double share) {
   return (share >= 0 ? "+" : "") + fixed_text(100 * share, 1) + " %";
@@ -43,6 +46,34 @@ std::string open_text(const Shift& shift) {
 
 std::string p_text(double p) {
   return p < 1e-5 ? "< 0.00001" : fixed_text(p, 5);
+}
+
+std::string differences_text(const CheckReport& report) {
+  std::string text;
+  const std::vector<AllowedDifference> parts = differences_by_part(report);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i].part;
+  }
+  const bool one = parts.size() == 1 && !parts.front().part.ends_with('s');
+  return parts.empty() ? text : text + (one ? " differs, as allowed" : " differ, as allowed");
+}
+
+std::vector<AllowedDifference> differences_by_part(const CheckReport& report) {
+  std::vector<AllowedDifference> parts;
+  std::vector<int> counts;
+  for (const AllowedDifference& difference : report.differences) {
+    if (parts.empty() || parts.back().part != difference.part) {
+      parts.push_back({difference.part, ""});
+      counts.push_back(0);
+    }
+    if (++counts.back() > kMostToldOfAPart) continue;
+    parts.back().text += (parts.back().text.empty() ? "" : "; ") + difference.text;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (counts[i] > kMostToldOfAPart)
+      parts[i].text += "; and " + std::to_string(counts[i] - kMostToldOfAPart) + " more";
+  }
+  return parts;
 }
 
 std::string headline(const CheckReport& report) {

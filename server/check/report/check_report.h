@@ -23,6 +23,12 @@ struct CheckedTime {
   ShiftRule rule;
 };
 
+// What differs between the two and was allowed to.
+struct AllowedDifference {
+  std::string part;  // "scene", "settings", "session"
+  std::string text;  // "general.scene.json has changed"
+};
+
 struct CheckReport {
   std::string session;              // its folder's name
   std::string candidate, baseline;  // what was compared: programs with versions, or a file
@@ -36,8 +42,10 @@ struct CheckReport {
   std::optional<double> baseline_ms, candidate_ms;  // median frame times, not calibrated
   std::optional<Noise> noise;
   int runs = 0, baseline_runs = 0;  // measured; for pairs both are the number of pairs
-  std::int64_t frames = 0;          // measured in each run
-  double seconds = 0;               // that the whole check took: all runs of both programs
+  std::string ended_early;  // why there are no more, one line; empty where the design asks for no more
+  std::vector<AllowedDifference> differences;  // that --allow-different let pass
+  std::int64_t frames = 0;                     // measured in each run
+  double seconds = 0;                          // that the whole check took: all runs of both programs
 };
 
 // 0 ok, 1 regression, 4 anything else.
@@ -53,6 +61,10 @@ std::string slower_text(double logarithm);
 std::string open_text(const Shift& shift);
 // A p-value with five decimals.
 std::string p_text(double p);
+// "scene and settings differ, as allowed"; empty where nothing differs.
+std::string differences_text(const CheckReport& report);
+// A line for each part: "scene: --scene was a, is b; general.scene.json has changed; and 5 more".
+std::vector<AllowedDifference> differences_by_part(const CheckReport& report);
 // The verdict in capitals with its reason: "REGRESSION: ...".
 std::string headline(const CheckReport& report);
 

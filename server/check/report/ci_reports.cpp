@@ -1,5 +1,6 @@
 #include "server/check/report/ci_reports.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "server/text/number_text.h"
@@ -118,6 +119,8 @@ std::string junit_case(const CheckReport& report, const Finding& finding, double
   const std::string message = "message=\"" + xml(finding.text) + "\"/>\n";
   if (!report.error.empty()) {
     text += "      <error " + message;
+  } else if (finding.verdict == Verdict::not_comparable) {
+    text += "      <error type=\"not comparable\" " + message;
   } else if (finding.verdict == Verdict::regression) {
     text += "      <failure type=\"regression\" " + message;
   } else if (finding.verdict != Verdict::ok) {
@@ -135,6 +138,9 @@ std::string check_markdown(const CheckReport& report) {
     text += cell(report.candidate) + " against " + cell(report.baseline) + "; " + cell(report.settings) +
             "; " + std::to_string(report.runs) + " runs of " + std::to_string(report.frames) + " frames.\n\n";
   }
+  for (const AllowedDifference& part : differences_by_part(report)) {
+    text += "Differs, as allowed: " + cell(part.part + ": " + part.text) + ".\n\n";
+  }
   const std::vector<Finding> findings = findings_of(report);
   if (findings.empty()) return text;
   text += "| | baseline | candidate | change | limit | verdict |\n|---|---:|---:|---:|---:|---|\n";
@@ -148,18 +154,20 @@ std::string check_markdown(const CheckReport& report) {
 std::string check_junit(const CheckReport& report) {
   std::vector<Finding> findings = findings_of(report);
   if (findings.empty() || !report.error.empty()) findings.push_back(whole_check(report));
-  int failures = 0, skipped = 0;
-  for (const Finding& finding : findings) {
-    failures += finding.verdict == Verdict::regression;
-    skipped += finding.verdict != Verdict::regression && finding.verdict != Verdict::ok;
-  }
+  const auto count_of = [&](Verdict verdict) {
+    return std::count_if(findings.begin(), findings.end(),
+                         [verdict](const Finding& finding) { return finding.verdict == verdict; });
+  };
   const bool broken = !report.error.empty();
   const std::string total = std::to_string(findings.size());
+  const auto failures = count_of(Verdict::regression);
+  const auto skipped = count_of(Verdict::noisy) + count_of(Verdict::inconclusive);
+  const std::string errors = broken ? total : std::to_string(count_of(Verdict::not_comparable));
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"herr check\" tests=\"" +
-      total + "\" failures=\"" + std::to_string(broken ? 0 : failures) + "\" errors=\"" +
-      (broken ? total : "0") + "\" skipped=\"" + std::to_string(broken ? 0 : skipped) +
-      junit_time(report.seconds) + ">\n" + "    <properties>\n";
+      total + "\" failures=\"" + std::to_string(broken ? 0 : failures) + "\" errors=\"" + errors +
+      "\" skipped=\"" + std::to_string(broken ? 0 : skipped) + junit_time(report.seconds) + ">\n" +
+      "    <properties>\n";
   const auto property = [&](const std::string& name, const std::string& value) {
     text += "      <property name=\"" + name + "\" value=\"" + xml(value) + "\"/>\n";
   };
@@ -168,6 +176,10 @@ std::string check_junit(const CheckReport& report) {
   property("settings", report.settings);
   property("runs", std::to_string(report.runs));
   property("frames per run", std::to_string(report.frames));
+  if (!report.ended_early.empty()) property("ended early", report.ended_early);
+  for (const AllowedDifference& part : differences_by_part(report)) {
+    property("differs, as allowed: " + part.part, part.text);
+  }
   for (const CheckedTime& time : report.times) {
     if (time.verdict == Verdict::not_comparable) continue;
     property("frame time, " + time.title, change_text(time.shift.estimate) + " (" +
@@ -185,10 +197,11 @@ std::string check_annotations(const CheckReport& report) {
   if (findings.empty() || !report.error.empty()) findings = {whole_check(report)};
   std::string text;
   std::size_t shown = 0;
-  for (const bool regressions : {true, false}) {
+  for (const bool errors : {true, false}) {
     for (const Finding& finding : findings) {
-      const bool failed = finding.verdict == Verdict::regression || !report.error.empty();
-      if (failed != regressions || (finding.verdict == Verdict::ok && !failed)) continue;
+      const bool failed = finding.verdict == Verdict::regression ||
+                          finding.verdict == Verdict::not_comparable || !report.error.empty();
+      if (failed != errors || (finding.verdict == Verdict::ok && !failed)) continue;
       if (++shown > kMostAnnotations) return text;
       text += std::string(failed ? "::error" : "::warning") +
               " title=" + command("herr check, " + report.session + ": " + finding.name, true) +

@@ -53,6 +53,10 @@ std::string counter_rows(const CheckReport& report) {
   return text;
 }
 
+std::string steal_text(double share) {
+  return std::isfinite(share) ? fixed_text(100 * share, 1) + " %" : "an unknown share";
+}
+
 // Infinite bounds are null.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -71,7 +75,11 @@ std::string check_text(const CheckReport& report) {
     text += report.session + ": " + report.candidate + (stored ? "" : " against " + report.baseline) + "\n" +
             report.settings + "\n" + std::to_string(report.runs) + " runs of " +
             std::to_string(report.frames) + " frames" +
-            (stored ? "" : " against " + std::to_string(report.baseline_runs)) + "\n\n";
+            (stored ? "" : " against " + std::to_string(report.baseline_runs)) + "\n";
+    for (const AllowedDifference& part : differences_by_part(report)) {
+      text += "differs, as allowed: " + part.part + ": " + part.text + "\n";
+    }
+    text += "\n";
   }
   if (report.baseline_ms && report.candidate_ms) {
     text += "median frame, not calibrated: " + ms_text(report.baseline_ms) + " -> " +
@@ -81,8 +89,7 @@ std::string check_text(const CheckReport& report) {
   if (!report.counters.empty()) text += counter_rows(report) + "\n";
   if (report.noise) {
     text += "machine: speed varied by " + fixed_text(100 * report.noise->calibration_cv, 1) +
-            " % from run to run, " + fixed_text(100 * report.noise->steal, 1) +
-            " % of the CPU time was stolen\n";
+            " % from run to run, " + steal_text(report.noise->steal) + " of the CPU time was stolen\n";
   }
   return text + headline(report) + "\n";
 }
@@ -109,6 +116,10 @@ Json check_json(const CheckReport& report) {
     if (!counter.reason.empty()) json["reason"] = counter.reason;
     counters.push_back(json);
   }
+  Json differences = Json::array();
+  for (const AllowedDifference& difference : report.differences) {
+    differences.push_back({{"part", difference.part}, {"difference", difference.text}});
+  }
   Json json{{"format_version", 1},
             {"program", program_with_version()},
             {"session", report.session},
@@ -120,6 +131,9 @@ Json check_json(const CheckReport& report) {
             {"runs", report.runs},
             {"baseline_runs", report.baseline_runs},
             {"frames_per_run", report.frames},
+            {"seconds", report.seconds},
+            {"ended_early", report.ended_early.empty() ? Json(nullptr) : Json(report.ended_early)},
+            {"differences", differences},
             {"candidate_frame_ms", report.candidate_ms ? number(*report.candidate_ms) : Json(nullptr)},
             {"baseline_frame_ms", report.baseline_ms ? number(*report.baseline_ms) : Json(nullptr)},
             {"times", times},
@@ -132,6 +146,10 @@ Json check_json(const CheckReport& report) {
       {"lower, upper", "one-sided bounds; of the time that decides, 95 % for all looks together"},
       {"p", "exact Wilcoxon, one-sided; of the time that decides, for all looks together"},
       {"candidate_frame_ms", "median over runs of the median frame time, not calibrated"},
+      {"seconds", "that the whole check took"},
+      {"ended_early",
+       "why there are fewer runs than the design may ask for; null: a verdict, or all of them"},
+      {"differences", "that --allow-different let pass, all of them"},
       {"calibration_cv", "1.4826 median absolute deviations over the median, of the runs' bare rays"},
       {"steal", "stolen CPU time over used and stolen"},
       {"counters", "per frame; more than the limit is a regression, less is not"}};

@@ -9,8 +9,6 @@
 namespace herr {
 namespace {
 
-constexpr double kSigmaPerDeviation = 1.4826;
-
 std::string percent(double share) {
   return fixed_text(100 * share, 1) + " %";
 }
@@ -33,6 +31,7 @@ std::string noise_text(const Noise& noise) {
     return "the machine's speed varied by " + percent(noise.calibration_cv) + " from run to run (limit " +
            percent(kMostCalibrationCv) + ")";
   }
+  if (std::isnan(noise.steal)) return "the kernel does not say what a hypervisor took of the CPU time";
   if (!(noise.steal <= kMostSteal)) {
     return "the hypervisor took " + percent(noise.steal) + " of the CPU time (limit " + percent(kMostSteal) +
            ")";

@@ -10,15 +10,17 @@ namespace herr {
 
 inline constexpr double kMostCalibrationCv = 0.05;
 inline constexpr double kMostSteal = 0.05;
+// Standard deviations of a normal distribution per median absolute deviation.
+inline constexpr double kSigmaPerDeviation = 1.4826;
 
-// Coefficient of variation that single wild values do not move: 1.4826 median absolute deviations (the
-// standard deviation of a normal distribution) over the median. Rank tests live with single wild runs; this
+// Coefficient of variation that single wild values do not move: kSigmaPerDeviation median absolute deviations
+// over the median. Rank tests live with single wild runs; this
 // is for what they cannot see, a machine that is restless all the time. Positive values; 0 for less than two.
 double robust_cv(std::span<const double> values);
 
 struct Noise {
   double calibration_cv = 0;  // of the medians of runs
-  double steal = 0;           // stolen CPU time over CPU time asked for, of all runs together
+  double steal = 0;  // stolen CPU time over CPU time asked for, of all runs; not a number: the kernel is mute
 };
 // One line that says what is too restless; empty when nothing is.
 std::string noise_text(const Noise& noise);

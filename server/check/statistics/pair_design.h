@@ -27,4 +27,15 @@ struct PairJudgement {
 // looks; throws std::invalid_argument otherwise.
 PairJudgement judge_pairs(std::span<const double> differences, const PairDesign& design);
 
+// A last look where no more pairs come, after however many. It takes the share of the look that would have
+// come next, so there are no more looks than the shares were made for. Which pair is the last must not depend
+// on which program was slower in any: the end of a time limit does not, since a pair lasts as long with its
+// two runs exchanged. Where there are fewer than fewest_pairs(design), the verdict stays open. 1 ... as many
+// pairs as the last look has; throws std::invalid_argument otherwise.
+PairJudgement judge_cut_short(std::span<const double> differences, const PairDesign& design);
+
+// As few as can show a regression: all of them slower, which chance brings about once in 2^n, times the
+// number of looks. A check that could not have failed does not pass either.
+int fewest_pairs(const PairDesign& design);
+
 }  // namespace herr

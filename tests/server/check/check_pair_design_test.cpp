@@ -4,6 +4,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,12 +38,15 @@ class Machine {
   double drift_;
 };
 
-// A whole check: pairs AB BA AB ..., a look where the design has one.
-Verdict check_on(Machine& machine, double effect) {
+constexpr int kNoLimit = 1000;
+
+// A whole check: pairs AB BA AB ..., a look where the design has one, and a last one after `most` pairs.
+Verdict check_on(Machine& machine, double effect, int most = kNoLimit) {
   const PairDesign design;
   std::vector<double> differences;
   for (const int look : design.looks) {
     while (static_cast<int>(differences.size()) < look) {
+      if (static_cast<int>(differences.size()) == most) return judge_cut_short(differences, design).verdict;
       const bool candidate_first = differences.size() % 2 == 1;
       const double first = machine.run(candidate_first ? effect : 0);
       const double second = machine.run(candidate_first ? 0 : effect);
@@ -58,11 +62,12 @@ struct Shares {
   int checks = 0, regression = 0, ok = 0;
 };
 
-Shares checks(int count, double cv, double effect, double memory = 0.7) {
+// `cut`: after a number of pairs between `cut` and 29 that differs from check to check.
+Shares checks(int count, double cv, double effect, double memory = 0.7, int cut = kNoLimit) {
   Shares shares;
   for (int i = 0; i < count; ++i) {
     Machine machine(kSeed + static_cast<unsigned>(i), cv, memory);
-    const Verdict verdict = check_on(machine, effect);
+    const Verdict verdict = check_on(machine, effect, cut == kNoLimit ? cut : cut + i % (30 - cut));
     ++shares.checks;
     shares.regression += verdict == Verdict::regression;
     shares.ok += verdict == Verdict::ok;
@@ -120,6 +125,42 @@ TEST(PairDesign, KeepsItsSignificanceWhenNoiseForgetsAtOnce) {
   const Shares shares = checks(4000, 0.0385, 0, 0.0);
   EXPECT_LE(at_most(shares.regression, shares.checks), design.rule.significance)
       << shares.regression << " of " << shares.checks << ", " << seed_text();
+}
+
+TEST(PairDesign, ErrsNoMoreOftenWhereTimeRunsOut) {
+  const PairDesign design;
+  const Shares alike = checks(4000, 0.0385, 0, 0.0, 9);
+  EXPECT_LE(at_most(alike.regression, alike.checks), design.rule.significance)
+      << alike.regression << " of " << alike.checks << ", " << seed_text();
+  const Shares at_limit = checks(2000, 0.0385, design.rule.limit, 0.7, 9);
+  EXPECT_LE(at_least(at_limit.ok, at_limit.checks), design.tail) << at_limit.ok << ", " << seed_text();
+  // Nor does it always stay open: on a quiet machine half of them find 5 %.
+  const Shares slower = checks(1000, 0.016, 0.05, 0.7, 9);
+  EXPECT_GE(at_least(slower.regression, slower.checks), 0.5) << slower.regression << ", " << seed_text();
+}
+
+TEST(PairDesign, GivesNoVerdictOnFewerPairsThanCouldShowARegression) {
+  // Four looks: 4 / 2^8 = 0.016 is above the significance of 0.01, 4 / 2^9 = 0.0078 below.
+  const PairDesign design;
+  EXPECT_EQ(fewest_pairs(design), 9);
+  const std::vector<double> slower(9, 0.2), faster(9, -0.2);
+  EXPECT_EQ(judge_cut_short(slower, design).verdict, Verdict::regression);
+  EXPECT_NEAR(judge_cut_short(slower, design).shift.p, 4.0 / 512, 1e-12);
+  EXPECT_EQ(judge_cut_short(faster, design).verdict, Verdict::ok);
+  // All eight faster would be sure enough by the bounds; but eight slower ones would not have failed.
+  for (const std::vector<double>* differences : {&slower, &faster}) {
+    EXPECT_EQ(judge_cut_short(std::span(*differences).first(8), design).verdict, Verdict::inconclusive);
+  }
+  EXPECT_THROW(judge_cut_short({}, design), std::invalid_argument);
+  EXPECT_THROW(judge_cut_short(std::vector<double>(31, 0.0), design), std::invalid_argument);
+}
+
+TEST(PairDesign, SaysTheSameAtTheEndOfTimeAsAtALook) {
+  const PairDesign design;
+  std::vector<double> differences;
+  for (int i = 0; i < 20; ++i) differences.push_back(0.02 + 0.004 * (i - 7));
+  EXPECT_EQ(judge_cut_short(differences, design).verdict, judge_pairs(differences, design).verdict);
+  EXPECT_EQ(judge_cut_short(differences, design).shift.upper, judge_pairs(differences, design).shift.upper);
 }
 
 TEST(PairDesign, DecidesAtOnceWithoutNoise) {

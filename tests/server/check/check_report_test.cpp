@@ -93,6 +93,65 @@ TEST(JUnit, CountsRegressionsAsFailuresAndTheRestAsSkipped) {
   EXPECT_EQ(count_of(good, "<testcase "), 2u);
 }
 
+TEST(JUnit, HasAnErrorForWhatIsNotComparable) {
+  // Times of another machine beside counters that pass.
+  const std::string times = check_junit(report_of(Verdict::not_comparable, Verdict::ok));
+  EXPECT_EQ(count_of(times, "tests=\"2\" failures=\"0\" errors=\"1\" skipped=\"0\""), 1u) << times;
+  EXPECT_EQ(count_of(times, "<error type=\"not comparable\" "), 1u) << times;
+  // Nothing compares at all.
+  CheckReport report;
+  report.session = "s";
+  report.verdict = Verdict::not_comparable;
+  report.reason = "--isa was sse4, is avx2";
+  const std::string whole = check_junit(report);
+  EXPECT_EQ(count_of(whole, "tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\""), 1u) << whole;
+  EXPECT_EQ(count_of(whole, "<error type=\"not comparable\" message=\"--isa was sse4, is avx2\"/>"), 1u);
+  EXPECT_EQ(count_of(whole, "<failure ") + count_of(whole, "<skipped "), 0u) << whole;
+  EXPECT_EQ(check_annotations(report).find("::error "), 0u) << check_annotations(report);
+}
+
+TEST(CheckReport, SaysWhatDiffersAndWhyItEndedEarlyInEveryForm) {
+  CheckReport report = report_of(Verdict::regression, Verdict::ok);
+  report.ended_early = "--max-seconds ended it after 12 of 15–30 pairs";
+  report.differences = {{"scene", "--scene was a, is b"},
+                        {"scene", "1"},
+                        {"scene", "2"},
+                        {"scene", "3"},
+                        {"scene", "4"},
+                        {"settings", "--polar was 32x16, is 64x32"}};
+  conclude(report);
+  const std::string text = check_text(report);
+  EXPECT_EQ(count_of(text, "differs, as allowed: scene: --scene was a, is b; 1; 2; and 2 more\n"), 1u)
+      << text;
+  EXPECT_EQ(count_of(text, "differs, as allowed: settings: --polar was 32x16, is 64x32\n"), 1u) << text;
+  EXPECT_EQ(
+      count_of(text,
+               "p 0.00010); --max-seconds ended it after 12 of 15–30 pairs; scene and settings differ, as "
+               "allowed\n"),
+      1u)
+      << text;
+  const std::string junit = check_junit(report);
+  EXPECT_EQ(count_of(junit, "<property name=\"ended early\" value=\"--max-seconds ended it after 12"), 1u);
+  EXPECT_EQ(count_of(junit, "<property name=\"differs, as allowed: settings\" value=\"--polar was 32x16"), 1u)
+      << junit;
+  EXPECT_EQ(count_of(check_markdown(report), "Differs, as allowed: scene: "), 1u) << check_markdown(report);
+  const auto json = nlohmann::json::parse(check_json(report).dump());
+  EXPECT_EQ(json["ended_early"], report.ended_early);
+  ASSERT_EQ(json["differences"].size(), 6u);
+  EXPECT_EQ(json["differences"][4]["part"], "scene");
+  EXPECT_EQ(json["differences"][4]["difference"], "4");
+  EXPECT_TRUE(
+      nlohmann::json::parse(check_json(report_of(Verdict::ok, Verdict::ok)).dump())["ended_early"].is_null());
+}
+
+TEST(CheckReport, SaysThatTheKernelDoesNotTellOfAHypervisor) {
+  const Noise noise{0.01, std::nan("")};
+  EXPECT_EQ(noise_text(noise), "the kernel does not say what a hypervisor took of the CPU time");
+  CheckReport report = report_of(Verdict::noisy, Verdict::ok);
+  report.noise = noise;
+  EXPECT_EQ(count_of(check_text(report), "an unknown share of the CPU time was stolen"), 1u);
+}
+
 TEST(JUnit, SharesTheSecondsOfTheCheckAmongItsCases) {
   // 45.5 s for two cases from the same runs: 22.75 s each, with a point in every locale.
   CheckReport report = report_of(Verdict::ok, Verdict::regression);

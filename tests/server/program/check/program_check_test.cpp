@@ -9,45 +9,12 @@
 #include <thread>
 
 #include "tests/paths.h"
+#include "tests/server/program/check/check_program.h"
 #include "tests/server/program/child_program.h"
 #include "tests/server/program/program_runner.h"
-#include "tests/server/small_session.h"
-#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
-
-namespace fs = std::filesystem;
-
-class ProgramCheck : public ::testing::Test {
- protected:
-  const fs::path& root() const { return folder_.path(); }
-
-  void SetUp() override {
-    write_small_scene(root() / "scene");
-    write_small_profile(root() / "small.json");
-    write_small_session(root() / "session", 0.5);
-  }
-
-  // Another build of herr: this one behind a script that changes what it says.
-  void write_other(const std::string& body) {
-    write_text(root() / "other", "#!/bin/sh\n" + body + "\n");
-    fs::permissions(root() / "other", fs::perms::owner_all);
-  }
-  std::string sed(const std::string& command) const {
-    return test::program_path() + " \"$@\" | sed '" + command + "'";
-  }
-
-  Outcome check(const std::string& arguments) {
-    return run_program(root(),
-                       "check session --profile small.json --preset direct --polar 32x16 --threads 1 --isa "
-                       "sse4 --frames 6 " +
-                           arguments);
-  }
-
- private:
-  TemporaryFolder folder_;
-};
 
 TEST_F(ProgramCheck, FindsNothingMoreInItself) {
   const Outcome run = check("--only counters --json --against " + test::program_path());
@@ -63,10 +30,10 @@ TEST_F(ProgramCheck, FindsNothingMoreInItself) {
 }
 
 TEST_F(ProgramCheck, SlowsDownOnlyItself) {
-  // The other build says what it was given.
-  write_other("echo \"$@\" > given; exec " + test::program_path() + " \"$@\"");
-  const Outcome run = check("--only counters --slow-down 1 --no-camera --against other");
-  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  // The other build says what it was given, and then that it cannot.
+  write_other("echo \"$@\" > given; exit 2");
+  const Outcome run = check("--slow-down 1 --no-camera --against other");
+  EXPECT_EQ(run.exit_code, 4) << run.err << run.out;
   const std::string given = content_of(root() / "given");
   EXPECT_EQ(given.find("--slow-down"), std::string::npos) << given;
   EXPECT_NE(given.find("--no-camera"), std::string::npos) << given;
@@ -201,12 +168,14 @@ TEST_F(ProgramCheck, RefusesPlacesThatCannotBeWrittenBeforeItMeasures) {
   }
 }
 
-TEST_F(ProgramCheck, TellsItsHelpWithoutWhatIsForTests) {
+TEST_F(ProgramCheck, TellsItsHelpWithoutWhatIsBetweenItsProcesses) {
   const Outcome run = run_program(root(), "check --help");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.out.find("--against"), std::string::npos);
   EXPECT_EQ(run.out.find("--measure"), std::string::npos);
-  EXPECT_EQ(run.out.find("--slow-down"), std::string::npos);
+  for (const char* flag : {"--slow-down PERCENT", "--max-seconds S", "--allow-different PART,..."}) {
+    EXPECT_NE(run.out.find(flag), std::string::npos) << flag << run.out;
+  }
 }
 
 TEST_F(ProgramCheck, EndsOnASignalAndTakesItsRunAlong) {
