@@ -10,6 +10,7 @@
 #include "server/cli/setting_flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "server/settings/run_settings.h"
 #include "server/study/relations/relation.h"
 
 namespace herr {
@@ -84,8 +85,7 @@ void check_stability_options(const StudyOptions& options) {
 void add_study_flags(CLI::App& app, StudyOptions& options) {
   app.add_option("SESSION", options.session, "session folder")->type_name("");
   add_scene_flags(app, options.scene, options.asset_roots);
-  value_flag(app, "--profile", "NAME|FILE", "display profile: xr1, xr1-half or a file (default xr1-half)",
-             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_setting_flags(app, profile_settings(options.profile, options.profile_scale), {SettingGroup::session});
   file_flag(app, "--out",
             "folder of study.csv, study.json and study.html (default study), or with --stability of "
             "stability.json and stability.html (default stability)",

@@ -26,6 +26,7 @@ struct ReplayOptions {
   std::filesystem::path out = "out";               // each session gets a folder of its name in it
   PictureFormats formats = PictureFormat::png;     // of the pictures that are kept
   std::string profile;                             // built-in name or file; empty: the profile of the session
+  double profile_scale = 1;                        // pixels of its viewports along each axis are times this
   std::string view;                                // file of a camera outside the headset; empty: none
   RenderSettings render;
   SessionOptions session;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "renderer/settings_list.h"
+#include "sessions/format/display_profile.h"
 #include "sessions/text/plain_values.h"
 
 namespace herr {
@@ -14,6 +15,7 @@ using Group = SettingGroup;
 using Effect = SettingEffect;
 
 constexpr double kLongestSeconds = 1e7;  // 115 days
+constexpr double kSmallestProfileScale = 0.1;
 constexpr int kWidestPolarBuffer = 16384;
 constexpr std::array<QualityPolicy, 4> kPolicies{
     QualityPolicy{false, false}, {true, false}, {false, true}, {true, true}};
@@ -83,9 +85,6 @@ TextSetting sheet_choice(ReplayOptions& options) {
 
 std::vector<Setting> of_reading(ReplayOptions& o) {
   return {
-      {"profile", "--profile", "", Group::session, Effect::pictures,
-       "display profile: xr1, xr1-half or a file", path_setting(o.profile, "NAME|FILE", "xr1-half"),
-       "the session's"},
       {"sampling", "--sampling", "", Group::session, Effect::pictures,
        "headset state: latest, predict or interpolate",
        one_of(o.session.sampling, {name_of(SamplingMode::latest), name_of(SamplingMode::predict),
@@ -141,10 +140,33 @@ std::vector<Setting> of_views(ReplayOptions& o) {
 
 }  // namespace
 
+Setting profile_setting(std::string& profile) {
+  return {"profile",
+          "--profile",
+          "",
+          Group::session,
+          Effect::pictures,
+          "display profile: " + builtin_display_profile_names() + " or a file",
+          path_setting(profile, "NAME|FILE", "xr1-half"),
+          "the session's"};
+}
+
+std::vector<Setting> profile_settings(std::string& profile, double& scale) {
+  return {profile_setting(profile),
+          {"profile_scale", "--profile-scale", "", Group::session, Effect::pictures,
+           "pixels of each viewport along each axis, against the profile's; its field of view stays",
+           real(scale, kSmallestProfileScale, 1)}};
+}
+
+std::string profile_words(const std::string& name, double scale) {
+  return scale == 1 ? name : name + " at scale " + plain_number_text(scale);
+}
+
 std::vector<Setting> settings_of(ReplayOptions& options) {
   std::vector<Setting> all = settings_of(options.render);
   for (const std::vector<Setting>& part :
-       {of_reading(options), of_time(options), of_files(options), of_views(options)}) {
+       {profile_settings(options.profile, options.profile_scale), of_reading(options), of_time(options),
+        of_files(options), of_views(options)}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

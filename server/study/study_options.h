@@ -15,6 +15,7 @@ struct StudyOptions {
   std::string scene;                               // empty: the scene that the session names
   std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
   std::string profile = "xr1-half";                // built-in name or file
+  double profile_scale = 1;                        // pixels of its viewports along each axis are times this
   RenderSettings render;                           // the default, around which everything is swept
   SessionOptions reading;
   std::filesystem::path out;         // empty: out_folder()'s

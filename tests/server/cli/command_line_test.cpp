@@ -152,6 +152,8 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
       {"--policy", {"best", "motion,deadline", "deadline+motion", ""}},
       {"--feed-distance", {"0", "0.0000000001", "-1", "nan", "2m", ""}},
       {"--exposure", {"15.1", "-16", "--1", "+1", "1e1", "auto", ""}},
+      {"--profile", {""}},
+      {"--profile-scale", {"0", "0.09", "1.1", "2", "-0.5", "nan", "half", ""}},
       {"--polar-floor", {"0", "1", "99", "-2", "16386", "1e2"}},
       {"--clock", {"wall", "real"}},
       {"--sampling", {"newest"}},
@@ -205,6 +207,32 @@ TEST(CommandLine, EveryCommandThatLoadsASceneTakesAssetRoots) {
   for (const std::string& word : check.run_arguments) line += word + " ";
   EXPECT_NE(line.find("--asset-root models --asset-root more "), std::string::npos) << line;
   EXPECT_EQ(complaint({"replay", "walk", "--asset-root", ""}).find("--asset-root:"), 0u);
+}
+
+TEST(CommandLine, EveryCommandThatRendersTakesAProfileAndItsScale) {
+  const auto parsed = [](std::vector<std::string> line) {
+    for (const char* word : {"--profile", "quest3", "--profile-scale", "0.25"}) line.emplace_back(word);
+    return parse_command_line(line);
+  };
+  const auto expect_both = [](const auto& options) {
+    EXPECT_EQ(options.profile, "quest3");
+    EXPECT_EQ(options.profile_scale, 0.25);
+  };
+  expect_both(std::get<ReplayOptions>(parsed({"replay", "walk"})));
+  expect_both(std::get<ServeOptions>(parsed({"serve", "walk"})).replay);
+  expect_both(std::get<BenchOptions>(parsed({"bench"})));
+  expect_both(std::get<StudyOptions>(parsed({"study", "walk"})));
+  expect_both(std::get<InspectOptions>(parsed({"inspect", "walk"})));
+  expect_both(std::get<CheckOptions>(parsed({"check", "walk", "--save", "a.json"})).run.replay);
+  EXPECT_EQ(std::get<SynthOptions>(parse_command_line({"synth", "out", "--profile", "quest3"})).profile,
+            "quest3");
+  for (const char* command : {"replay", "serve", "bench", "study", "inspect", "check", "synth", "convert"}) {
+    const std::string help = std::get<ShowText>(parse_command_line({command, "--help"})).text;
+    // The help is wrapped at blanks.
+    for (const char* name : {"xr1,", "xr1-half,", "quest3,", "generic-90"}) {
+      EXPECT_NE(help.find(name), std::string::npos) << command << " " << name;
+    }
+  }
 }
 
 TEST(CommandLine, LookTakesFormatsAndAnEndingThatFitsThem) {
