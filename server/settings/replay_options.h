@@ -34,6 +34,8 @@ struct ReplayOptions {
   QualityPolicy policy;  // how the quality of each frame is chosen
   std::optional<int>
       narrowest_width;  // polar width per eye that policies keep; empty: an eighth of the full one
+  std::optional<int>
+      lowest_height;  // polar height that the policy deadline keeps; empty: a quarter of the full one
   // realtime: the display period; deadline: the time of a frame. Empty: the period of the profile.
   std::optional<double> target_ms;
   double start_s = 0;                  // first frame at or after this time of the session

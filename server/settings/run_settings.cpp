@@ -16,7 +16,7 @@ using Effect = SettingEffect;
 
 constexpr double kLongestSeconds = 1e7;  // 115 days
 constexpr double kSmallestProfileScale = 0.1;
-constexpr int kWidestPolarBuffer = 16384;
+constexpr int kWidestPolarBuffer = 16384, kHighestPolarBuffer = 8192;
 constexpr std::array<QualityPolicy, 4> kPolicies{
     QualityPolicy{false, false}, {true, false}, {false, true}, {true, true}};
 
@@ -62,6 +62,12 @@ NumberSetting width_of_both_eyes(std::optional<int>& per_eye) {
   return setting;
 }
 
+NumberSetting even(std::optional<int>& number, double highest) {
+  NumberSetting setting = whole(number, 2, highest);
+  setting.step = 2;
+  return setting;
+}
+
 // A word, or the number of a frame.
 TextSetting sheet_choice(ReplayOptions& options) {
   constexpr std::size_t kWordCount = 3;  // before SheetChoice::one
@@ -104,11 +110,16 @@ std::vector<Setting> of_time(ReplayOptions& o) {
   return {
       {"policy", "--policy", "", Group::time, Effect::error_for_time,
        "quality of each frame: fixed; motion: less while the head moves fast; deadline: what holds "
-       "--target-ms; motion+deadline",
+       "--target-ms (width, light samples, probes, at last height); motion+deadline",
        policy_name(o.policy)},
       {"polar_floor", "--polar-floor", "", Group::time, Effect::error_for_time,
        "least width of the polar buffers, both eyes together, that a policy may choose",
        width_of_both_eyes(o.narrowest_width), "an eighth of that of --polar"},
+      {"polar_floor_height", "--polar-floor-height", "", Group::time, Effect::error_for_time,
+       "least height of the polar buffers, even, that the policy deadline may choose; it lowers them when "
+       "the least "
+       "width is still too slow",
+       even(o.lowest_height, kHighestPolarBuffer), "a quarter of that of --polar"},
       {"clock", "--clock", "", Group::time, Effect::pictures,
        "virtual: one display period per frame; realtime: late frames drop; max: as fast as it goes",
        one_of(o.clock, {name_of(ReplayClock::virtual_time), name_of(ReplayClock::realtime),

@@ -155,6 +155,7 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
       {"--profile", {""}},
       {"--profile-scale", {"0", "0.09", "1.1", "2", "-0.5", "nan", "half", ""}},
       {"--polar-floor", {"0", "1", "99", "-2", "16386", "1e2"}},
+      {"--polar-floor-height", {"0", "1", "97", "-2", "8194", "1e2"}},
       {"--clock", {"wall", "real"}},
       {"--sampling", {"newest"}},
       {"--contact-sheet", {"-1", "first", "007", ""}},
@@ -185,6 +186,11 @@ TEST(CommandLine, ChoicesThatDoNotGoTogetherSaySo) {
             "--polar-floor: the policy fixed never goes below --polar; give --policy");
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar", "100x64", "--polar-floor", "102"}),
             "--polar-floor: is wider than --polar; give at most 100");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar-floor-height", "96"}),
+            "--polar-floor-height: only the policy deadline lowers polar buffers; give --policy deadline");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "deadline", "--polar", "100x64", "--polar-floor-height",
+                       "66"}),
+            "--polar-floor-height: is higher than --polar; give at most 64");
 }
 
 TEST(CommandLine, EveryCommandThatLoadsASceneTakesAssetRoots) {
