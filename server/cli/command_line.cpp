@@ -177,7 +177,9 @@ struct Parser {
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
     check_command = app.add_subcommand("check", "did frames become slower? a gate for CI");
     study_command = app.add_subcommand(
-        "study", "error against run time, for every setting that trades them; relations that must hold");
+        "study",
+        "error against run time, for every setting that trades them; the largest setting that holds a rate; "
+        "relations that must hold");
     inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
     look_command = app.add_subcommand("look", "a picture of a model, without a session");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
@@ -275,7 +277,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->check;
   }
   if (parser->study_command->parsed()) {
-    check_study_options(parser->study);
+    check_study_flags(*parser->study_command, parser->study);
     return parser->study;
   }
   if (parser->inspect_command->parsed()) {

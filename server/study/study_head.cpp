@@ -5,21 +5,10 @@
 #include "server/settings/run_settings.h"
 #include "server/study/plan/study_setting.h"
 #include "server/text/number_text.h"
+#include "server/text/shell_word.h"
 
 namespace herr {
 namespace {
-
-// As a shell takes it.
-std::string shell_word(const std::string& word) {
-  const bool plain =
-      !word.empty() &&
-      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%") ==
-          std::string::npos;
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 std::string only_flag(const StudyOptions& options) {
   std::string text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,13 @@ struct StudyOptions {
   std::vector<std::string> only;     // sweeps by their setting, groups of relations; empty: all
   int frames = 3;
   double minutes = 20;
+  // The largest setting whose frames hold this rate, in place of error against time: 1 ... 1000.
+  std::optional<double> hz;
+  bool profile_given = false, light_given = false;  // `profile` and the light samples are not the defaults
   bool stability = false;  // relations that must hold, in place of error against time
   bool overwrite = false, resume = false;
   bool json = false;
-  std::vector<std::string> sweep_flags;  // flags given that mean nothing to `stability`
+  std::vector<std::string> sweep_flags;  // flags given that mean nothing to `stability` and `hz`
 
   std::filesystem::path out_folder() const {
     return !out.empty() ? out : std::filesystem::path(stability ? "stability" : "study");

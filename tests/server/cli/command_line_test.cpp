@@ -6,25 +6,13 @@
 #include <vector>
 
 #include "server/process/exit_code.h"
+#include "tests/server/cli/refused_line.h"
 
 namespace herr {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-// The one line that a wrong command line ends with; empty when it was accepted.
-std::string complaint(const Arguments& arguments) {
-  try {
-    parse_command_line(arguments);
-    return {};
-  } catch (...) {
-    std::string message;
-    const int code = exit_code_of_current_exception(message);
-    EXPECT_EQ(code, kExitUsage) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message;
-  }
-}
+using test::Arguments;
+using test::complaint;
 
 ReplayOptions replay(Arguments arguments) {
   arguments.insert(arguments.begin(), {"replay", "walk"});
@@ -213,32 +201,6 @@ TEST(CommandLine, EveryCommandThatLoadsASceneTakesAssetRoots) {
   for (const std::string& word : check.run_arguments) line += word + " ";
   EXPECT_NE(line.find("--asset-root models --asset-root more "), std::string::npos) << line;
   EXPECT_EQ(complaint({"replay", "walk", "--asset-root", ""}).find("--asset-root:"), 0u);
-}
-
-TEST(CommandLine, EveryCommandThatRendersTakesAProfileAndItsScale) {
-  const auto parsed = [](std::vector<std::string> line) {
-    for (const char* word : {"--profile", "quest3", "--profile-scale", "0.25"}) line.emplace_back(word);
-    return parse_command_line(line);
-  };
-  const auto expect_both = [](const auto& options) {
-    EXPECT_EQ(options.profile, "quest3");
-    EXPECT_EQ(options.profile_scale, 0.25);
-  };
-  expect_both(std::get<ReplayOptions>(parsed({"replay", "walk"})));
-  expect_both(std::get<ServeOptions>(parsed({"serve", "walk"})).replay);
-  expect_both(std::get<BenchOptions>(parsed({"bench"})));
-  expect_both(std::get<StudyOptions>(parsed({"study", "walk"})));
-  expect_both(std::get<InspectOptions>(parsed({"inspect", "walk"})));
-  expect_both(std::get<CheckOptions>(parsed({"check", "walk", "--save", "a.json"})).run.replay);
-  EXPECT_EQ(std::get<SynthOptions>(parse_command_line({"synth", "out", "--profile", "quest3"})).profile,
-            "quest3");
-  for (const char* command : {"replay", "serve", "bench", "study", "inspect", "check", "synth", "convert"}) {
-    const std::string help = std::get<ShowText>(parse_command_line({command, "--help"})).text;
-    // The help is wrapped at blanks.
-    for (const char* name : {"xr1,", "xr1-half,", "quest3,", "generic-90"}) {
-      EXPECT_NE(help.find(name), std::string::npos) << command << " " << name;
-    }
-  }
 }
 
 TEST(CommandLine, LookTakesFormatsAndAnEndingThatFitsThem) {
