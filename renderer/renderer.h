@@ -35,6 +35,8 @@ struct FrameQuality {
   // eye that needs more, up to its need; the other eye has the same share of its own need.
   int polar_width = 0;
   int probes = 0;  // updated at most, of those that the settings' budget allows; 0: as many as it does
+  // Angular samples, an even number up to that of the settings; 0: that many.
+  int polar_height = 0;
 };
 
 // One rendered frame. Reuse it for every frame: its storage is kept.
@@ -83,10 +85,11 @@ class Renderer {
   // What the frame of `sample` has when nothing less is asked for; below the above with polar_acuity alone.
   FrameQuality full_quality(const FrameSample& sample) const;
 
-  // With the quality that the settings ask for, or one of this frame's own. A width below that of the
-  // settings gives the bytes that a renderer built for it gives. `abandon` (may be null) is asked before each
-  // tile and strip: once it is set the frame is given up, the answer is false and `out` is no picture. True:
-  // the frame is whole. Throws std::invalid_argument for a head pose or a quality out of range.
+  // With the quality that the settings ask for, or one of this frame's own. A width or height
+  // below that of the settings gives the bytes that a renderer built for it gives. `abandon` (may be null) is
+  // asked before each tile and strip: once it is set the frame is given up, the answer is false and `out` is
+  // no picture. True: the frame is whole. Throws std::invalid_argument for a head pose or a quality out of
+  // range.
   bool render_frame(const FrameSample& sample, const SceneState& state, RenderedFrame& out,
                     const std::atomic<bool>* abandon = nullptr);
   bool render_frame(const FrameSample& sample, const SceneState& state, const FrameQuality& quality,

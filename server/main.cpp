@@ -11,6 +11,7 @@
 #include "server/process/terminal.h"
 #include "server/replay/replay_command.h"
 #include "server/serve/serve_command.h"
+#include "server/study/rate/rate_command.h"
 #include "server/study/stability/report_again.h"
 #include "server/study/stability/stability_command.h"
 #include "server/study/study_command.h"
@@ -31,6 +32,7 @@ struct RunCommand {
   int operator()(const herr::LookOptions& options) const { return herr::run_look(options); }
   int operator()(const herr::StudyOptions& options) const {
     if (!options.report.empty()) return herr::print_report_again(options);
+    if (options.hz) return herr::run_rate(options);
     return options.stability ? herr::run_stability(options) : herr::run_study(options);
   }
   int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }

@@ -5,23 +5,33 @@
 
 namespace herr {
 
-PolarSamples::PolarSamples(int max_width, int height, int reach) : height_(height), reach_(reach) {
+PolarSamples::PolarSamples(int max_width, int max_height, int reach) : reach_(reach) {
   const std::size_t columns = static_cast<std::size_t>(max_width) + 32;
-  const std::size_t rows = 4 * (static_cast<std::size_t>(height) + 16);
+  const std::size_t rows = 4 * (static_cast<std::size_t>(max_height) + 16);
   sin_theta_.resize(columns);
   cos_theta_.resize(columns);
   margin_.resize(columns);
   spread_.resize(columns);
   sin_phi4_.resize(rows);
   cos_phi4_.resize(rows);
+  divide_circle(max_height);
+}
+
+void PolarSamples::divide_circle(int height) {
+  height_ = height;
+  const std::size_t rows = 4 * static_cast<std::size_t>(height);
   for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j) {
     const double phi = phi_from_v((static_cast<double>(j) + 0.5) / height);
     std::fill_n(&sin_phi4_[4 * j], 4, static_cast<float>(std::sin(phi)));
     std::fill_n(&cos_phi4_[4 * j], 4, static_cast<float>(std::cos(phi)));
   }
+  constexpr std::size_t kPadding = 4 * 16;
+  std::fill_n(&sin_phi4_[rows], kPadding, 0.0f);
+  std::fill_n(&cos_phi4_[rows], kPadding, 0.0f);
 }
 
-void PolarSamples::update(const PolarMap& map, int width) {
+void PolarSamples::update(const PolarMap& map, int width, int height) {
+  if (height != height_) divide_circle(height);
   width_ = width;
   map_ = map;
   const auto theta_rad = [&](int i) {

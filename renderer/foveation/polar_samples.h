@@ -13,12 +13,13 @@ namespace herr {
 
 class PolarSamples {
  public:
-  // Allocates for widths up to `max_width`; `height` is even. `reach`: a pixel uses samples less than so many
-  // columns and rows away.
-  PolarSamples(int max_width, int height, int reach = 1);
+  // Allocates for widths up to `max_width` and heights up to `max_height`, which are even. `reach`: a pixel
+  // uses samples less than so many columns and rows away.
+  PolarSamples(int max_width, int max_height, int reach = 1);
 
-  // New frame: any width in [1, max_width], any theta_max in (0, 180]. No allocation.
-  void update(const PolarMap& map, int width);
+  // New frame: any width in [1, max_width], any even height in [2, max_height], any theta_max in (0, 180]. No
+  // allocation.
+  void update(const PolarMap& map, int width, int height);
 
   std::int64_t bytes() const;
 
@@ -40,7 +41,9 @@ class PolarSamples {
   const float* cos_phi4() const { return cos_phi4_.data(); }
 
  private:
-  int width_ = 0, height_, reach_;
+  void divide_circle(int height);
+
+  int width_ = 0, height_ = 0, reach_;
   PolarMap map_;
   std::vector<float> sin_theta_, cos_theta_, margin_, spread_, sin_phi4_, cos_phi4_;
 };

@@ -69,8 +69,14 @@ FrameQuality resolved(FrameQuality quality, const RenderSettings& settings, int 
     throw std::invalid_argument("polar width of a frame must lie in [1, " +
                                 std::to_string(settings.polar_width) + "]");
   }
+  if (quality.polar_height < 0 || quality.polar_height % 2 != 0 ||
+      quality.polar_height > settings.polar_height) {
+    throw std::invalid_argument("polar height of a frame must be even and lie in [2, " +
+                                std::to_string(settings.polar_height) + "]");
+  }
   if (quality.probes < 0) throw std::invalid_argument("probes of a frame must be 0 or more");
   if (quality.polar_width == 0) quality.polar_width = settings.polar_width;
+  if (quality.polar_height == 0) quality.polar_height = settings.polar_height;
   if (quality.probes == 0 || quality.probes > most_probes) quality.probes = most_probes;
   return quality;
 }
@@ -147,7 +153,7 @@ bool Renderer::Impl::render(const FrameSample& sample, const SceneState& state, 
   if (impl.plan.probes && use.pass) impl.view_probes();
   if (impl.plan.probes && !use.pass) impl.update_probes(sample, state, out);
   timed(out.times, Stage::viewports, [&] { impl.set_up_feeds(sample); });
-  timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality.polar_width, use.pass); });
+  timed(out.times, Stage::polar_rays, [&] { impl.set_up_rays(sample, out.quality, use.pass); });
   if (!impl.trace_tiles(out.times, use)) return false;
   timed(out.times, Stage::viewports, [&] { impl.set_up_viewports(out); });
   if (!impl.composite_viewports(out.times, use.abandon)) return false;
@@ -267,7 +273,8 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.shown_white = 1.0f / shown_scale();
 }
 
-void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass) {
+void Renderer::Impl::set_up_rays(const FrameSample& sample, const FrameQuality& quality,
+                                 const PixelPass* pass) {
   const std::uint32_t seed = pass ? pass->seed : settings.seed;
   first_tile[0] = 0;
   for (std::size_t i = 0; i < grids.size(); ++i) {
@@ -275,7 +282,8 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, int polar_width, con
     const EyeView& view = eyes[static_cast<std::size_t>(eye)];
     const std::uint32_t key = frame_key(sample.t_ns - sample.start_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
-      samples[i]->update(polar_map(view.theta_max_deg), width_of(view, polar_width));
+      samples[i]->update(polar_map(view.theta_max_deg), width_of(view, quality.polar_width),
+                         quality.polar_height);
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
@@ -380,7 +388,7 @@ void Renderer::Impl::collect_counters(RenderedFrame& out) const {
     out.theta_max_deg[eye] = eyes[eye].theta_max_deg;
     out.polar_width[eye] = plan.polar ? samples[eye]->width() : 0;
   }
-  out.polar_height = plan.polar ? settings.polar_height : 0;
+  out.polar_height = plan.polar ? out.quality.polar_height : 0;
 }
 
 }  // namespace herr

@@ -95,7 +95,8 @@ const RenderSettings& Renderer::settings() const {
   return impl_->settings;
 }
 FrameQuality Renderer::full_quality() const {
-  return {impl_->settings.light_samples, impl_->settings.polar_width, impl_->most_probes()};
+  const RenderSettings& settings = impl_->settings;
+  return {settings.light_samples, settings.polar_width, impl_->most_probes(), settings.polar_height};
 }
 RendererState Renderer::state(bool with_probes) const {
   RendererState state;

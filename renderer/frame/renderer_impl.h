@@ -106,7 +106,7 @@ struct Renderer::Impl {
   // An eye without viewports has a map, too.
   static PolarMap polar_map(double theta_max_deg) { return PolarMap::up_to(std::max(theta_max_deg, 1e-3)); }
   void set_up_feeds(const FrameSample& sample);
-  void set_up_rays(const FrameSample& sample, int polar_width, const PixelPass* pass);
+  void set_up_rays(const FrameSample& sample, const FrameQuality& quality, const PixelPass* pass);
   bool trace_tiles(StageTimes& times, const FrameUse& use);
   void set_up_viewports(RenderedFrame& out);
   bool composite_viewports(StageTimes& times, const std::atomic<bool>* abandon);

@@ -53,6 +53,7 @@ void open(const BenchOptions& options, Subject& subject) {
   subject.options.scene = options.scene;
   subject.options.asset_roots = options.asset_roots;
   subject.options.profile = options.profile;
+  subject.options.profile_scale = options.profile_scale;
   subject.options.render = options.render;
   SessionReport& report = subject.report;
   report.session_folder = subject.options.sessions.front();
@@ -65,6 +66,7 @@ void open(const BenchOptions& options, Subject& subject) {
   subject.described.cpu_name = cpu_name();
   subject.described.triangles = report.scene_triangles;
   subject.described.profile = report.profile;
+  subject.described.profile_scale = options.profile_scale;
   subject.described.settings = report.settings;
   subject.described.session_has_camera = report.findings.camera_rows[0] > 0;
 }

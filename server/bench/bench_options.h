@@ -14,6 +14,7 @@ struct BenchOptions {
   std::string scene;                               // empty: the scene that the session names
   std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
   std::string profile;                             // empty: the profile of the session
+  double profile_scale = 1;                        // pixels of its viewports along each axis are times this
   RenderSettings render;
   int frames = 8;            // of the session, spread evenly over it
   int repeats = 5;           // the whole sequence is measured this often

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "server/results/summary_json.h"
+#include "server/settings/run_settings.h"
 #include "server/statistics/load_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
@@ -23,8 +24,9 @@ std::string cpu_name() {
 
 std::string subject_text(const BenchSubject& subject, const std::string& settings) {
   return printable(subject.session) + ", " + printable(subject.scene) + " (" +
-         std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) + ", " +
-         settings + "\n" + subject.cpu_name + ", " + std::to_string(subject.settings.threads) + " threads, " +
+         std::to_string(subject.triangles) + " triangles), " +
+         profile_words(printable(subject.profile.name), subject.profile_scale) + ", " + settings + "\n" +
+         subject.cpu_name + ", " + std::to_string(subject.settings.threads) + " threads, " +
          name_of(subject.settings.isa);
 }
 
@@ -33,6 +35,7 @@ void add_subject(const BenchSubject& subject, const std::string& settings, nlohm
   json["scene"] = subject.scene;
   json["triangles"] = subject.triangles;
   json["profile"] = subject.profile.name;
+  json["profile_scale"] = subject.profile_scale;
   json["settings"] = settings;
   json["isa"] = name_of(subject.settings.isa);
   json["threads"] = subject.settings.threads;

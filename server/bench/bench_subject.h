@@ -15,8 +15,9 @@ namespace herr {
 struct BenchSubject {
   std::string session, scene, cpu_name;
   std::int64_t triangles = 0;
-  DisplayProfile profile;
-  RenderSettings settings;  // threads and isa resolved
+  DisplayProfile profile;    // scaled
+  double profile_scale = 1;  // by this
+  RenderSettings settings;   // threads and isa resolved
   bool session_has_camera = true;
   // After the measurement:
   MemoryUse memory;  // of scene, pictures and the renderer measured last

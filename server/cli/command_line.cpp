@@ -16,6 +16,7 @@
 #include "server/process/version.h"
 #include "server/settings/flag_values.h"
 #include "server/settings/option_checks.h"
+#include "server/settings/run_settings.h"
 #include "server/synth/synth_command.h"
 
 namespace herr {
@@ -24,9 +25,7 @@ namespace {
 void add_bench(CLI::App& app, BenchOptions& options) {
   app.add_option("SESSION", options.session, "session folder (default: the sample desk-walk)")->type_name("");
   add_scene_flags(app, options.scene, options.asset_roots);
-  value_flag(app, "--profile", "NAME|FILE",
-             "display profile: xr1, xr1-half or a file (default: the session's)",
-             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_setting_flags(app, profile_settings(options.profile, options.profile_scale), {SettingGroup::session});
   add_preset_flags(app, options.render);
   add_render_flags(app, options.render);
   value_flag(app, "--frames", "N", "frames of the session to measure, spread over it (default 8)",
@@ -97,9 +96,7 @@ void add_inspect(CLI::App& app, InspectOptions& options) {
       ->required()
       ->type_name("");
   add_scene_flags(app, options.scene, options.asset_roots);
-  value_flag(app, "--profile", "NAME|FILE",
-             "display profile: xr1, xr1-half or a file (default: the session's)",
-             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_setting_flags(app, profile_settings(options.profile, options.profile_scale), {SettingGroup::session});
   add_preset_flags(app, options.render);
   add_setting_flags(app, settings_of(options.render), {SettingGroup::look, SettingGroup::rays});
   app.add_flag_callback(
@@ -180,7 +177,9 @@ struct Parser {
     bench_command = app.add_subcommand("bench", "frame time against the time of its bare rays and pixels");
     check_command = app.add_subcommand("check", "did frames become slower? a gate for CI");
     study_command = app.add_subcommand(
-        "study", "error against run time, for every setting that trades them; relations that must hold");
+        "study",
+        "error against run time, for every setting that trades them; the largest setting that holds a rate; "
+        "relations that must hold");
     inspect_command = app.add_subcommand("inspect", "check and describe a session or a scene");
     look_command = app.add_subcommand("look", "a picture of a model, without a session");
     synth_command = app.add_subcommand("synth", "make a synthetic session");
@@ -278,7 +277,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
     return parser->check;
   }
   if (parser->study_command->parsed()) {
-    check_study_options(parser->study);
+    check_study_flags(*parser->study_command, parser->study);
     return parser->study;
   }
   if (parser->inspect_command->parsed()) {

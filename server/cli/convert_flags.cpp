@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "server/cli/flags.h"
+#include "server/cli/setting_flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "server/settings/run_settings.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/presets/built_in_maps.h"
@@ -120,8 +122,7 @@ void add_convert_flags(CLI::App& app, ConvertOptions& options) {
   app.add_option("OUT", options.out, "folder of the new session")->type_name("");
   add_format_flags(app, options);
   add_feed_flags(app, options.feed);
-  value_flag(app, "--profile", "NAME|FILE", "display profile of the session (default xr1)",
-             [&](const std::string& text) { options.profile = text; });
+  add_setting_flag(app, profile_setting(options.profile));
   value_flag(app, "--scene", "PATH", "scene file that session.json names, relative to OUT; it must be there",
              [&](const std::string& text) { options.scene = text; });
   value_flag(app, "--licence", "TEXT", "licence of the recording",

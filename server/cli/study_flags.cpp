@@ -10,6 +10,7 @@
 #include "server/cli/setting_flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "server/settings/run_settings.h"
 #include "server/study/relations/relation.h"
 
 namespace herr {
@@ -32,6 +33,37 @@ std::string group_names() {
     names += (names.empty() ? "" : ",") + std::string(group.name);
   }
   return names;
+}
+
+// The rate that --hz asks for, and what it does not go together with.
+void add_hz_flag(CLI::App& app, StudyOptions& options) {
+  value_flag(
+      app, "--hz", "HZ",
+      "the largest setting (polar size, light samples, profile scale) whose frames hold this rate on this "
+      "machine, in place of error against time: --polar, --light-samples (default 256 here), --profile "
+      "(default "
+      "the session's here) and --profile-scale say the most of each, all other flags what else a frame has; "
+      "ends "
+      "with 1 when no setting holds it, 1 ... 1000",
+      [&options](const std::string& text) { options.hz = parse_real_number("--hz", text, 1, 1000); });
+}
+
+void check_hz_options(const StudyOptions& options) {
+  if (options.stability) throw UsageError("--hz: conflicts with --stability; give one of them");
+  if (!options.report.empty())
+    throw UsageError("--hz: conflicts with --report, which measures nothing; give one of them");
+  if (options.render.polar_acuity) {
+    throw UsageError(
+        "--polar: acuity follows the display, and --hz chooses sizes; give WIDTHxHEIGHT, the most of them");
+  }
+  for (const std::string& flag : options.sweep_flags) {
+    throw UsageError(flag + ": is of error against time; leave it out with --hz");
+  }
+  if (!options.only.empty()) throw UsageError("--only: --hz sweeps nothing; leave it out");
+  if (!options.out.empty() || options.overwrite) {
+    throw UsageError(std::string(options.overwrite ? "--overwrite" : "--out") +
+                     ": --hz writes nothing; leave it out, and take --json for machines");
+  }
 }
 
 // Flags of the sweeps alone.
@@ -84,8 +116,7 @@ void check_stability_options(const StudyOptions& options) {
 void add_study_flags(CLI::App& app, StudyOptions& options) {
   app.add_option("SESSION", options.session, "session folder")->type_name("");
   add_scene_flags(app, options.scene, options.asset_roots);
-  value_flag(app, "--profile", "NAME|FILE", "display profile: xr1, xr1-half or a file (default xr1-half)",
-             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_setting_flags(app, profile_settings(options.profile, options.profile_scale), {SettingGroup::session});
   file_flag(app, "--out",
             "folder of study.csv, study.json and study.html (default study), or with --stability of "
             "stability.json and stability.html (default stability)",
@@ -100,6 +131,7 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
                  group_names(),
              [&](const std::string& text) { options.only = names_in(text); });
   add_sweep_flags(app, options);
+  add_hz_flag(app, options);
   file_flag(app, "--report",
             "print the report of this study.json or stability.json again instead; nothing is measured",
             [&](const std::string& text) { options.report = text; });
@@ -115,7 +147,10 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
   add_render_flags(app, options.render);
 }
 
-void check_study_options(const StudyOptions& options) {
+void check_study_flags(const CLI::App& app, StudyOptions& options) {
+  options.profile_given = app.count("--profile") > 0;
+  options.light_given = app.count("--light-samples") + app.count("--quality") > 0;
+  if (options.hz) check_hz_options(options);
   if (!options.report.empty()) {
     if (!options.session.empty())
       throw UsageError("--report: prints a study that is done; leave SESSION out");

@@ -12,6 +12,6 @@ namespace herr {
 // The options hold the defaults that the help states.
 void add_study_flags(CLI::App& app, StudyOptions& options);
 // What no single flag can know. Throws UsageError.
-void check_study_options(const StudyOptions& options);
+void check_study_flags(const CLI::App& app, StudyOptions& options);
 
 }  // namespace herr

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "server/cli/flags.h"
+#include "server/cli/setting_flags.h"
 #include "server/settings/flag_values.h"
+#include "server/settings/run_settings.h"
 #include "server/synth/irregular_events.h"
 #include "server/text/number_text.h"
 #include "sessions/format/session_header.h"
@@ -45,8 +47,7 @@ void add_place_flags(CLI::App& app, SynthOptions& options) {
   add_asset_root_flag(app, options.asset_roots);
   file_flag(app, "--replay-scene", "scene that session.json names, relative to OUT (default: none)",
             [&](const std::string& text) { options.scene = text; });
-  value_flag(app, "--profile", "NAME|FILE", "display profile of the session (default xr1)",
-             [&](const std::string& text) { options.profile = non_empty("--profile", text); });
+  add_setting_flag(app, profile_setting(options.profile));
   point_flag(app, "--at", "metres: where the head stays, or the middle of a walk (default 0,1.5,3.7)",
              options.place);
   const NumberFlags number(app);

@@ -5,6 +5,7 @@
 
 #include "server/process/exit_code.h"
 #include "server/process/terminal.h"
+#include "server/text/shell_word.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/check/proposal.h"
@@ -41,31 +42,17 @@ std::string whole_text(const std::string& text) {
 }
 
 // As a shell reads it back.
-std::string quoted(const std::string& word) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-// A name that begins with a dash is no option.
-std::string path_word(const std::filesystem::path& path) {
-  const std::string word = path.string();
-  return word.starts_with("-") ? "./" + word : word;
-}
-
 // Empty where the data cannot tell.
 std::string command_line(const ConvertOptions& options, const Proposal& proposal) {
   if (proposal.certainty == Proposal::Certainty::cannot_tell) return "";
-  std::string line = "herr convert " + quoted(path_word(options.head)) + " OUT";
-  if (options.gaze) line += " --gaze " + quoted(path_word(*options.gaze));
-  if (!proposal.preset.empty()) line += " --preset " + quoted(proposal.preset);
-  if (!proposal.variant.empty()) line += " --variant " + quoted(proposal.variant);
+  std::string line = "herr convert " + shell_path(options.head) + " OUT";
+  if (options.gaze) line += " --gaze " + shell_path(*options.gaze);
+  if (!proposal.preset.empty()) line += " --preset " + shell_word(proposal.preset);
+  if (!proposal.variant.empty()) line += " --variant " + shell_word(proposal.variant);
   if (proposal.preset.empty())
-    line += " --map " + quoted(!options.map.empty()        ? options.map.string()
-                               : options.write_map.empty() ? std::string("MAP.json")
-                                                           : options.write_map.string());
+    line += " --map " + shell_word(!options.map.empty()        ? options.map.string()
+                                   : options.write_map.empty() ? std::string("MAP.json")
+                                                               : options.write_map.string());
   if (proposal.still.head) line += " --still-head";
   if (proposal.still.gaze) line += " --still-gaze";
   return line;
@@ -73,8 +60,8 @@ std::string command_line(const ConvertOptions& options, const Proposal& proposal
 
 // What writes the map that the command line needs.
 std::string writing_line(const ConvertOptions& options, const Proposal& proposal) {
-  std::string line = "herr convert --check " + quoted(path_word(options.head));
-  if (options.gaze) line += " --gaze " + quoted(path_word(*options.gaze));
+  std::string line = "herr convert --check " + shell_path(options.head);
+  if (options.gaze) line += " --gaze " + shell_path(*options.gaze);
   if (options.still.head) line += " --still-head";
   if (options.still.gaze) line += " --still-gaze";
   return proposal.map_json.empty() ? "" : line + " --write-map MAP.json";

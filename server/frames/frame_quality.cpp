@@ -6,8 +6,10 @@ namespace herr {
 
 QualityController quality_controller(const ReplayOptions& options, const SessionReport& report,
                                      const Renderer& renderer) {
-  return {options.policy, quality_limits(renderer.full_quality(), narrowest_width(options, report.settings)),
-          quality_target_ms(options, report.range)};
+  const QualityLimits limits =
+      quality_limits(renderer.full_quality(), narrowest_width(options, report.settings),
+                     lowest_height(options, report.settings));
+  return {options.policy, limits, quality_target_ms(options, report.range)};
 }
 
 FrameCost cost_of_frame(const RenderedFrame& frame, TimeNs started_ns, TimeNs finished_ns, bool missed) {

@@ -59,7 +59,9 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   const Session& session = *opened.session;
   report.header = session.header();
   report.findings = session.findings();
-  report.profile = options.profile.empty() ? report.header.profile : load_display_profile(options.profile);
+  report.profile =
+      scaled_profile(options.profile.empty() ? report.header.profile : load_display_profile(options.profile),
+                     options.profile_scale);
   const std::optional<OutsideView> view = view_of(options, report.profile);
   // In real time a frame of the session is a tick of the display.
   const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;

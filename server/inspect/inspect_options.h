@@ -15,6 +15,7 @@ struct InspectOptions {
   std::string scene;                               // empty: the scene that the session names
   std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
   std::string profile;                             // built-in name or file; empty: the profile of the session
+  double profile_scale = 1;                        // pixels of its viewports along each axis are times this
   RenderSettings render;                           // what the frame plan is made for
   bool strict = false;                             // a stream whose last line was cut off is an error
   bool decode = false;                             // read every picture whole, not only its header

@@ -44,13 +44,14 @@ void inspect_recording(const std::filesystem::path& folder, const InspectOptions
                        InspectReport& report) {
   InspectionRequest request{folder, options.strict, options.decode};
   if (!options.profile.empty()) {
-    report.profile = load_display_profile(options.profile);
+    report.profile = scaled_profile(load_display_profile(options.profile), options.profile_scale);
     request.display_hz = report.profile.display_hz;
   }
   report.session = inspect_session(request);
   const SessionInspection& session = *report.session;
   report.findings = session.findings;
-  if (options.profile.empty() && session.header) report.profile = session.header->profile;
+  if (options.profile.empty() && session.header)
+    report.profile = scaled_profile(session.header->profile, options.profile_scale);
   if (session.span)
     report.frames =
         frames_to_replay(session.span->start_ns, session.span->end_ns, report.profile.display_hz, {});
@@ -92,7 +93,8 @@ InspectReport inspected(const InspectOptions& options) {
   if (!options.scene.empty())
     throw UsageError("--scene: " + printable(options.path.string()) +
                      " is a scene itself; leave the flag out, or name a session");
-  report.profile = options.profile.empty() ? xr1_profile() : load_display_profile(options.profile);
+  report.profile = scaled_profile(
+      options.profile.empty() ? xr1_profile() : load_display_profile(options.profile), options.profile_scale);
   report.scene_file = options.path;
   inspect_scene(options, false, report);
   return report;

@@ -17,11 +17,16 @@ double smoothed(double before, double now, double keep) {
   return now + (before - now) * keep;
 }
 
+// Samples of a polar buffer; a height of none is of a frame that tells none, and never changes.
+double samples(const FrameQuality& quality) {
+  return static_cast<double>(quality.polar_width) * std::max(1, quality.polar_height);
+}
+
 // Units of work of a kind in a frame.
 double units(std::size_t kind, const FrameQuality& quality) {
   switch (static_cast<WorkKind>(kind)) {
     case WorkKind::light:
-      return static_cast<double>(quality.polar_width) * quality.light_samples;
+      return samples(quality) * quality.light_samples;
     case WorkKind::probe:
       return quality.probes;
     case WorkKind::eye:
@@ -29,7 +34,7 @@ double units(std::size_t kind, const FrameQuality& quality) {
     case WorkKind::second:
       break;
   }
-  return quality.polar_width;
+  return samples(quality);
 }
 
 }  // namespace
@@ -53,8 +58,8 @@ void CostModel::learn(const FrameCost& cost, double keep) {
   fixed_ms_ = smoothed(fixed_ms_, rest_ms, keep);
 }
 
-double CostModel::per_column_ms(int light_samples) const {
-  const FrameQuality one_column{light_samples, 1, 0};
+double CostModel::per_column_ms(const FrameQuality& quality) const {
+  const FrameQuality one_column{quality.light_samples, 1, 0, quality.polar_height};
   double ms = 0;
   for (std::size_t kind = 0; kind < kWorkKinds; ++kind) {
     ms += kMsPerNs * ns_per_ray_[kind] * rays_per_unit_[kind] * units(kind, one_column);
@@ -68,12 +73,12 @@ double CostModel::without_columns_ms(const FrameQuality& quality) const {
 }
 
 double CostModel::predict_ms(const FrameQuality& quality) const {
-  return without_columns_ms(quality) + quality.polar_width * per_column_ms(quality.light_samples);
+  return without_columns_ms(quality) + quality.polar_width * per_column_ms(quality);
 }
 
 double CostModel::width_for(double budget_ms, const FrameQuality& quality) const {
   const double left_ms = budget_ms - without_columns_ms(quality);
-  const double column_ms = per_column_ms(quality.light_samples);
+  const double column_ms = per_column_ms(quality);
   if (left_ms <= 0) return 0;
   return column_ms * kFreeWidth > left_ms ? left_ms / column_ms : kFreeWidth;
 }

@@ -20,12 +20,12 @@ class CostModel {
   void learn(const FrameCost& cost, double keep);
 
   double predict_ms(const FrameQuality& quality) const;
-  // The largest width with which `quality` takes at most `budget_ms`, as a real number: 0 or less when not
-  // even one column fits, 1e9 when columns cost nothing.
+  // The largest width with which a frame of the height, light samples and probes of `quality` takes at most
+  // `budget_ms`, as a real number: 0 or less when not even one column fits, 1e9 when columns cost nothing.
   double width_for(double budget_ms, const FrameQuality& quality) const;
 
  private:
-  double per_column_ms(int light_samples) const;
+  double per_column_ms(const FrameQuality& quality) const;
   double without_columns_ms(const FrameQuality& quality) const;
 
   double fixed_ms_ = 0;

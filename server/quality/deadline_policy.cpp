@@ -33,7 +33,9 @@ double ratio_to(const CostModel& model, const FrameCost& cost) {
 }  // namespace
 
 DeadlinePolicy::DeadlinePolicy(const DeadlineConfig& config)
-    : config_(config), width_(config.limits.narrowest), wait_s_(config.more_light_after_s) {
+    : config_(config),
+      size_{config.limits.narrowest, config.limits.lowest},
+      wait_s_(config.more_light_after_s) {
   const QualityLimits& limits = config_.limits;
   Effort effort{limits.full.light_samples, limits.full.probes};
   efforts_.push_back(effort);
@@ -91,31 +93,58 @@ bool DeadlinePolicy::choose_effort(const FrameQuality& wish, double aim_ms) {
   return true;
 }
 
-int DeadlinePolicy::choose_width(const FrameQuality& quality, int widest, double aim_ms,
-                                 QualityReason& reason) const {
-  const int narrowest = std::min(config_.limits.narrowest, widest);
-  double wanted = model_.width_for(aim_ms, quality);
-  reason = wanted < width_ ? QualityReason::shrink : QualityReason::grow;
-  if (missed_in_row_ >= 2 && wanted > config_.overload_share * width_) {
-    wanted = config_.overload_share * width_;
+double DeadlinePolicy::columns_of(const PolarSize& size) const {
+  const int rows = config_.limits.full.polar_height;
+  return rows == size.height ? size.width : static_cast<double>(size.width) * size.height / rows;
+}
+
+DeadlinePolicy::PolarSize DeadlinePolicy::size_of(double columns, int narrowest) const {
+  const QualityLimits& limits = config_.limits;
+  if (columns >= narrowest) return {static_cast<int>(columns), limits.full.polar_height};
+  constexpr double kRounding = 1 + 1e-9;  // a height there and back is the same one
+  const double pairs = columns / narrowest * limits.full.polar_height / 2 * kRounding;
+  return {narrowest, std::max(limits.lowest, 2 * static_cast<int>(pairs))};
+}
+
+double DeadlinePolicy::wanted_columns(double fitting, QualityReason& reason) const {
+  const double before = columns_of(size_);
+  if (missed_in_row_ >= 2 && fitting > config_.overload_share * before) {
     reason = QualityReason::overload;
-  } else if (wanted >= config_.keep_above * width_ && wanted <= config_.keep_below * width_) {
-    wanted = width_;
-    reason = QualityReason::steady;
-  } else if (wanted > width_ && hold_ > 0) {
-    wanted = width_;
-    reason = QualityReason::hold;
-  } else if (wanted > config_.growth * width_) {
-    wanted = config_.growth * width_;
-    reason = QualityReason::grow_limited;
+    return config_.overload_share * before;
   }
+  if (fitting >= config_.keep_above * before && fitting <= config_.keep_below * before) {
+    reason = QualityReason::steady;
+    return before;
+  }
+  if (fitting > before && hold_ > 0) {
+    reason = QualityReason::hold;
+    return before;
+  }
+  if (fitting > config_.growth * before) {
+    reason = QualityReason::grow_limited;
+    return config_.growth * before;
+  }
+  reason = fitting < before ? QualityReason::shrink : QualityReason::grow;
+  return fitting;
+}
+
+DeadlinePolicy::PolarSize DeadlinePolicy::choose_size(const FrameQuality& quality, double aim_ms,
+                                                      QualityReason& reason) const {
+  const int widest = quality.polar_width, narrowest = std::min(config_.limits.narrowest, widest);
+  const double wanted = wanted_columns(model_.width_for(aim_ms, quality), reason);
   if (wanted >= widest) {
     reason = QualityReason::full;
-    return widest;
+    return {widest, quality.polar_height};
   }
-  if (wanted >= narrowest) return static_cast<int>(wanted);
-  reason = QualityReason::floor;
-  return narrowest;
+  const PolarSize least{narrowest, config_.limits.lowest};
+  if (wanted < columns_of(least)) {
+    reason = QualityReason::floor;
+    return least;
+  }
+  const PolarSize size = size_of(wanted, narrowest);
+  if (reason == QualityReason::shrink && size.height < size_.height) reason = QualityReason::fewer_rows;
+  if (reason == QualityReason::grow && size.height > size_.height) reason = QualityReason::more_rows;
+  return size;
 }
 
 QualityDecision DeadlinePolicy::decide(const FrameQuality& wish) {
@@ -123,15 +152,18 @@ QualityDecision DeadlinePolicy::decide(const FrameQuality& wish) {
   decision.aim_ms = config_.target_ms / (1 + headroom());
   if (!knows_) {
     decision.quality = with_effort(effort_, wish);
-    decision.quality.polar_width = width_ = std::min(config_.limits.narrowest, wish.polar_width);
+    size_ = {std::min(config_.limits.narrowest, wish.polar_width), config_.limits.lowest};
+    decision.quality.polar_width = size_.width;
+    decision.quality.polar_height = size_.height;
     decision.reason = QualityReason::start;
     return decision;
   }
   const std::size_t effort_before = effort_;
   const bool other_effort = choose_effort(wish, *decision.aim_ms);
   decision.quality = with_effort(effort_, wish);
-  width_ = choose_width(decision.quality, wish.polar_width, *decision.aim_ms, decision.reason);
-  decision.quality.polar_width = width_;
+  size_ = choose_size(decision.quality, *decision.aim_ms, decision.reason);
+  decision.quality.polar_width = size_.width;
+  decision.quality.polar_height = size_.height;
   decision.predicted_ms = std::min(model_.predict_ms(decision.quality), kLongestMs);
   if (decision.reason == QualityReason::floor) {
     if (*decision.predicted_ms > config_.target_ms) decision.reason = QualityReason::floor_too_slow;

@@ -12,10 +12,10 @@ namespace herr {
 
 // Kinds of work whose amount follows from the quality of a frame.
 enum class WorkKind : std::uint8_t {
-  eye,        // rays from the eye and all that is done once for each: as many as columns
-  occlusion,  // short rays: as many as columns
-  second,     // mirrored and refracted rays: as many as columns
-  light,      // shadow rays at first and second hits: columns x light samples
+  eye,        // rays from the eye and all that is done once for each: as many as columns x rows
+  occlusion,  // short rays: as many as columns x rows
+  second,     // mirrored and refracted rays: as many as columns x rows
+  light,      // shadow rays at first and second hits: columns x rows x light samples
   probe,      // rays of probes, their light and what it changes: as many as probes updated
 };
 inline constexpr std::size_t kWorkKinds = 5;

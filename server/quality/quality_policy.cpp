@@ -6,6 +6,7 @@ namespace herr {
 namespace {
 
 constexpr int kNarrowestShare = 8;  // 98 of the paper's 788 columns: a blur, yet every pixel has data
+constexpr int kLowestShare = 4;     // 192 of the paper's 768 rows
 constexpr int kMostTurns = 16;      // of probes
 
 }  // namespace
@@ -19,10 +20,19 @@ int default_narrowest(int full_width) {
   return std::max(1, full_width / kNarrowestShare);
 }
 
+int default_lowest(int full_height) {
+  return std::max(2, full_height / kLowestShare / 2 * 2);
+}
+
 QualityLimits quality_limits(const FrameQuality& full, int narrowest) {
+  return quality_limits(full, narrowest, full.polar_height);
+}
+
+QualityLimits quality_limits(const FrameQuality& full, int narrowest, int lowest) {
   QualityLimits limits;
   limits.full = full;
   limits.narrowest = std::clamp(narrowest, 1, full.polar_width);
+  limits.lowest = std::min(std::max(2, lowest / 2 * 2), full.polar_height);
   limits.fewest_probes = (full.probes + kMostTurns - 1) / kMostTurns;
   return limits;
 }
@@ -49,6 +59,10 @@ const char* name_of(QualityReason reason) {
       return "hold";
     case QualityReason::shrink:
       return "shrink";
+    case QualityReason::fewer_rows:
+      return "fewer_rows";
+    case QualityReason::more_rows:
+      return "more_rows";
     case QualityReason::overload:
       return "overload";
     case QualityReason::less_light:

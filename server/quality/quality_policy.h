@@ -24,12 +24,18 @@ const char* name_of(QualityPolicy policy);
 struct QualityLimits {
   FrameQuality full;      // as the settings ask for
   int narrowest = 1;      // polar width per eye
+  int lowest = 0;         // polar height, even; that of `full`: it never changes
   int fewest_probes = 0;  // updated in a frame; 0 without probes
 };
 
 // The width that policies do not go below when nobody says another: an eighth.
 int default_narrowest(int full_width);
+// The height that they do not go below: a quarter, even. Samples of an eighth of the columns and a quarter of
+// the rows are about as far from each other along the radius as around the circle.
+int default_lowest(int full_height);
 // A sixteenth of the probes may wait in turn: what they know is then up to 16 frames old.
+QualityLimits quality_limits(const FrameQuality& full, int narrowest, int lowest);
+// With a height that never changes.
 QualityLimits quality_limits(const FrameQuality& full, int narrowest);
 
 // Why a frame has the quality that it has.
@@ -44,13 +50,15 @@ enum class QualityReason : std::uint8_t {
   grow_limited,    // more than twice the width fits; it grows to twice
   hold,            // more would fit, but a frame was missed just before
   shrink,          // less fits
+  fewer_rows,      // less fits than the least width has: the height goes down
+  more_rows,       // the height comes back, before the width does
   overload,        // frames were missed in a row: less than the cost model says
   less_light,      // fewer light samples or probes, or the width would fall below half
   more_light,      // more light samples or probes: they have fitted for a while
   floor,           // as little as allowed, and that fits
   floor_too_slow,  // as little as allowed, and the target is still not to be reached
 };
-inline constexpr std::size_t kQualityReasons = 15;
+inline constexpr std::size_t kQualityReasons = 17;
 const char* name_of(QualityReason reason);
 
 struct QualityDecision {

@@ -7,6 +7,7 @@
 #include "server/frames/frame_quality.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
+#include "server/replay/policy_text.h"
 #include "server/replay/replay_session.h"
 #include "server/results/output_folder.h"
 #include "server/results/settings_report.h"
@@ -59,17 +60,6 @@ void show_messages(const SessionReport& report) {
     }
     print_message("warning: " + report.warnings[i]);
   }
-}
-
-// What the policy has chosen: "policy motion: polar width per eye 315 ... 788, mean 602.1; ..."
-std::string quality_text(const RunStatistics& statistics, const ReplayOptions& options) {
-  const auto range = [](const LatencyHistogram& values) {
-    const auto whole = [](std::int64_t value) { return std::to_string(value / 1'000'000); };
-    return whole(values.min_ns()) + " ... " + whole(values.max_ns()) + ", mean " +
-           fixed_text(values.mean_ns() * 1e-6, 1);
-  };
-  return std::string("policy ") + name_of(options.policy) + ": polar width per eye " +
-         range(statistics.polar_width) + "; light samples " + range(statistics.light_samples) + "\n";
 }
 
 // "load: 152.3 ms of CPU for each frame, 97.8 % of 2 cores; memory: ..."
@@ -132,10 +122,10 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
           fixed_text(report.range.period_ms(), 2) + " ms" + machine_text(statistics) + "; " +
           std::to_string(report.settings.threads) + " threads, " + name_of(report.settings.isa) + ", " +
-          "scene " + printable(report.scene_name) + ", " + headline_text(options, report) + "\n\n";
+          "scene " + printable(report.scene_name) + ", " + headline_text(options, report);
+  if (const std::string done = policy_text(statistics, options.policy); !done.empty()) text += "; " + done;
+  text += "\n\n";
   if (statistics.frames > 0) text += latency_table(statistics) + "\n";
-  if (statistics.frames > 0 && options.policy != QualityPolicy{})
-    text += quality_text(statistics, options) + "\n";
   if (statistics.k_radial.count() > 0) text += acuity_text(statistics);
   text += load_text(report) + "\n";
   text += further_views_text(report);

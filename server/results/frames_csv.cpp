@@ -43,6 +43,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("missed", record.missed);
   auto& decision = record.decision;
   visit("polar_width", decision.quality.polar_width);
+  visit("polar_height", decision.quality.polar_height);
   visit("light_samples", decision.quality.light_samples);
   visit("allowed_probes", decision.quality.probes);
   visit("quality_reason", decision.reason);

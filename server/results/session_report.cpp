@@ -12,8 +12,8 @@ std::string floor_warning(const SessionReport& report, const ReplayOptions& opti
   return "the target of " + fixed_text(quality_target_ms(options, report.range), 2) +
          " ms was out of reach in " + std::to_string(frames) + " of " +
          std::to_string(report.statistics.frames) +
-         " frames with the least quality allowed; give a lower --polar-floor, fewer pixels (--profile) or a "
-         "higher --target-ms";
+         " frames with the least quality allowed; give a lower --polar-floor or --polar-floor-height, fewer "
+         "pixels (--profile, --profile-scale) or a higher --target-ms";
 }
 
 }  // namespace herr

@@ -102,6 +102,8 @@ Json settings_json(const ReplayOptions& resolved) {
     } else if (setting.name == "polar_floor") {
       const bool fixed = told.policy == QualityPolicy{};
       json["polar_floor_per_eye"] = fixed ? Json(nullptr) : Json(narrowest_width(told, told.render));
+    } else if (setting.name == "polar_floor_height") {
+      json[setting.name] = told.policy.deadline ? Json(lowest_height(told, told.render)) : Json(nullptr);
     } else {
       json[setting.name] = json_of(value_of(setting));
     }

@@ -40,6 +40,8 @@ void add_quality(PrometheusText& page, const ServeSnapshot& snapshot) {
   const FrameRecord& newest = snapshot.recent.back().record;
   page.family("herr_polar_width_samples", "gauge", "Radial samples per eye of the newest frame.");
   page.sample(std::int64_t{newest.decision.quality.polar_width});
+  page.family("herr_polar_height_samples", "gauge", "Angular samples per eye of the newest frame.");
+  page.sample(std::int64_t{newest.decision.quality.polar_height});
   page.family("herr_light_samples", "gauge", "Shadow rays per light and hit of the newest frame.");
   page.sample(std::int64_t{newest.decision.quality.light_samples});
   if (!newest.misregistration_arcmin) return;

@@ -73,6 +73,7 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
           {"camera_age_ms", optional_json(record.camera_age_ms)},
           {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
           {"polar_width", record.decision.quality.polar_width},
+          {"polar_height", record.decision.quality.polar_height},
           {"k_radial_per_deg", of_eyes_json(record.k_radial)},
           {"k_angular_per_deg", of_eyes_json(record.k_angular)},
           {"light_samples", record.decision.quality.light_samples},

@@ -15,6 +15,14 @@ void check_policy(const ReplayOptions& options) {
         std::string("--policy ") + name_of(options.policy) +
         ": changes the width of polar buffers, and --foveation off has none; give one of the two");
   }
+  if (options.lowest_height && !options.policy.deadline) {
+    throw UsageError(
+        "--polar-floor-height: only the policy deadline lowers polar buffers; give --policy deadline");
+  }
+  if (options.lowest_height && *options.lowest_height > options.render.polar_height) {
+    throw UsageError("--polar-floor-height: is higher than --polar; give at most " +
+                     std::to_string(options.render.polar_height));
+  }
   if (!options.narrowest_width) return;
   if (fixed) throw UsageError("--polar-floor: the policy fixed never goes below --polar; give --policy");
   if (*options.narrowest_width > options.render.polar_width) {

@@ -10,6 +10,10 @@ int narrowest_width(const ReplayOptions& options, const RenderSettings& settings
   return options.narrowest_width.value_or(default_narrowest(settings.polar_width));
 }
 
+int lowest_height(const ReplayOptions& options, const RenderSettings& settings) {
+  return options.lowest_height.value_or(default_lowest(settings.polar_height));
+}
+
 bool is_reproducible(const ReplayOptions& options) {
   return options.clock != ReplayClock::realtime && !options.policy.deadline;
 }

@@ -10,6 +10,7 @@ namespace herr {
 // Milliseconds that the policy `deadline` holds: --target-ms, or the display period.
 double quality_target_ms(const ReplayOptions& options, const FrameRange& range);
 int narrowest_width(const ReplayOptions& options, const RenderSettings& settings);
+int lowest_height(const ReplayOptions& options, const RenderSettings& settings);
 
 // Frames of a policy that follows the clock on the wall, and of the clock realtime, are not made twice alike.
 bool is_reproducible(const ReplayOptions& options);

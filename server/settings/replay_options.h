@@ -26,6 +26,7 @@ struct ReplayOptions {
   std::filesystem::path out = "out";               // each session gets a folder of its name in it
   PictureFormats formats = PictureFormat::png;     // of the pictures that are kept
   std::string profile;                             // built-in name or file; empty: the profile of the session
+  double profile_scale = 1;                        // pixels of its viewports along each axis are times this
   std::string view;                                // file of a camera outside the headset; empty: none
   RenderSettings render;
   SessionOptions session;
@@ -33,6 +34,8 @@ struct ReplayOptions {
   QualityPolicy policy;  // how the quality of each frame is chosen
   std::optional<int>
       narrowest_width;  // polar width per eye that policies keep; empty: an eighth of the full one
+  std::optional<int>
+      lowest_height;  // polar height that the policy deadline keeps; empty: a quarter of the full one
   // realtime: the display period; deadline: the time of a frame. Empty: the period of the profile.
   std::optional<double> target_ms;
   double start_s = 0;                  // first frame at or after this time of the session

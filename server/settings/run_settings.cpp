@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "renderer/settings_list.h"
+#include "sessions/format/display_profile.h"
 #include "sessions/text/plain_values.h"
 
 namespace herr {
@@ -14,7 +15,8 @@ using Group = SettingGroup;
 using Effect = SettingEffect;
 
 constexpr double kLongestSeconds = 1e7;  // 115 days
-constexpr int kWidestPolarBuffer = 16384;
+constexpr double kSmallestProfileScale = 0.1;
+constexpr int kWidestPolarBuffer = 16384, kHighestPolarBuffer = 8192;
 constexpr std::array<QualityPolicy, 4> kPolicies{
     QualityPolicy{false, false}, {true, false}, {false, true}, {true, true}};
 
@@ -60,6 +62,12 @@ NumberSetting width_of_both_eyes(std::optional<int>& per_eye) {
   return setting;
 }
 
+NumberSetting even(std::optional<int>& number, double highest) {
+  NumberSetting setting = whole(number, 2, highest);
+  setting.step = 2;
+  return setting;
+}
+
 // A word, or the number of a frame.
 TextSetting sheet_choice(ReplayOptions& options) {
   constexpr std::size_t kWordCount = 3;  // before SheetChoice::one
@@ -83,9 +91,6 @@ TextSetting sheet_choice(ReplayOptions& options) {
 
 std::vector<Setting> of_reading(ReplayOptions& o) {
   return {
-      {"profile", "--profile", "", Group::session, Effect::pictures,
-       "display profile: xr1, xr1-half or a file", path_setting(o.profile, "NAME|FILE", "xr1-half"),
-       "the session's"},
       {"sampling", "--sampling", "", Group::session, Effect::pictures,
        "headset state: latest, predict or interpolate",
        one_of(o.session.sampling, {name_of(SamplingMode::latest), name_of(SamplingMode::predict),
@@ -105,11 +110,16 @@ std::vector<Setting> of_time(ReplayOptions& o) {
   return {
       {"policy", "--policy", "", Group::time, Effect::error_for_time,
        "quality of each frame: fixed; motion: less while the head moves fast; deadline: what holds "
-       "--target-ms; motion+deadline",
+       "--target-ms (width, light samples, probes, at last height); motion+deadline",
        policy_name(o.policy)},
       {"polar_floor", "--polar-floor", "", Group::time, Effect::error_for_time,
        "least width of the polar buffers, both eyes together, that a policy may choose",
        width_of_both_eyes(o.narrowest_width), "an eighth of that of --polar"},
+      {"polar_floor_height", "--polar-floor-height", "", Group::time, Effect::error_for_time,
+       "least height of the polar buffers, even, that the policy deadline may choose; it lowers them when "
+       "the least "
+       "width is still too slow",
+       even(o.lowest_height, kHighestPolarBuffer), "a quarter of that of --polar"},
       {"clock", "--clock", "", Group::time, Effect::pictures,
        "virtual: one display period per frame; realtime: late frames drop; max: as fast as it goes",
        one_of(o.clock, {name_of(ReplayClock::virtual_time), name_of(ReplayClock::realtime),
@@ -141,10 +151,33 @@ std::vector<Setting> of_views(ReplayOptions& o) {
 
 }  // namespace
 
+Setting profile_setting(std::string& profile) {
+  return {"profile",
+          "--profile",
+          "",
+          Group::session,
+          Effect::pictures,
+          "display profile: " + builtin_display_profile_names() + " or a file",
+          path_setting(profile, "NAME|FILE", "xr1-half"),
+          "the session's"};
+}
+
+std::vector<Setting> profile_settings(std::string& profile, double& scale) {
+  return {profile_setting(profile),
+          {"profile_scale", "--profile-scale", "", Group::session, Effect::pictures,
+           "pixels of each viewport along each axis, against the profile's; its field of view stays",
+           real(scale, kSmallestProfileScale, 1)}};
+}
+
+std::string profile_words(const std::string& name, double scale) {
+  return scale == 1 ? name : name + " at scale " + plain_number_text(scale);
+}
+
 std::vector<Setting> settings_of(ReplayOptions& options) {
   std::vector<Setting> all = settings_of(options.render);
   for (const std::vector<Setting>& part :
-       {of_reading(options), of_time(options), of_files(options), of_views(options)}) {
+       {profile_settings(options.profile, options.profile_scale), of_reading(options), of_time(options),
+        of_files(options), of_views(options)}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

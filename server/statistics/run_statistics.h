@@ -20,8 +20,9 @@ struct RunStatistics {
   std::array<LatencyHistogram, kStageCount> stages;
   LatencyHistogram frame, sample, views, outside, write, wait, cpu;
   LatencyHistogram pose_age, gaze_age, camera_age, motion_to_photon;
-  // Their "milliseconds" are columns, light samples, degrees per second, samples per degree and arc minutes.
-  LatencyHistogram polar_width, light_samples, head_deg_s;
+  // Their "milliseconds" are columns, rows, light samples, probes, degrees per second, samples per degree and
+  // arc minutes.
+  LatencyHistogram polar_width, polar_height, light_samples, allowed_probes, head_deg_s;
   LatencyHistogram k_radial, k_angular;
   LatencyHistogram feed_turn, feed_shift, misregistration;
   std::array<std::int64_t, kQualityReasons> reasons{};  // frames by why they had their quality

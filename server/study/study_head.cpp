@@ -2,23 +2,13 @@
 
 #include "server/bench/bench_subject.h"
 #include "server/process/version.h"
+#include "server/settings/run_settings.h"
 #include "server/study/plan/study_setting.h"
 #include "server/text/number_text.h"
+#include "server/text/shell_word.h"
 
 namespace herr {
 namespace {
-
-// As a shell takes it.
-std::string shell_word(const std::string& word) {
-  const bool plain =
-      !word.empty() &&
-      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%") ==
-          std::string::npos;
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 std::string only_flag(const StudyOptions& options) {
   std::string text;
@@ -33,6 +23,7 @@ std::string command_line_of(const StudyOptions& options) {
   for (const std::filesystem::path& root : options.asset_roots)
     text += " --asset-root " + shell_word(root.string());
   text += " --profile " + shell_word(options.profile);
+  if (options.profile_scale != 1) text += " --profile-scale " + shortest_text(options.profile_scale);
   const std::string flags = flags_text(changes_between(RenderSettings{}, options.render));
   if (!flags.empty()) text += " " + flags;
   if (!options.stability) {
@@ -49,7 +40,7 @@ ReportHead report_head_of(const StudyOptions& options, const SessionReport& repo
   head.command_line = command_line_of(options);
   head.session = report.header.name;
   head.scene = report.scene_name;
-  head.profile = report.profile.name;
+  head.profile = profile_words(report.profile.name, options.profile_scale);
   head.cpu = cpu_name();
   head.isa = name_of(report.settings.isa);
   head.triangles = report.scene_triangles;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct StudyOptions {
   std::string scene;                               // empty: the scene that the session names
   std::vector<std::filesystem::path> asset_roots;  // folders below which a scene document finds models, too
   std::string profile = "xr1-half";                // built-in name or file
+  double profile_scale = 1;                        // pixels of its viewports along each axis are times this
   RenderSettings render;                           // the default, around which everything is swept
   SessionOptions reading;
   std::filesystem::path out;         // empty: out_folder()'s
@@ -25,10 +27,13 @@ struct StudyOptions {
   std::vector<std::string> only;     // sweeps by their setting, groups of relations; empty: all
   int frames = 3;
   double minutes = 20;
+  // The largest setting whose frames hold this rate, in place of error against time: 1 ... 1000.
+  std::optional<double> hz;
+  bool profile_given = false, light_given = false;  // `profile` and the light samples are not the defaults
   bool stability = false;  // relations that must hold, in place of error against time
   bool overwrite = false, resume = false;
   bool json = false;
-  std::vector<std::string> sweep_flags;  // flags given that mean nothing to `stability`
+  std::vector<std::string> sweep_flags;  // flags given that mean nothing to `stability` and `hz`
 
   std::filesystem::path out_folder() const {
     return !out.empty() ? out : std::filesystem::path(stability ? "stability" : "study");

@@ -69,6 +69,7 @@ StudySubject::StudySubject(const StudyOptions& options) {
   options_.scene = options.scene;
   options_.asset_roots = options.asset_roots;
   options_.profile = options.profile;
+  options_.profile_scale = options.profile_scale;
   options_.render = options.render;
   options_.session = options.reading;
   report_.session_folder = options.session;
@@ -81,7 +82,8 @@ StudySubject::StudySubject(const StudyOptions& options) {
   const Fingerprint fingerprint = fingerprint_of(report_, options_, opened_.scene);
   for (const auto& [name, value] : fingerprint.inputs) inputs_ += name + " " + value + "; ";
   for (const auto& [name, value] : fingerprint.settings) {
-    if (name == "--profile" || name == "--isa") inputs_ += name + " " + value + "; ";
+    if (name == "--profile" || name == "--profile-scale" || name == "--isa")
+      inputs_ += name + " " + value + "; ";
   }
 }
 

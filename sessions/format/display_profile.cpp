@@ -1,6 +1,7 @@
 #include "sessions/format/display_profile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
@@ -30,6 +31,26 @@ Viewport symmetric(const std::string& name, Eye eye, bool focus, int width_px, i
   viewport.edge_blend_deg = focus ? kEdgeBlendDeg : 0;
   return viewport;
 }
+
+// One context viewport for each eye.
+DisplayProfile one_for_each_eye(const std::string& name, double display_hz, int width_px, int height_px,
+                                double half_width_deg, double half_height_deg) {
+  DisplayProfile profile{name, display_hz, {}};
+  for (const Eye eye : kEyes) {
+    const std::string side = eye == Eye::left ? "left_" : "right_";
+    profile.viewports.push_back(
+        symmetric(side + "context", eye, false, width_px, height_px, half_width_deg, half_height_deg));
+  }
+  return profile;
+}
+
+// The one list of what is built in.
+struct BuiltIn {
+  const char* name;
+  DisplayProfile (*make)();
+};
+constexpr std::array kBuiltIns{BuiltIn{"xr1", xr1_profile}, BuiltIn{"xr1-half", xr1_half_profile},
+                               BuiltIn{"quest3", quest3_profile}, BuiltIn{"generic-90", generic_90_profile}};
 
 DisplayProfile xr1_over(const std::string& name, int divisor) {
   DisplayProfile profile{name, 60, {}};
@@ -102,10 +123,23 @@ DisplayProfile xr1_profile() {
 DisplayProfile xr1_half_profile() {
   return xr1_over("xr1-half", 2);
 }
+DisplayProfile quest3_profile() {
+  return one_for_each_eye("quest3", 90, 2064, 2208, 55, 48);
+}
+DisplayProfile generic_90_profile() {
+  return one_for_each_eye("generic-90", 90, 2000, 2000, 45, 45);
+}
+
+std::string builtin_display_profile_names() {
+  std::string names;
+  for (const BuiltIn& each : kBuiltIns) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  return names;
+}
 
 std::optional<DisplayProfile> builtin_display_profile(const std::string& name) {
-  if (name == "xr1") return xr1_profile();
-  if (name == "xr1-half") return xr1_half_profile();
+  for (const BuiltIn& each : kBuiltIns) {
+    if (name == each.name) return each.make();
+  }
   return std::nullopt;
 }
 
@@ -115,8 +149,19 @@ DisplayProfile load_display_profile(const std::string& name_or_path) {
   // A path that cannot be examined does not exist for us: the error below says so.
   if (path.extension() != ".json" && !path_exists(path))
     throw InputError(path, 0, "is neither a built-in display profile nor a file",
-                     "use xr1, xr1-half or the path of a JSON file");
+                     "use " + builtin_display_profile_names() + " or the path of a JSON file");
   return parse_display_profile(parse_json_file(path), path, "");
+}
+
+DisplayProfile scaled_profile(DisplayProfile profile, double scale) {
+  const auto scaled = [scale](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(scale * pixels)));
+  };
+  for (Viewport& viewport : profile.viewports) {
+    viewport.width_px = scaled(viewport.width_px);
+    viewport.height_px = scaled(viewport.height_px);
+  }
+  return profile;
 }
 
 DisplayProfile parse_display_profile(const nlohmann::json& document, const std::filesystem::path& file,

@@ -115,7 +115,7 @@ DisplayProfile parse_profile(const JsonObject& root) {
   const std::string name = root.text("display_profile");
   if (auto profile = builtin_display_profile(name)) return *profile;
   root.fail("display_profile", "is '" + printable(name) + "'",
-            "write xr1, xr1-half or an inline profile {...}");
+            "write " + builtin_display_profile_names() + " or an inline profile {...}");
 }
 
 void parse_span(const JsonObject& root, ParsedSessionHeader& parsed) {

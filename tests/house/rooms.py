@@ -14,7 +14,7 @@ ROOMS = {
                "study/report", "study/plan", "study/reference", "study/measure",
                "study/findings", "study/relations", "study/relations/light", "study/relations/place",
                "study/relations/gaze", "study/relations/triangles", "study/relations/probes", "study/relations/control", "study/stability/report", "study",
-               "study/stability", "cli"),
+               "study/stability", "study/rate", "cli"),
 }
 
 # Modules whose root holds public headers, which every room may include, and what those headers alone need.

@@ -63,7 +63,7 @@ TEST(ReachedAcuityTest, KIsOneOverTheAngleBetweenNeighbouringRays) {
          {std::pair{788, 768}, {1024, 1024}, {acuity_width(theta_max), kAcuityHeight}}) {
       SCOPED_TRACE(testing::Message() << width << " x " << height << " up to " << theta_max);
       PolarSamples samples(width, height);
-      samples.update(PolarMap::up_to(theta_max), width);
+      samples.update(PolarMap::up_to(theta_max), width, height);
       const ReachedAcuity reached = reached_acuity(theta_max, width, height);
       for (const double place : kPlaces_deg) {
         const int column = column_at(samples, place);

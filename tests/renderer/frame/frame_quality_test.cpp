@@ -1,4 +1,4 @@
-// What may change from frame to frame: polar width, light samples, probes.
+// What may change from frame to frame: polar width and height, light samples, probes.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -48,6 +48,80 @@ TEST(FrameQualityTest, ANarrowerFrameHasTheBytesOfARendererOfThatWidth) {
   }
 }
 
+// Heights of the least, of less and more than a tile, of no whole number of blocks of four, and the ceiling.
+// A taller frame goes before each lower one: nothing of its rows may be seen.
+constexpr std::array<int, 8> kHeights{96, 38, 2, 94, 34, 32, 4, 66};
+
+TEST(FrameQualityTest, ALowerFrameHasTheBytesOfARendererOfThatHeight) {
+  const Scene scene = test::busy_scene();
+  const test::TestCamera camera = test::gradient_camera();
+  for (const ResampleFilter filter : {ResampleFilter::bilinear, ResampleFilter::bicubic}) {
+    for (const glm::dvec3& gaze : {test::gaze_deg(6, -3), test::gaze_deg(-44, 30), test::gaze_deg(120, 0)}) {
+      FrameSample sample = test::sample_from({0.1, 0.2, 0.3}, gaze);
+      camera.attach_to(sample);
+      RenderSettings settings = test::small_settings();
+      settings.filter = filter;
+      settings.light_samples = 16;
+      settings.adaptive_min_samples = 4;
+      settings.occlusion_rays = 1;
+      settings.threads = 2;
+      settings.polar_height = kHeights.front();
+      Renderer renderer(scene, test::small_profile(), settings, true);
+      RenderedFrame frame;
+      for (const int height : kHeights) {
+        SCOPED_TRACE(height);
+        renderer.render_frame(sample, state_of(scene), {16, 0, 0, height}, frame);
+        EXPECT_EQ(frame.quality.polar_height, height);
+        EXPECT_EQ(frame.polar_height, height);
+        RenderSettings lower = settings;
+        lower.polar_height = height;
+        const RenderedFrame expected = test::render(scene, test::small_profile(), lower, sample);
+        test::expect_same_bits(frame, expected);
+        EXPECT_EQ(frame.counters.polar_samples, expected.counters.polar_samples);
+        EXPECT_EQ(frame.counters.rays.of_kind, expected.counters.rays.of_kind);
+        EXPECT_EQ(frame.theta_max_deg, expected.theta_max_deg);
+      }
+    }
+  }
+}
+
+// The rows of --polar acuity are 1174; half of them at half the columns are a frame of that size.
+TEST(FrameQualityTest, AFrameThatFollowsTheAcuityMayBeLowerAndNarrower) {
+  const Scene scene = test::busy_scene();
+  const FrameSample sample = test::sample_from({0.1, 0.2, 0.3});
+  RenderSettings settings = test::small_settings();
+  settings.polar_acuity = true;
+  Renderer renderer(scene, test::small_profile(), settings, false);
+  const FrameQuality full = renderer.full_quality(sample);
+  EXPECT_EQ(full.polar_height, kAcuityHeight);
+  RenderedFrame frame;
+  renderer.render_frame(sample, state_of(scene), full, frame);
+  renderer.render_frame(sample, state_of(scene), {1, full.polar_width / 2, 0, 586}, frame);
+  RenderSettings sized = settings;
+  sized.polar_acuity = false;
+  sized.polar_width = frame.polar_width[0];
+  sized.polar_height = 586;
+  ASSERT_EQ(frame.polar_width[0], frame.polar_width[1]) << "the gaze is straight ahead";
+  test::expect_same_bits(frame, test::render(scene, test::small_profile(), sized, sample));
+}
+
+// Probes gather the same light whatever the picture's size.
+TEST(FrameQualityTest, ALowerFrameSeesTheProbesOfATallOne) {
+  const FrameSample sample = test::sample_from({0, 0, 1});
+  RenderSettings settings = test::small_settings();
+  settings.probes.on = true;
+  test::ProbeRun tall(test::busy_scene(), test::single_view(16, 16, 40, 40), settings, sample);
+  const int lower = settings.polar_height / 4 * 2;
+  settings.polar_height = lower;
+  test::ProbeRun low(test::busy_scene(), test::single_view(16, 16, 40, 40), settings, sample);
+  for (int i = 0; i < 4; ++i) {
+    tall.renderer.render_frame(tall.sample, tall.state, {1, 0, 0, lower}, tall.frame);
+    low.renderer.render_frame(low.sample, low.state, low.frame);
+    test::expect_same_bits(tall.frame, low.frame);
+    tall.sample.t_ns = low.sample.t_ns += 10'000'000;
+  }
+}
+
 TEST(FrameQualityTest, FewerAdaptiveLightSamplesAreThoseOfARendererOfThatNumber) {
   const Scene scene = test::busy_scene();
   const FrameSample sample = test::sample_from({0.1, 0.2, 0.3});
@@ -65,7 +139,7 @@ TEST(FrameQualityTest, FewerAdaptiveLightSamplesAreThoseOfARendererOfThatNumber)
   }
 }
 
-TEST(FrameQualityTest, WidthsChangeWithoutNewMemory) {
+TEST(FrameQualityTest, WidthsAndHeightsChangeWithoutNewMemory) {
   const Scene scene = test::busy_scene();
   RenderSettings settings = test::small_settings();
   settings.polar_width = kCeiling;
@@ -84,6 +158,10 @@ TEST(FrameQualityTest, WidthsChangeWithoutNewMemory) {
   for (const int width : kWidths) {
     renderer.render_frame(test::sample_from({0, 0, 0}), state_of(scene), {1, width, 0}, frame);
     EXPECT_EQ(places(), before) << width;
+  }
+  for (const int height : {2, settings.polar_height, 4}) {
+    renderer.render_frame(test::sample_from({0, 0, 0}), state_of(scene), {1, 0, 0, height}, frame);
+    EXPECT_EQ(places(), before) << height;
   }
 }
 
@@ -115,8 +193,11 @@ TEST(FrameQualityTest, OutOfRangeIsRefused) {
   settings.polar_width = kCeiling;
   Renderer renderer(scene, test::small_profile(), settings, false);
   RenderedFrame frame;
-  for (const FrameQuality& quality : {FrameQuality{1, -1, 0}, FrameQuality{1, kCeiling + 1, 0},
-                                      FrameQuality{1, 1, -1}, FrameQuality{0, 1, 0}}) {
+  const int rows = settings.polar_height;
+  for (const FrameQuality& quality :
+       {FrameQuality{1, -1, 0}, FrameQuality{1, kCeiling + 1, 0}, FrameQuality{1, 1, 0, -2},
+        FrameQuality{1, 1, 0, 3}, FrameQuality{1, 1, 0, rows + 2}, FrameQuality{1, 1, -1},
+        FrameQuality{0, 1, 0}}) {
     EXPECT_THROW(renderer.render_frame(test::sample_from({0, 0, 0}), state_of(scene), quality, frame),
                  std::invalid_argument);
   }

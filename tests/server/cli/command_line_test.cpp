@@ -6,25 +6,13 @@
 #include <vector>
 
 #include "server/process/exit_code.h"
+#include "tests/server/cli/refused_line.h"
 
 namespace herr {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-// The one line that a wrong command line ends with; empty when it was accepted.
-std::string complaint(const Arguments& arguments) {
-  try {
-    parse_command_line(arguments);
-    return {};
-  } catch (...) {
-    std::string message;
-    const int code = exit_code_of_current_exception(message);
-    EXPECT_EQ(code, kExitUsage) << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    return message;
-  }
-}
+using test::Arguments;
+using test::complaint;
 
 ReplayOptions replay(Arguments arguments) {
   arguments.insert(arguments.begin(), {"replay", "walk"});
@@ -152,7 +140,10 @@ TEST(CommandLine, WrongValuesAreRefusedWithTheNameOfTheirFlag) {
       {"--policy", {"best", "motion,deadline", "deadline+motion", ""}},
       {"--feed-distance", {"0", "0.0000000001", "-1", "nan", "2m", ""}},
       {"--exposure", {"15.1", "-16", "--1", "+1", "1e1", "auto", ""}},
+      {"--profile", {""}},
+      {"--profile-scale", {"0", "0.09", "1.1", "2", "-0.5", "nan", "half", ""}},
       {"--polar-floor", {"0", "1", "99", "-2", "16386", "1e2"}},
+      {"--polar-floor-height", {"0", "1", "97", "-2", "8194", "1e2"}},
       {"--clock", {"wall", "real"}},
       {"--sampling", {"newest"}},
       {"--contact-sheet", {"-1", "first", "007", ""}},
@@ -183,6 +174,11 @@ TEST(CommandLine, ChoicesThatDoNotGoTogetherSaySo) {
             "--polar-floor: the policy fixed never goes below --polar; give --policy");
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar", "100x64", "--polar-floor", "102"}),
             "--polar-floor: is wider than --polar; give at most 100");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar-floor-height", "96"}),
+            "--polar-floor-height: only the policy deadline lowers polar buffers; give --policy deadline");
+  EXPECT_EQ(complaint({"replay", "walk", "--policy", "deadline", "--polar", "100x64", "--polar-floor-height",
+                       "66"}),
+            "--polar-floor-height: is higher than --polar; give at most 64");
 }
 
 TEST(CommandLine, EveryCommandThatLoadsASceneTakesAssetRoots) {

@@ -1,5 +1,5 @@
 // `herr study` as its users run it: a small one, cut off and gone on with, printed again, and refused; and
-// relations of --stability.
+// relations of --stability; the rate of --hz, with the line that it gives to be pasted.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -18,6 +18,7 @@
 
 #include "tests/server/program/child_program.h"
 #include "tests/server/program/program_runner.h"
+#include "tests/server/small_session.h"
 
 namespace herr {
 namespace {
@@ -258,6 +259,79 @@ TEST_F(StabilityProgram, RefusesWhatItCannotDoInOneLineAndLeavesNothing) {
     EXPECT_EQ(outcome.out, "") << one.arguments;
   }
   EXPECT_FALSE(fs::exists(root() / "stability"));
+}
+
+class StudyRateProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_scene(folder_.path() / "scene");
+    write_small_session(folder_.path() / "walk", 0.5);
+    write_small_profile(folder_.path() / "small.profile.json");
+  }
+  Outcome run(const std::string& arguments) { return run_program(folder_.path(), arguments); }
+
+  TemporaryFolder folder_;
+};
+
+// Half a second holds two frames at 2 Hz, of which one warms up: the session is gone through again and again.
+// 500 ms are enough for any of these settings.
+TEST_F(StudyRateProgram, GivesALineThatHoldsTheRateWhenPasted) {
+  const std::string asked =
+      "study walk --hz 2 --profile small.profile.json --polar 64x32 --light-samples 3 --threads 1 "
+      "--no-probes";
+  const Outcome text = run(asked);
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out.find(
+                "2 Hz leaves 500.00 ms for a frame, and this machine holds that even with the largest "
+                "setting that was tried, polar 64x32, light samples 3, profile scale 1 of small: the 95th "
+                "percentile of 300 frames in 3 runs (their median) is "),
+            0u)
+      << text.out;
+  EXPECT_EQ(lines_in(text.out), 4) << "two sentences, a blank line, one to paste";
+
+  const Outcome outcome = run(asked + " --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["hz"], 2);
+  EXPECT_EQ(json["holds"], true);
+  EXPECT_TRUE(json["prevented_by"].is_null());
+  EXPECT_LE(json["held"]["p95_ms"].get<double>(), 500);
+  const std::string line = json["command_line"];
+  EXPECT_NE(text.out.find("\n\n" + line + "\n"), std::string::npos) << line;
+  EXPECT_EQ(line,
+            "herr replay walk --profile small.profile.json --profile-scale 1 --polar 64x32 --light-samples 3 "
+            "--no-probes --threads 1 --clock realtime --target-ms 500 --format none --contact-sheet none");
+
+  const Outcome pasted = run(line.substr(std::string("herr ").size()));
+  ASSERT_EQ(pasted.exit_code, 0) << pasted.err;
+  const auto summary = nlohmann::json::parse(content_of(folder_.path() / "out/walk/summary.json"));
+  EXPECT_EQ(summary["settings"]["polar"], "64x32");
+  EXPECT_EQ(summary["settings"]["light_samples"], 3);
+  EXPECT_LE(summary["latency_ms"]["frame"]["p95"].get<double>(), 500);
+}
+
+// 64 short rays for each of 37,632 samples and more are 2.4 million rays: some 40 ms.
+TEST_F(StudyRateProgram, EndsWithOneWhereNoSettingHoldsTheRate) {
+  const Outcome outcome = run("study walk --hz 1000 --profile xr1 --occlusion-rays 64 --threads 1");
+  EXPECT_NE(outcome.out.find("holds that with no setting"), std::string::npos) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("The stage that prevents it is occlusion, "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("herr replay"), std::string::npos);
+  EXPECT_EQ(lines_in(outcome.out), 2);
+  if (outcome.err.find("the machine was busy") == std::string::npos) {
+    EXPECT_EQ(outcome.exit_code, 1);
+  } else {
+    EXPECT_EQ(outcome.exit_code, 4);
+  }
+}
+
+TEST_F(StudyRateProgram, ARateThatIsNoneIsOneLine) {
+  for (const std::string value : {"0", "nan", "inf", "1e9", "1001", "-90", "0.5", "''", "ninety"}) {
+    const Outcome outcome = run("study walk --hz " + value);
+    EXPECT_EQ(outcome.exit_code, 2) << value;
+    EXPECT_EQ(outcome.err.find("herr: --hz: "), 0u) << outcome.err;
+    EXPECT_EQ(lines_in(outcome.err), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
 }
 
 }  // namespace

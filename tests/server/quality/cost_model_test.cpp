@@ -28,6 +28,18 @@ TEST(CostModelTest, ForetellsAFrameOfAnyQualityFromOne) {
   EXPECT_EQ(model.width_for(4.9, {1, 788, 0}), 0) << "the fixed part alone is 5 ms";
 }
 
+// Half the rows: half the rays of a column, and twice the columns in the same time.
+TEST(CostModelTest, ALowerFrameHasShorterColumns) {
+  test::Load load{0, 0.02, 0.003, 0, 1};
+  load.rows = 768;
+  CostModel model;
+  model.learn(test::cost_of(load, {4, 400, 0, 768}, 0, 50), 0);
+  const double whole_ms = 400 * (0.02 + 4 * 0.003);
+  EXPECT_NEAR(model.predict_ms({4, 400, 0, 768}), whole_ms, 1e-4);
+  EXPECT_NEAR(model.predict_ms({4, 400, 0, 384}), whole_ms / 2, 1e-4);
+  EXPECT_NEAR(model.width_for(whole_ms, {4, 400, 0, 384}), 800, 0.01);
+}
+
 TEST(CostModelTest, ForgetsByWhatItIsToldToKeep) {
   // Twice as slow from one frame to the next: times follow by 1 - exp(-dt / tau).
   CostModel model;

@@ -12,11 +12,18 @@
 
 namespace herr::test {
 
-// Milliseconds: fixed + width * (column + light * samples) + probe * probes, all times `factor`.
+// Milliseconds: fixed + columns * (column + light * samples) + probe * probes, all times `factor`.
 struct Load {
   double fixed_ms = 0, column_ms = 0, light_ms = 0, probe_ms = 0;
   double factor = 1;  // of this frame: steps, noise
+  int rows = 0;       // that a whole column has: a lower frame costs less; 0: the height costs nothing
 };
+
+// With heights: its samples as columns of `rows`.
+inline double columns_of(const Load& load, const FrameQuality& quality) {
+  if (load.rows == 0) return quality.polar_width;
+  return static_cast<double>(quality.polar_width) * quality.polar_height / load.rows;
+}
 
 inline constexpr double kRaysPerColumn = 500, kRaysPerProbe = 64;
 
@@ -29,7 +36,7 @@ inline FrameCost cost_of(const Load& load, const FrameQuality& quality, TimeNs f
     cost.work_ms[static_cast<std::size_t>(kind)] = load.factor * units * ms_per_unit;
     cost.rays[static_cast<std::size_t>(kind)] = std::llround(units * rays_per_unit);
   };
-  const double columns = quality.polar_width;
+  const double columns = columns_of(load, quality);
   set(WorkKind::eye, columns, load.column_ms, kRaysPerColumn);
   set(WorkKind::light, columns * quality.light_samples, load.light_ms, kRaysPerColumn);
   set(WorkKind::probe, quality.probes, load.probe_ms, kRaysPerProbe);
@@ -77,6 +84,15 @@ inline DeadlineConfig wide_config(double target_ms, int narrowest = 1, int full_
   DeadlineConfig config;
   config.target_ms = target_ms;
   config.limits = quality_limits({1, full_width, 0}, narrowest);
+  return config;
+}
+
+// One width, so that a step of 50 can be followed by the height alone: from 8192 rows down to 2.
+inline DeadlineConfig tall_config(double target_ms) {
+  constexpr int kWidth = 16, kRows = 8192;
+  DeadlineConfig config;
+  config.target_ms = target_ms;
+  config.limits = quality_limits({1, kWidth, 0, kRows}, kWidth, 2);
   return config;
 }
 

@@ -118,6 +118,7 @@ TEST_F(ReplaySession, ATargetOutOfReachEndsAtTheFloorAndIsWarnedOf) {
   const nlohmann::json quality = summary()["quality"];
   EXPECT_EQ(quality["reasons"], nlohmann::json({{"start", 1}, {"floor_too_slow", frames - 1}}));
   EXPECT_EQ(quality["polar_width"]["max"], 8.0) << "an eighth of 64";
+  EXPECT_EQ(quality["polar_height"]["max"], 16.0) << "a quarter of 64";
   EXPECT_EQ(summary()["settings"]["policy"], "deadline");
   EXPECT_FALSE(fs::exists(root() / "o/walk/checkpoint.json")) << "nobody could go on with it";
 }
@@ -130,7 +131,9 @@ TEST_F(ReplaySession, ATargetThatIsEasilyReachedGivesTheWholeWidth) {
   const nlohmann::json quality = summary()["quality"];
   EXPECT_EQ(quality["polar_width"]["min"], 8.0) << "the first frame, of which nothing is known";
   EXPECT_EQ(quality["polar_width"]["max"], 64.0);
-  EXPECT_EQ(quality["reasons"]["grow_limited"], 2) << "8, 16, 32, 64";
+  EXPECT_EQ(quality["polar_height"]["min"], 16.0);
+  EXPECT_EQ(quality["polar_height"]["max"], 64.0);
+  EXPECT_EQ(quality["reasons"]["grow_limited"], 4) << "8 x 16, 8 x 32, 8 x 64, 16 x 64, 32 x 64, 64 x 64";
 }
 
 TEST_F(ReplaySession, TheHeaderOfAPictureTellsTheSettingsThatShapedIt) {
@@ -167,6 +170,7 @@ TEST_F(ReplaySession, EachNameInTheSummaryHasItsFormulaThere) {
   EXPECT_EQ(whole["feed"]["misregistration"]["count"], whole["frames"]["rendered"]);
   EXPECT_EQ(whole["quality"]["reasons"], nlohmann::json({{"fixed", whole["frames"]["rendered"]}}));
   EXPECT_EQ(whole["quality"]["polar_width"]["min"], 64.0);
+  EXPECT_EQ(whole["quality"]["polar_height"]["min"], 64.0);
 }
 
 TEST_F(ReplaySession, BothFormatsInOneRunAreTheFilesOfTwoRuns) {

@@ -74,8 +74,8 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
                        name.ends_with("_values") || name.ends_with("_frames") || name.ends_with("_ticks") ||
                        name.ends_with("_probes") || name.ends_with("_paths") || name.ends_with("_share") ||
                        name.starts_with("instances_") || name.starts_with("meshes_") ||
-                       name == "plan_changes" || name == "polar_width" || name == "light_beyond_feed" ||
-                       name == "preemptions";
+                       name == "plan_changes" || name == "polar_width" || name == "polar_height" ||
+                       name == "light_beyond_feed" || name == "preemptions";
     const bool word =
         name.find("_source") != std::string::npos || name == "quality_reason" || name == "miss_cause";
     EXPECT_TRUE(unit || count || word) << name;
@@ -102,7 +102,7 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   record.gaze_source = {SampleSource::gliding, SampleSource::exact};
   record.nonfinite_pictures = 3;
   record.repeated_ticks = 2;
-  record.decision = {{16, 315, 128}, QualityReason::grow_limited, 40.5, 48.25};
+  record.decision = {{16, 315, 128, 384}, QualityReason::grow_limited, 40.5, 48.25};
   record.missed = true;
   record.cause = MissCause::machine;
   record.preemptions = 17;
@@ -121,6 +121,7 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   EXPECT_FALSE(read->feed_turn_arcmin);
   EXPECT_EQ(read->decision.reason, QualityReason::grow_limited);
   EXPECT_EQ(read->decision.quality.polar_width, 315);
+  EXPECT_EQ(read->decision.quality.polar_height, 384);
   ASSERT_TRUE(read->camera_age_ms);
   // Statistics of rows are those of the run: histograms count whole nanoseconds, and rows state them.
   RunStatistics of_run, of_rows;

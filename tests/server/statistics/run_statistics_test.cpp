@@ -31,6 +31,8 @@ FrameRecord random_record(std::mt19937_64& random) {
   record.pose_age_ms = maybe(), record.gaze_age_ms = maybe(), record.camera_age_ms = maybe();
   record.motion_to_photon_ms = maybe(), record.cpu_ms = maybe();
   record.decision.quality.polar_width = static_cast<int>(count());
+  record.decision.quality.polar_height = static_cast<int>(count());
+  record.decision.quality.probes = static_cast<int>(count());
   record.decision.quality.light_samples = static_cast<int>(count());
   record.decision.reason = static_cast<QualityReason>(random() % kQualityReasons);
   record.head_deg_s = ms(random);

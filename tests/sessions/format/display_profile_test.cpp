@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <glm/trigonometric.hpp>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "tests/paths.h"
 #include "tests/sessions/recorded_folder.h"
 
 namespace herr {
@@ -54,6 +58,72 @@ TEST(Xr1Half, HasTheSameFieldsAtHalfTheSize) {
     EXPECT_EQ(half.viewports[i].tan_up, full.viewports[i].tan_up);
     EXPECT_EQ(half.viewports[i].name, full.viewports[i].name);
   }
+}
+
+// Published: 2064x2208 pixels for each eye, 110 by 96 degrees, 90 Hz. 2064 / (2 tan 55) * pi / 180 = 12.612
+// pixels a degree in the middle across, 2208 / (2 tan 48) * pi / 180 = 17.349 down.
+TEST(Quest3, HasTheNumbersThatItsMakerPublishes) {
+  const DisplayProfile profile = quest3_profile();
+  EXPECT_EQ(profile.name, "quest3");
+  EXPECT_EQ(profile.display_hz, 90);
+  ASSERT_EQ(profile.viewports.size(), 2u);
+  for (const Viewport& viewport : profile.viewports) {
+    EXPECT_FALSE(viewport.focus);
+    EXPECT_EQ(viewport.width_px, 2064);
+    EXPECT_EQ(viewport.height_px, 2208);
+    EXPECT_NEAR(viewport.tan_right - viewport.tan_left, 2 * tan_deg(110.0 / 2), 1e-12);
+    EXPECT_NEAR(viewport.tan_up - viewport.tan_down, 2 * tan_deg(96.0 / 2), 1e-12);
+    EXPECT_NEAR(centre_density(viewport), 12.612, 0.0005);
+  }
+  EXPECT_EQ(profile.viewports[0].name, "left_context");
+  EXPECT_EQ(profile.viewports[1].name, "right_context");
+  EXPECT_EQ(profile.viewports[0].eye, Eye::left);
+  EXPECT_EQ(profile.viewports[1].eye, Eye::right);
+}
+
+TEST(Generic90, IsRound) {
+  const DisplayProfile profile = generic_90_profile();
+  EXPECT_EQ(profile.name, "generic-90");
+  EXPECT_EQ(profile.display_hz, 90);
+  ASSERT_EQ(profile.viewports.size(), 2u);
+  for (const Viewport& viewport : profile.viewports) {
+    EXPECT_EQ(viewport.width_px, 2000);
+    EXPECT_EQ(viewport.height_px, 2000);
+    EXPECT_NEAR(viewport.tan_right, 1, 1e-12);
+    EXPECT_NEAR(viewport.tan_down, -1, 1e-12);
+  }
+}
+
+TEST(BuiltInProfiles, AreFoundByTheNamesOfTheOneList) {
+  const std::string names = builtin_display_profile_names();
+  EXPECT_EQ(names, "xr1, xr1-half, quest3, generic-90");
+  for (const char* name : {"xr1", "xr1-half", "quest3", "generic-90"}) {
+    const auto profile = builtin_display_profile(name);
+    ASSERT_TRUE(profile) << name;
+    EXPECT_EQ(profile->name, name);
+  }
+  EXPECT_FALSE(builtin_display_profile("xr1, xr1-half"));
+}
+
+// 0.3 * 1980 = 594, 0.3 * 1350 = 405; 0.1 * 1350 = 135; a pixel remains of any.
+TEST(ScaledProfile, HasTheSameFieldsWithFewerPixels) {
+  const DisplayProfile full = xr1_profile(), small = scaled_profile(full, 0.3);
+  ASSERT_EQ(small.viewports.size(), 4u);
+  EXPECT_EQ(small.viewports[0].width_px, 594);
+  EXPECT_EQ(small.viewports[0].height_px, 594);
+  EXPECT_EQ(small.viewports[1].width_px, 720);
+  EXPECT_EQ(small.viewports[1].height_px, 405);
+  EXPECT_EQ(scaled_profile(full, 0.1).viewports[1].height_px, 135);
+  for (std::size_t i = 0; i < 4; ++i) {
+    Viewport same = small.viewports[i];
+    same.width_px = full.viewports[i].width_px, same.height_px = full.viewports[i].height_px;
+    EXPECT_EQ(same, full.viewports[i]);
+  }
+  EXPECT_EQ(scaled_profile(full, 1), full);
+  EXPECT_EQ(scaled_profile(full, 1e-6).viewports[1].width_px, 1);
+  DisplayProfile half = scaled_profile(full, 0.5);
+  half.name = "xr1-half";
+  EXPECT_EQ(half, xr1_half_profile());
 }
 
 nlohmann::json one_viewport() {
@@ -119,9 +189,37 @@ TEST(DisplayProfileDocument, MorePixelsThanMemoryIsRefusedBeforeAnyIsAllocated) 
   EXPECT_INPUT_ERROR(parse(document), "536870912 pixels together");
 }
 
+std::string readme_of_sessions() {
+  std::ifstream file(test::source_dir() + "/sessions/README.md");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ReadmeOfSessions, ShowsABuiltInProfileAsAFileWouldHaveIt) {
+  const std::string readme = readme_of_sessions(), fence = "```json\n";
+  const std::size_t begin = readme.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t end = readme.find("```", begin + fence.size());
+  ASSERT_NE(end, std::string::npos);
+  const nlohmann::json shown =
+      nlohmann::json::parse(readme.substr(begin + fence.size(), end - begin - fence.size()));
+  const DisplayProfile profile = parse(shown);
+  const auto built_in = builtin_display_profile(profile.name);
+  ASSERT_TRUE(built_in) << profile.name;
+  EXPECT_EQ(profile, *built_in);
+  // Each key, and no other, in the table below it.
+  const std::size_t table = readme.find("| key |", end);
+  ASSERT_NE(table, std::string::npos);
+  const std::string rows = readme.substr(table, readme.find("\n\n", table) - table);
+  for (const auto& [key, value] : shown.items())
+    EXPECT_NE(rows.find('`' + key + '`'), std::string::npos) << key;
+  for (const auto& [key, value] : shown["viewports"][0].items()) {
+    EXPECT_NE(rows.find('`' + key + '`'), std::string::npos) << key;
+  }
+}
+
 TEST(DisplayProfileName, IsBuiltInOrAFile) {
   EXPECT_EQ(load_display_profile("xr1-half").viewports[0].width_px, 990);
-  EXPECT_INPUT_ERROR(load_display_profile("xr2"), "use xr1, xr1-half");
+  EXPECT_INPUT_ERROR(load_display_profile("xr2"), "use xr1, xr1-half, quest3, generic-90 or the path");
   EXPECT_INPUT_ERROR(load_display_profile("/nowhere/p.json"), "cannot be opened");
   const test::RecordedFolder folder;
   folder.write("p.json", one_viewport().dump());

@@ -41,9 +41,12 @@ class CountedMachine {
             factor * share * config_.target_ms * static_cast<double>(units) / static_cast<double>(of);
       cost.total_ms += cost.work_ms[k];
     };
-    add(WorkKind::eye, load_.columns, quality.polar_width, full.polar_width);
-    add(WorkKind::light, load_.light, std::int64_t{quality.polar_width} * quality.light_samples,
-        std::int64_t{full.polar_width} * full.light_samples);
+    const auto samples = [](const FrameQuality& of) {
+      return std::int64_t{of.polar_width} * of.polar_height;
+    };
+    add(WorkKind::eye, load_.columns, samples(quality), samples(full));
+    add(WorkKind::light, load_.light, samples(quality) * quality.light_samples,
+        samples(full) * full.light_samples);
     add(WorkKind::probe, load_.probes, quality.probes, full.probes);
     cost.missed = cost.total_ms > config_.target_ms;
     return cost;
@@ -67,14 +70,19 @@ class CountedMachine {
     const FrameQuality& quality = decision_.quality;
     const auto within = [](int value, int least, int most) { return value >= least && value <= most; };
     return within(quality.polar_width, limits.narrowest, limits.full.polar_width) &&
-           within(quality.light_samples, 1, limits.full.light_samples) &&
+           within(quality.polar_height, limits.lowest, limits.full.polar_height) &&
+           quality.polar_height % 2 == 0 && within(quality.light_samples, 1, limits.full.light_samples) &&
            within(quality.probes, limits.fewest_probes, limits.full.probes) &&
            std::isfinite(policy_.headroom()) && decision_.aim_ms.value_or(0) > 0 &&
            std::isfinite(decision_.predicted_ms.value_or(0));
   }
   bool is_full() const {
     const FrameQuality &a = decision_.quality, &b = config_.limits.full;
-    return a.polar_width == b.polar_width && a.light_samples == b.light_samples && a.probes == b.probes;
+    return same(a, b);
+  }
+  static bool same(const FrameQuality& a, const FrameQuality& b) {
+    return a.polar_width == b.polar_width && a.polar_height == b.polar_height &&
+           a.light_samples == b.light_samples && a.probes == b.probes;
   }
   const QualityDecision& decision() const { return decision_; }
   const DeadlineConfig& config() const { return config_; }
@@ -88,14 +96,15 @@ class CountedMachine {
   TimeNs now_ns_ = 0;
 };
 
-// As wide, as many samples and probes as the run has, down to one column.
+// As wide and high, as many samples and probes as the run has, down to one column of a quarter of the rows.
 DeadlineConfig config_of(const RelationCase& subject) {
   const RenderSettings& settings = subject.settings;
   DeadlineConfig config;
   config.target_ms = 1000 / subject.profile.display_hz;
   const auto& counts = subject.scene.probes.counts;
   const int probes = settings.probes.on ? counts[0] * counts[1] * counts[2] : 0;
-  config.limits = quality_limits({settings.light_samples, settings.polar_width, probes}, 1);
+  const FrameQuality full{settings.light_samples, settings.polar_width, probes, settings.polar_height};
+  config.limits = quality_limits(full, 1, default_lowest(settings.polar_height));
   return config;
 }
 
@@ -117,21 +126,22 @@ void measure_load_steps(const DeadlineConfig& config, RelationLog& log) {
   down.holds = "no frame is late, and all quality is back after the controller's own waits";
   down.unit = "frames until all quality is back";
   const double wait_frames = std::ceil(config.more_light_after_s * 1e3 / config.target_ms) + 1;
-  down.bound = 1 + config.hold_frames +
-               std::ceil(std::log(double(config.limits.full.polar_width)) / std::log(config.growth)) +
-               steps_of_effort(config.limits) * wait_frames;
+  const QualityLimits& limits = config.limits;
+  const double growth = double(limits.full.polar_width) * limits.full.polar_height / limits.lowest;
+  down.bound = 1 + config.hold_frames + std::ceil(std::log(growth) / std::log(config.growth)) +
+               steps_of_effort(limits) * wait_frames;
   down.bound_from =
       "1 frame that meets the step, 2 of hold, a doubling a frame, and half a second for each step of "
       "samples "
       "and probes";
   calm.name = "no limit cycle under a steady load";
-  calm.holds = "width, light samples and probes stay as they are once they have settled";
+  calm.holds = "width, height, light samples and probes stay as they are once they have settled";
   calm.unit = "frames of another quality than the one before";
   calm.bound_from =
       "what fits is a fixed number under a steady load, and 2 % more or 1 % less change nothing";
 
   CountedMachine machine(config);
-  FrameQuality floor{1, config.limits.narrowest, config.limits.fewest_probes};
+  const FrameQuality floor{1, limits.narrowest, limits.fewest_probes, limits.lowest};
   const bool reachable = machine.cost_of(floor, kLoadStep).total_ms <= config.target_ms / 1.1;
   const int frames = machine.settling_frames();
   double changes = 0;
@@ -141,9 +151,7 @@ void measure_load_steps(const DeadlineConfig& config, RelationLog& log) {
       const FrameQuality before = machine.decision().quality;
       machine.frame(factor);
       const FrameQuality& now = machine.decision().quality;
-      const bool same = before.polar_width == now.polar_width && before.light_samples == now.light_samples &&
-                        before.probes == now.probes;
-      changes += same ? 0 : 1;
+      changes += CountedMachine::same(before, now) ? 0 : 1;
     }
   };
   run_calmly(1);
@@ -160,8 +168,8 @@ void measure_load_steps(const DeadlineConfig& config, RelationLog& log) {
   if (reachable) {
     log.measured(up, std::max(0, last_late - 1));
   } else {
-    log.not_applicable(up, "polar buffers of " + std::to_string(config.limits.full.polar_width) +
-                               " columns cannot shrink 50 times");
+    log.not_applicable(up, "polar buffers of " + std::to_string(limits.full.polar_width) + " columns and " +
+                               std::to_string(limits.full.polar_height) + " rows cannot shrink 50 times");
   }
   log.measured(down, last_less);
   log.measured(calm, changes);

@@ -1,0 +1,41 @@
+#include "server/replay/policy_text.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace herr {
+namespace {
+
+// Of values that the histogram keeps as milliseconds.
+std::string range_text(const std::string& name, const LatencyHistogram& values) {
+  const auto whole = [](double value) { return std::to_string(std::llround(value * 1e-6)); };
+  const std::string least = whole(static_cast<double>(values.min_ns())),
+                    most = whole(static_cast<double>(values.max_ns()));
+  if (least == most) return name + " " + least;
+  return name + " " + least + " ... " + most + " (mean " + whole(values.mean_ns()) + ")";
+}
+
+}  // namespace
+
+std::string policy_text(const RunStatistics& statistics, QualityPolicy policy) {
+  if (policy == QualityPolicy{} || statistics.frames == 0) return {};
+  std::string text = std::string(name_of(policy)) + ": " +
+                     range_text("width per eye", statistics.polar_width) + ", " +
+                     range_text("height", statistics.polar_height) + ", " +
+                     range_text("light samples", statistics.light_samples);
+  if (statistics.allowed_probes.max_ns() > 0) text += ", " + range_text("probes", statistics.allowed_probes);
+  const auto frames_for = [&](QualityReason reason) {
+    return statistics.reasons[static_cast<std::size_t>(reason)];
+  };
+  const std::int64_t slow = frames_for(QualityReason::floor_too_slow),
+                     floor = slow + frames_for(QualityReason::floor);
+  if (floor > 0) {
+    text +=
+        ", " + std::to_string(floor) + " of " + std::to_string(statistics.frames) + " frames at the floor";
+  }
+  if (slow > 0) text += ", " + std::to_string(slow) + " of them too slow there";
+  return text;
+}
+
+}  // namespace herr

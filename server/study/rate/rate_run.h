@@ -1,0 +1,53 @@
+// The search as a run: measures what the search asks for, and what the answer tells besides. Before: a ladder
+// and who measures it. After: rate_text, rate_json.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "server/study/rate/rate_ladder.h"
+#include "server/study/rate/rate_trial.h"
+
+namespace herr {
+
+struct MeasuredRate {
+  RateSetting setting;
+  std::vector<RateTrial> trials;  // at least one
+  double p95_ms = 0;              // the median of theirs
+  int frames() const;
+  MachineUse machine() const;
+};
+
+struct RateAnswer {
+  double period_ms = 0;
+  std::optional<MeasuredRate> held;     // the largest that holds; none: not even the smallest does
+  std::optional<MeasuredRate> refused;  // the next larger, which does not; none: the largest holds
+  std::vector<MeasuredRate> tried;      // all that were measured, ascending
+
+  // What is slowest in: the next larger setting, or the largest where that holds.
+  const MeasuredRate& limit() const { return refused ? *refused : *held; }
+  MachineUse machine() const;  // of all trials
+};
+
+// `whole`: to its last frame, however slow. None: the measurement was asked to stop.
+using MeasureRate = std::function<std::optional<RateTrial>(const RateSetting&, bool whole)>;
+// After each trial.
+using TellRate = std::function<void(const RateSetting&, const RateTrial&)>;
+
+// None where a measurement gave none. Where not even the smallest setting holds, it is measured once more as
+// a whole, and that is what the answer tells of it.
+std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder, double period_ms,
+                                          const MeasureRate& measure, const TellRate& tell);
+
+// The name of the stage that takes most of a frame, with its milliseconds: a mean over all trials; "sample"
+// is the sampling of the session, which is none of the renderer's. Threads that wait at the end of a phase
+// are none.
+struct LongestStage {
+  std::string name;
+  double ms = 0, frame_ms = 0;
+};
+LongestStage longest_stage(const std::vector<RateTrial>& trials);
+
+}  // namespace herr

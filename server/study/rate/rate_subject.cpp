@@ -1,0 +1,170 @@
+#include "server/study/rate/rate_subject.h"
+
+#include <algorithm>
+
+#include "server/check/measure/cpu_time.h"
+#include "server/process/steady_time.h"
+#include "server/process/stop_signal.h"
+#include "server/results/output_folder.h"
+#include "server/study/plan/study_setting.h"
+#include "server/text/number_text.h"
+#include "server/text/shell_word.h"
+
+namespace herr {
+namespace {
+
+constexpr double kMostSeconds = 20;  // of one measurement that has kFewestFrames
+constexpr int kFewestFrames = 20;
+constexpr int kFarTooSlow = 3;  // frames of twice the period that are enough to give up
+constexpr int kMostLate = kRateFrames / 20;
+
+// Adds frames up until a measurement has enough of them.
+class TrialFrames {
+ public:
+  explicit TrialFrames(double period_ms) : period_ms_(period_ms), began_ns_(steady_now_ns()) {
+    times_ms_.reserve(kRateFrames);
+  }
+
+  void add(const FrameRecord& record, double frame_ms, int cores) {
+    times_ms_.push_back(frame_ms);
+    if (frame_ms > period_ms_) ++late_;
+    if (frame_ms > 2 * period_ms_) ++far_too_slow_;
+    trial_.sample_ms += record.sample_ms;
+    for (std::size_t i = 0; i < kStageCount; ++i) trial_.stages.ms[i] += record.times.ms[i];
+    trial_.stages.frame_ms += record.times.frame_ms;
+    MachineUse& machine = trial_.machine;
+    machine.cpu_ms += record.cpu_ms.value_or(0), machine.cores_ms += record.times.frame_ms * cores;
+    machine.cpu_known = machine.cpu_known && record.cpu_ms.has_value();
+    machine.preemptions += record.preemptions.value_or(0);
+    if (!record.missed) return;
+    ++machine.late;
+    if (record.cause == MissCause::machine) ++machine.late_by_machine;
+  }
+  bool complete(bool to_the_end) const {
+    const auto count = static_cast<int>(times_ms_.size());
+    if (count >= kRateFrames) return true;
+    if (!to_the_end && far_too_slow_ >= kFarTooSlow && far_too_slow_ == count) return true;
+    if (count < kFewestFrames) return false;
+    const double seconds = static_cast<double>(steady_now_ns() - began_ns_) * 1e-9;
+    return (!to_the_end && late_ > kMostLate) || seconds > kMostSeconds;
+  }
+  RateTrial result() {
+    const auto count = static_cast<double>(times_ms_.size());
+    trial_.frames = static_cast<int>(times_ms_.size());
+    trial_.p95_ms = percentile_95(times_ms_);
+    trial_.cut_short = trial_.frames < kRateFrames;
+    for (const double ms : times_ms_) trial_.frame_ms += ms / count;
+    trial_.sample_ms /= count, trial_.stages.frame_ms /= count;
+    for (double& ms : trial_.stages.ms) ms /= count;
+    return trial_;
+  }
+  MachineUse& machine() { return trial_.machine; }
+
+ private:
+  const double period_ms_;
+  const TimeNs began_ns_;
+  std::vector<double> times_ms_;
+  int late_ = 0, far_too_slow_ = 0;
+  RateTrial trial_;
+};
+
+}  // namespace
+
+RateSetting most_of(const StudyOptions& options) {
+  constexpr int kMostUsualLight = 256;
+  RateSetting most;
+  most.polar_width = options.render.polar_width;
+  most.polar_height = options.render.polar_height;
+  most.light_samples = options.light_given ? options.render.light_samples : kMostUsualLight;
+  most.profile_scale = options.profile_scale;
+  return most;
+}
+
+ReplayOptions replay_options_of(const StudyOptions& options, const RateSetting& setting) {
+  ReplayOptions run;
+  run.sessions = {options.session};
+  run.scene = options.scene;
+  run.asset_roots = options.asset_roots;
+  if (options.profile_given) run.profile = options.profile;
+  run.profile_scale = setting.profile_scale;
+  run.render = options.render;
+  run.render.polar_width = setting.polar_width;
+  run.render.polar_height = setting.polar_height;
+  run.render.light_samples = setting.light_samples;
+  run.session = options.reading;
+  run.clock = ReplayClock::realtime;
+  run.target_ms = 1e3 / *options.hz;
+  run.formats = {};
+  run.sheet = SheetChoice::none;
+  return run;
+}
+
+std::string command_line_of(const StudyOptions& options, const RateSetting& setting) {
+  const ReplayOptions run = replay_options_of(options, setting);
+  std::string text = "herr replay " + shell_path(options.session);
+  if (!run.scene.empty()) text += " --scene " + shell_path(run.scene);
+  for (const std::filesystem::path& root : run.asset_roots) text += " --asset-root " + shell_path(root);
+  if (!run.profile.empty()) text += " --profile " + shell_path(run.profile);
+  text += " --profile-scale " + shortest_text(run.profile_scale) + " --polar " + polar_text(setting) +
+          " --light-samples " + std::to_string(setting.light_samples);
+  RenderSettings usual;  // what the line says already
+  usual.polar_width = setting.polar_width, usual.polar_height = setting.polar_height;
+  usual.light_samples = setting.light_samples;
+  const std::string flags = flags_text(changes_between(usual, run.render));
+  return text + (flags.empty() ? "" : " " + flags) + (run.session.strict ? " --strict" : "") +
+         " --clock realtime --target-ms " + shortest_text(*run.target_ms) +
+         " --format none --contact-sheet none";
+}
+
+RateSubject::RateSubject(const StudyOptions& options, const RateSetting& least)
+    : options_(options), run_(replay_options_of(options, least)) {
+  report_.session_folder = options.session;
+  report_.name = session_folder_name(options.session);
+  open_session(run_, report_, opened_);
+  profile_ = run_.profile.empty() ? report_.header.profile : load_display_profile(run_.profile);
+  frames_ = rate_frames(report_.range);
+  step_.emplace(run_, report_, opened_);
+  set_up_ = least;
+}
+
+void RateSubject::set_up(const RateSetting& setting) {
+  step_->rewind();  // a renderer is built on the scene as it was loaded
+  if (set_up_ == setting) return;
+  run_ = replay_options_of(options_, setting);
+  report_.profile = scaled_profile(profile_, setting.profile_scale);
+  build_renderer(run_.render, report_, opened_);
+  report_.settings = opened_.renderer->settings();
+  set_up_ = setting;
+  step_->rewind();
+}
+
+std::optional<RateTrial> RateSubject::measure(const RateSetting& setting, bool to_the_end) {
+  set_up(setting);
+  TrialFrames frames(period_ms());
+  const int cores = std::max(1, std::min(report_.settings.threads, report_.load.cores));
+  const std::optional<CpuTicks> before = read_cpu_ticks();
+  bool slow = false;  // then nothing has to warm up: it is decided at once
+  for (bool complete = false;;) {
+    for (const RateFrame& each : frames_) {
+      if (stop_signal() != 0) return std::nullopt;
+      const TimeNs start_ns = steady_now_ns();
+      step_->prepare(each.frame);
+      step_->render(rendered_);
+      const double frame_ms = static_cast<double>(step_->finished_ns() - start_ns) * 1e-6;
+      if (each.counts || slow) frames.add(step_->record(), frame_ms, cores);
+      slow = slow || frame_ms > 4 * period_ms();
+      complete = frames.complete(to_the_end);
+      if (complete) break;
+    }
+    if (complete) break;
+    step_->rewind();
+  }
+  const std::optional<CpuTicks> after = read_cpu_ticks();
+  if (before && after) {
+    frames.machine().used_ticks = after->used - before->used;
+    frames.machine().stolen_ticks = after->stolen - before->stolen;
+  }
+  return frames.result();
+}
+
+}  // namespace herr

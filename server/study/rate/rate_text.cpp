@@ -1,0 +1,151 @@
+#include "server/study/rate/rate_text.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "server/process/exit_code.h"
+#include "server/study/rate/rate_search.h"
+#include "server/text/number_text.h"
+
+namespace herr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMostSpread = 0.1;
+
+std::string ms_text(double ms) {
+  return fixed_text(ms, 2) + " ms";
+}
+
+std::string setting_text(const RateSetting& setting, const std::string& profile) {
+  return text_of(setting) + " of " + profile;
+}
+
+// "the 95th percentile of 300 frames in 3 runs is 10.62 ms".
+std::string percentile_text(const MeasuredRate& measured) {
+  const std::size_t runs = measured.trials.size();
+  return "the 95th percentile of " + std::to_string(measured.frames()) + " frames" +
+         (runs > 1 ? " in " + std::to_string(runs) + " runs (their median)" : "") + " is " +
+         ms_text(measured.p95_ms);
+}
+
+std::string stage_text(const MeasuredRate& measured) {
+  const LongestStage longest = longest_stage(measured.trials);
+  return longest.name + ", " + ms_text(longest.ms) + " of the mean " + ms_text(longest.frame_ms);
+}
+
+std::string first_sentence(const RateQuestion& question, const RateAnswer& answer) {
+  const std::string asked =
+      shortest_text(question.hz) + " Hz leaves " + ms_text(answer.period_ms) + " for a frame, and ";
+  if (!answer.held) {
+    const MeasuredRate& least = *answer.refused;
+    return asked + "this machine holds that with no setting: with the smallest, " +
+           setting_text(least.setting, question.profile) + ", " + percentile_text(least) + ", enough for " +
+           fixed_text(std::floor(1e4 / least.p95_ms) / 10, 1) + " Hz.";
+  }
+  const MeasuredRate& held = *answer.held;
+  return asked +
+         (answer.refused ? "the largest setting with which this machine holds that is "
+                         : "this machine holds that even with the largest setting that was tried, ") +
+         setting_text(held.setting, question.profile) + ": " + percentile_text(held) + ".";
+}
+
+std::string second_sentence(const RateQuestion& question, const RateAnswer& answer) {
+  if (!answer.held) return "The stage that prevents it is " + stage_text(*answer.refused) + ".";
+  if (!answer.refused) {
+    return "No stage prevents more (the longest is " + stage_text(*answer.held) +
+           "); --polar, --light-samples, --profile and --profile-scale say the most that is tried.";
+  }
+  return "The stage that prevents more is " + stage_text(*answer.refused) +
+         " of a frame of the next larger, " + setting_text(answer.refused->setting, question.profile) +
+         ", whose 95th percentile is " + ms_text(answer.refused->p95_ms) + ".";
+}
+
+Json setting_json(const RateSetting& setting) {
+  return {{"polar", polar_text(setting)},
+          {"polar_width_per_eye", setting.polar_width},
+          {"polar_height", setting.polar_height},
+          {"light_samples", setting.light_samples},
+          {"profile_scale", setting.profile_scale}};
+}
+
+Json measured_json(const MeasuredRate& measured, double period_ms) {
+  Json json = setting_json(measured.setting);
+  json["p95_ms"] = measured.p95_ms;
+  json["holds"] = measured.p95_ms <= period_ms;
+  json["frames"] = measured.frames();
+  json["runs"] = Json::array();
+  for (const RateTrial& trial : measured.trials) {
+    json["runs"].push_back({{"p95_ms", trial.p95_ms},
+                            {"mean_ms", trial.frame_ms},
+                            {"frames", trial.frames},
+                            {"cut_short", trial.cut_short}});
+  }
+  return json;
+}
+
+Json machine_json(const MachineUse& machine) {
+  const std::optional<double> share = machine.cpu_share();
+  return {{"busy", machine.busy()},
+          {"cpu_share", share ? Json(*share) : Json(nullptr)},
+          {"preemptions", machine.preemptions},
+          {"late_frames", machine.late},
+          {"late_by_machine", machine.late_by_machine},
+          {"steal", machine.steal()}};
+}
+
+}  // namespace
+
+std::string rate_text(const RateQuestion& question, const RateAnswer& answer) {
+  std::string text = first_sentence(question, answer) + "\n" + second_sentence(question, answer) + "\n";
+  if (!question.command_line.empty()) text += "\n" + question.command_line + "\n";
+  return text;
+}
+
+std::vector<std::string> rate_warnings(const RateAnswer& answer) {
+  std::vector<std::string> warnings;
+  const MachineUse machine = answer.machine();
+  if (machine.busy()) {
+    warnings.push_back("the machine was busy with something else (" + machine.text() +
+                       "): a quiet one holds more; repeat this when it is");
+  }
+  const MeasuredRate& told = answer.held ? *answer.held : *answer.refused;
+  const double spread = spread_of(told.trials);
+  if (spread > kMostSpread) {
+    warnings.push_back("the 95th percentiles of the " + std::to_string(told.trials.size()) +
+                       " runs differ by " + fixed_text(100 * spread, 0) +
+                       " %: the setting may not hold every time; take a smaller one for certain");
+  }
+  return warnings;
+}
+
+Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
+  const LongestStage longest = longest_stage(answer.limit().trials);
+  Json json{{"hz", question.hz},
+            {"period_ms", answer.period_ms},
+            {"profile", question.profile},
+            {"holds", answer.held.has_value()},
+            {"command_line", question.command_line.empty() ? Json(nullptr) : Json(question.command_line)}};
+  json["held"] = answer.held ? measured_json(*answer.held, answer.period_ms) : Json(nullptr);
+  json["prevented_by"] = nullptr;
+  if (answer.refused) {
+    json["prevented_by"] = {{"stage", longest.name},
+                            {"stage_ms", longest.ms},
+                            {"frame_ms", longest.frame_ms},
+                            {"setting", measured_json(*answer.refused, answer.period_ms)}};
+  }
+  json["machine"] = machine_json(answer.machine());
+  json["warnings"] = rate_warnings(answer);
+  json["tried"] = Json::array();
+  for (const MeasuredRate& each : answer.tried)
+    json["tried"].push_back(measured_json(each, answer.period_ms));
+  return json;
+}
+
+int rate_exit_code(const RateAnswer& answer) {
+  if (answer.held) return kExitDone;
+  return answer.machine().busy() ? kExitInconclusive : kExitRegression;
+}
+
+}  // namespace herr

@@ -1,0 +1,31 @@
+// The answer of `herr study --hz` for people and machines. Before: RateAnswer. After: stdout; warnings for
+// stderr.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "server/study/rate/rate_run.h"
+
+namespace herr {
+
+// What was asked, and of what.
+struct RateQuestion {
+  double hz = 90;
+  std::string profile;       // its name
+  std::string command_line;  // that renders `held`; empty without
+};
+
+// Two sentences, a line each: the largest setting that holds, and what prevents more. Below them, where a
+// setting holds, the line to be pasted.
+std::string rate_text(const RateQuestion& question, const RateAnswer& answer);
+// One for a machine that was busy, one for percentiles that scatter by more than a tenth; mostly none.
+std::vector<std::string> rate_warnings(const RateAnswer& answer);
+// {"hz", "period_ms", "holds", "command_line", "held", "prevented_by", "machine", "tried"}; null: there is
+// none.
+nlohmann::ordered_json rate_json(const RateQuestion& question, const RateAnswer& answer);
+// 0, or 1 when not even the smallest setting holds; 4 when that may be the fault of a busy machine.
+int rate_exit_code(const RateAnswer& answer);
+
+}  // namespace herr

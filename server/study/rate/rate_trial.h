@@ -1,0 +1,45 @@
+// One measurement of one setting, and what the machine gave to it. Before: RateSubject renders. After:
+// RateSearch decides by the percentile alone; the report tells the rest.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "renderer/stage_times.h"
+
+namespace herr {
+
+// Of the frames of one measurement, or of several together.
+struct MachineUse {
+  double cpu_ms = 0;      // of the process during the frames
+  double cores_ms = 0;    // that the frames' threads could have had: wall time x threads, no more than cores
+  bool cpu_known = true;  // the kernel told it of all frames
+  std::int64_t preemptions = 0;
+  std::int64_t late = 0, late_by_machine = 0;     // statistics/miss_cause.h
+  std::int64_t used_ticks = 0, stolen_ticks = 0;  // of the whole machine, as the hypervisor took them
+
+  void add(const MachineUse& other);
+  std::optional<double> cpu_share() const;
+  double steal() const;
+  // The machine, not the work, made frames late, or threads waited for cores that others had.
+  bool busy() const;
+  // What of that was measured, for a warning.
+  std::string text() const;
+};
+
+struct RateTrial {
+  int frames = 0;          // measured; those that warm up are not counted
+  double p95_ms = 0;       // of whole frames, sampling of the session included
+  bool cut_short = false;  // given up, since more than a twentieth of the frames asked for were late already
+  double frame_ms = 0;     // mean
+  double sample_ms = 0;    // of it: sampling the session, camera pictures decoded
+  StageTimes stages;       // of it: means
+  MachineUse machine;
+};
+
+// Nearest rank: the smallest that 95 % do not exceed. Of at least one time.
+double percentile_95(std::span<const double> times_ms);
+
+}  // namespace herr

@@ -1,0 +1,70 @@
+// Display profiles on every command that renders, and the rate that `herr study` is asked for.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/server/cli/refused_line.h"
+
+namespace herr {
+namespace {
+
+using test::complaint;
+
+TEST(CommandLine, EveryCommandThatRendersTakesAProfileAndItsScale) {
+  const auto parsed = [](std::vector<std::string> line) {
+    for (const char* word : {"--profile", "quest3", "--profile-scale", "0.25"}) line.emplace_back(word);
+    return parse_command_line(line);
+  };
+  const auto expect_both = [](const auto& options) {
+    EXPECT_EQ(options.profile, "quest3");
+    EXPECT_EQ(options.profile_scale, 0.25);
+  };
+  expect_both(std::get<ReplayOptions>(parsed({"replay", "walk"})));
+  expect_both(std::get<ServeOptions>(parsed({"serve", "walk"})).replay);
+  expect_both(std::get<BenchOptions>(parsed({"bench"})));
+  expect_both(std::get<StudyOptions>(parsed({"study", "walk"})));
+  expect_both(std::get<InspectOptions>(parsed({"inspect", "walk"})));
+  expect_both(std::get<CheckOptions>(parsed({"check", "walk", "--save", "a.json"})).run.replay);
+  EXPECT_EQ(std::get<SynthOptions>(parse_command_line({"synth", "out", "--profile", "quest3"})).profile,
+            "quest3");
+  for (const char* command : {"replay", "serve", "bench", "study", "inspect", "check", "synth", "convert"}) {
+    const std::string help = std::get<ShowText>(parse_command_line({command, "--help"})).text;
+    // The help is wrapped at blanks.
+    for (const char* name : {"xr1,", "xr1-half,", "quest3,", "generic-90"}) {
+      EXPECT_NE(help.find(name), std::string::npos) << command << " " << name;
+    }
+  }
+}
+
+TEST(CommandLine, StudyTakesARateInPlaceOfItsSweeps) {
+  const auto study = std::get<StudyOptions>(parse_command_line({"study", "walk", "--hz", "90"}));
+  EXPECT_EQ(study.hz, 90);
+  EXPECT_FALSE(study.profile_given);
+  EXPECT_FALSE(study.light_given);
+  const auto given =
+      std::get<StudyOptions>(parse_command_line({"study", "walk", "--hz", "72.5", "--profile", "quest3",
+                                                 "--light-samples", "1", "--profile-scale", "0.5"}));
+  EXPECT_EQ(given.hz, 72.5);
+  EXPECT_TRUE(given.profile_given);
+  EXPECT_TRUE(given.light_given);
+  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--stability"}),
+            "--hz: conflicts with --stability; give one of them");
+  EXPECT_EQ(complaint({"study", "--hz", "90", "--report", "a.json"}),
+            "--hz: conflicts with --report, which measures nothing; give one of them");
+  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--minutes", "5"}),
+            "--minutes: is of error against time; leave it out with --hz");
+  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--out", "a"}),
+            "--out: --hz writes nothing; leave it out, and take --json for machines");
+  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--polar", "acuity"}).find("--polar: acuity follows"),
+            0u);
+  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--only", "polar"}),
+            "--only: --hz sweeps nothing; leave it out");
+  EXPECT_EQ(complaint({"study", "--hz", "90"}), "SESSION: missing; give a session folder");
+  for (const char* value : {"0", "nan", "1e9", "1001", "0.9", "-1", ""}) {
+    EXPECT_EQ(complaint({"study", "walk", "--hz", value}).find("--hz:"), 0u) << value;
+  }
+}
+
+}  // namespace
+}  // namespace herr

@@ -1,0 +1,196 @@
+// The search as a run over simulated machines, and what it says.
+#include "server/study/rate/rate_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "server/study/rate/rate_text.h"
+#include "tests/server/study/rate/simulated_rate.h"
+
+namespace herr {
+namespace {
+
+constexpr double kHz = 90, kPeriod_ms = 1000.0 / 90;
+
+const std::vector<RateSetting>& ladder() {
+  static const std::vector<RateSetting> all = rate_ladder({788, 768, 256, 1});
+  return all;
+}
+
+RateTrial trial_on(const test::RateCost& cost, const RateSetting& setting) {
+  RateTrial trial = test::trial_of(test::cost_ms(cost, setting));
+  const double scale2 = setting.profile_scale * setting.profile_scale;
+  trial.stages[Stage::viewports] = 0.9 * scale2 * cost.pixels_ms;
+  trial.stages[Stage::first_hits] = trial.frame_ms - trial.stages[Stage::viewports];
+  trial.stages[Stage::idle] = 1000;  // a wait is no stage that prevents anything
+  return trial;
+}
+
+std::optional<RateAnswer> answer_on(const test::RateCost& cost, double period_ms = kPeriod_ms) {
+  return run_rate_search(
+      ladder(), period_ms, [&](const RateSetting& setting, bool) { return trial_on(cost, setting); },
+      [](const RateSetting&, const RateTrial&) {});
+}
+
+// The largest by looking at all of them.
+const RateSetting* largest_on(const test::RateCost& cost, double period_ms) {
+  const RateSetting* largest = nullptr;
+  for (const RateSetting& setting : ladder()) {
+    if (test::cost_ms(cost, setting) <= period_ms) largest = &setting;
+  }
+  return largest;
+}
+
+TEST(RateRun, FindsWhatLookingAtAllOfThemFinds) {
+  for (const double factor : {1e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0}) {
+    SCOPED_TRACE(factor);
+    const test::RateCost cost{factor, 50 * factor, 20 * factor, 30 * factor};
+    const auto answer = answer_on(cost);
+    ASSERT_TRUE(answer);
+    const RateSetting* wanted = largest_on(cost, kPeriod_ms);
+    ASSERT_EQ(answer->held.has_value(), wanted != nullptr);
+    if (wanted != nullptr) {
+      EXPECT_EQ(answer->held->setting, *wanted);
+    }
+    EXPECT_EQ(answer->refused.has_value(), !(wanted != nullptr && *wanted == ladder().back()));
+  }
+}
+
+TEST(RateRun, TheLongestStageThatIsNoWaitPreventsMore) {
+  const auto pixels = answer_on({0.1, 1, 0.1, 40});
+  EXPECT_EQ(longest_stage(pixels->limit().trials).name, "viewports");
+  const auto rays = answer_on({0.1, 40, 0.1, 1});
+  EXPECT_EQ(longest_stage(rays->limit().trials).name, "first_hits");
+  RateTrial trial = test::trial_of(10);
+  trial.sample_ms = 6, trial.stages[Stage::other] = 5;
+  EXPECT_EQ(longest_stage({trial}).name, "sample");
+  EXPECT_EQ(longest_stage({trial}).ms, 6);
+}
+
+TEST(RateRun, StopsWhenAMeasurementIsAskedTo) {
+  int trials = 0;
+  const auto measure = [&](const RateSetting& setting, bool) -> std::optional<RateTrial> {
+    if (++trials == 3) return std::nullopt;
+    return trial_on({}, setting);
+  };
+  EXPECT_FALSE(run_rate_search(ladder(), kPeriod_ms, measure, [](const RateSetting&, const RateTrial&) {}));
+  EXPECT_EQ(trials, 3);
+}
+
+TEST(RateRun, WhenNotEvenTheSmallestHoldsItIsMeasuredToTheEnd) {
+  bool whole = false;
+  const auto answer = run_rate_search(
+      ladder(), kPeriod_ms,
+      [&](const RateSetting& setting, bool to_the_end) {
+        whole = to_the_end;
+        EXPECT_TRUE(!to_the_end || setting == ladder().front());
+        return test::trial_of(to_the_end ? 43.0 : 60.0, to_the_end ? 100 : 3);
+      },
+      [](const RateSetting&, const RateTrial&) {});
+  EXPECT_TRUE(whole);
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(answer->held);
+  EXPECT_EQ(answer->refused->p95_ms, 43);
+  EXPECT_EQ(answer->refused->frames(), 100);
+}
+
+RateTrial plain_trial(double p95_ms, double longest_ms) {
+  RateTrial trial = test::trial_of(p95_ms);
+  trial.frame_ms = 9;
+  trial.stages[Stage::first_hits] = longest_ms;
+  return trial;
+}
+
+RateAnswer plain_answer() {
+  RateAnswer answer;
+  answer.period_ms = kPeriod_ms;
+  answer.held = MeasuredRate{
+      {394, 384, 1, 0.5}, {plain_trial(10, 3), plain_trial(10.5, 3), plain_trial(10.6, 3)}, 10.5};
+  answer.refused = MeasuredRate{{404, 390, 1, 0.51}, {plain_trial(11.5, 3.25)}, 11.5};
+  answer.tried = {*answer.held, *answer.refused};
+  return answer;
+}
+
+TEST(RateText, IsTwoSentencesAndALineToPaste) {
+  EXPECT_EQ(
+      rate_text({kHz, "xr1", "herr replay walk"}, plain_answer()),
+      "90 Hz leaves 11.11 ms for a frame, and the largest setting with which this machine holds that is "
+      "polar "
+      "788x384, light samples 1, profile scale 0.5 of xr1: the 95th percentile of 300 frames in 3 runs "
+      "(their "
+      "median) is 10.50 ms.\n"
+      "The stage that prevents more is first_hits, 3.25 ms of the mean 9.00 ms of a frame of the next "
+      "larger, "
+      "polar 808x390, light samples 1, profile scale 0.51 of xr1, whose 95th percentile is 11.50 ms.\n\n"
+      "herr replay walk\n");
+  EXPECT_EQ(rate_exit_code(plain_answer()), 0);
+  EXPECT_TRUE(rate_warnings(plain_answer()).empty());
+}
+
+TEST(RateText, WhenEvenTheLargestHoldsNoStageIsBlamed) {
+  RateAnswer answer = plain_answer();
+  answer.refused.reset();
+  EXPECT_EQ(
+      rate_text({kHz, "xr1", "herr replay walk"}, answer),
+      "90 Hz leaves 11.11 ms for a frame, and this machine holds that even with the largest setting that was "
+      "tried, polar 788x384, light samples 1, profile scale 0.5 of xr1: the 95th percentile of 300 frames in "
+      "3 "
+      "runs (their median) is 10.50 ms.\n"
+      "No stage prevents more (the longest is first_hits, 3.00 ms of the mean 9.00 ms); --polar, "
+      "--light-samples, --profile and --profile-scale say the most that is tried.\n\n"
+      "herr replay walk\n");
+  EXPECT_EQ(rate_exit_code(answer), 0);
+}
+
+// 1000 / 43 = 23.26: 23.2 is what it is enough for.
+TEST(RateText, WhenNotEvenTheSmallestHoldsThereIsNothingToPaste) {
+  RateAnswer answer;
+  answer.period_ms = kPeriod_ms;
+  answer.refused = MeasuredRate{{98, 192, 1, 0.1}, {plain_trial(43, 30)}, 43};
+  answer.tried = {*answer.refused};
+  EXPECT_EQ(rate_text({kHz, "xr1", ""}, answer),
+            "90 Hz leaves 11.11 ms for a frame, and this machine holds that with no setting: with the "
+            "smallest, polar "
+            "196x192, light samples 1, profile scale 0.1 of xr1, the 95th percentile of 100 frames is 43.00 "
+            "ms, enough "
+            "for 23.2 Hz.\n"
+            "The stage that prevents it is first_hits, 30.00 ms of the mean 9.00 ms.\n");
+  EXPECT_EQ(rate_exit_code(answer), 1);
+  answer.tried.front().trials.front().machine.late = 4;
+  answer.tried.front().trials.front().machine.late_by_machine = 3;
+  EXPECT_EQ(rate_exit_code(answer), 4) << "a busy machine cannot tell";
+}
+
+TEST(RateText, WarnsOfABusyMachineAndOfNoise) {
+  RateAnswer answer = plain_answer();
+  answer.tried.front().trials.front().machine.late = 10;
+  answer.tried.front().trials.front().machine.late_by_machine = 9;
+  answer.held->trials.front().p95_ms = 8;  // 8 ... 10.6: 25 % of 10.5
+  const std::vector<std::string> warnings = rate_warnings(answer);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_NE(warnings[0].find("9 of 10 late frames for the machine alone"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[1].find("of the 3 runs differ by 25 %"), std::string::npos) << warnings[1];
+}
+
+TEST(RateJson, TellsWhatWasTriedAndWhatPreventsMore) {
+  const nlohmann::ordered_json json = rate_json({kHz, "xr1", "herr replay walk"}, plain_answer());
+  EXPECT_EQ(json["hz"], 90);
+  EXPECT_EQ(json["holds"], true);
+  EXPECT_EQ(json["held"]["polar"], "788x384");
+  EXPECT_EQ(json["held"]["polar_width_per_eye"], 394);
+  EXPECT_EQ(json["held"]["p95_ms"], 10.5);
+  EXPECT_EQ(json["held"]["frames"], 300);
+  EXPECT_EQ(json["held"]["runs"].size(), 3u);
+  EXPECT_EQ(json["prevented_by"]["stage"], "first_hits");
+  EXPECT_EQ(json["prevented_by"]["setting"]["holds"], false);
+  EXPECT_EQ(json["machine"]["busy"], false);
+  EXPECT_EQ(json["tried"].size(), 2u);
+  RateAnswer all = plain_answer();
+  all.refused.reset();
+  EXPECT_TRUE(rate_json({kHz, "xr1", "x"}, all)["prevented_by"].is_null());
+}
+
+}  // namespace
+}  // namespace herr
