@@ -14,18 +14,24 @@ PolarSamples::PolarSamples(int max_width, int height, int reach) : height_(heigh
   spread_.resize(columns);
   sin_phi4_.resize(rows);
   cos_phi4_.resize(rows);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j) {
-    const double phi = phi_from_v((static_cast<double>(j) + 0.5) / height);
+  set_rows(0);
+}
+
+void PolarSamples::set_rows(double off) {
+  row_off_ = off;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(height_); ++j) {
+    const double phi = phi_from_v((static_cast<double>(j) + 0.5 + off) / height_);
     std::fill_n(&sin_phi4_[4 * j], 4, static_cast<float>(std::sin(phi)));
     std::fill_n(&cos_phi4_[4 * j], 4, static_cast<float>(std::cos(phi)));
   }
 }
 
-void PolarSamples::update(const PolarMap& map, int width) {
+void PolarSamples::update(const PolarMap& map, int width, const CellPlace& place) {
+  if (place.row != row_off_) set_rows(place.row);
   width_ = width;
   map_ = map;
   const auto theta_rad = [&](int i) {
-    const double deg = map.theta_from_u((i + 0.5) / width);
+    const double deg = map.theta_from_u((i + 0.5 + place.column) / width);
     return std::min(deg, 180.0) / kDegreesPerRadian;
   };
   const double phi_step = glm::two_pi<double>() / height_;

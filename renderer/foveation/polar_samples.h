@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/foveation/polar_map.h"
+#include "renderer/pixel_pass.h"
 
 namespace herr {
 
@@ -17,8 +18,9 @@ class PolarSamples {
   // columns and rows away.
   PolarSamples(int max_width, int height, int reach = 1);
 
-  // New frame: any width in [1, max_width], any theta_max in (0, 180]. No allocation.
-  void update(const PolarMap& map, int width);
+  // New frame: any width in [1, max_width], any theta_max in (0, 180]. No allocation. Directions go through
+  // `place` of each cell, its middle but for references.
+  void update(const PolarMap& map, int width, const CellPlace& place = {});
 
   std::int64_t bytes() const;
 
@@ -40,7 +42,10 @@ class PolarSamples {
   const float* cos_phi4() const { return cos_phi4_.data(); }
 
  private:
+  void set_rows(double off);
+
   int width_ = 0, height_, reach_;
+  double row_off_ = 0;
   PolarMap map_;
   std::vector<float> sin_theta_, cos_theta_, margin_, spread_, sin_phi4_, cos_phi4_;
 };
