@@ -8,6 +8,8 @@ namespace {
 constexpr std::array kRows{
     CounterRow{"polar_samples", "samples", "Samples of both polar buffers that some viewport can see.",
                &FrameCounters::polar_samples},
+    CounterRow{"edge_samples", "samples", "Samples at edges, through which further rays went.",
+               &FrameCounters::edge_samples},
     CounterRow{"viewport_pixels", "pixels", "Pixels of all viewports.", &FrameCounters::viewport_pixels},
     CounterRow{"invalid_rays", "rays", "Rays that are not finite: never handed to Embree.",
                &FrameCounters::invalid_rays},

@@ -15,6 +15,7 @@ namespace herr {
 struct FrameCounters {
   RayCounts rays;
   std::int64_t polar_samples = 0;  // samples of both polar buffers that some viewport can see
+  std::int64_t edge_samples = 0;   // of these, at edges: further rays went through them
   std::int64_t viewport_pixels = 0;
   std::int64_t invalid_rays = 0;      // not finite: never handed to Embree
   std::int64_t nonfinite_values = 0;  // NaN or Inf that a stage produced; replaced by 0 and counted

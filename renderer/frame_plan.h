@@ -43,6 +43,7 @@ struct FramePlan {
   bool mirror_rays = false;
   bool catcher_mirrors = false;  // mirror rays of catchers: virtual objects reflect in the real room
   bool refraction = false;
+  int edge_samples = 0;  // further rays through each sample at an edge; 0: none
   bool occlusion = false;
   bool environment_map = false;
   bool textures = false;

@@ -15,6 +15,11 @@ struct PixelTile {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
+// A place in the cell of a polar sample, in columns and rows off its middle, [-1/2, 1/2].
+struct CellPlace {
+  double column = 0, row = 0;
+};
+
 struct PixelPass {
   std::uint32_t seed = 0;  // in place of the settings'
   // Without foveation: the ray of a pixel passes through its place number `index` of a sequence that fills
@@ -24,6 +29,8 @@ struct PixelPass {
   bool jitter = false;
   std::uint32_t sequence = 0;
   int index = 0;
+  // With foveation: rays pass through this place of each polar cell.
+  CellPlace cell;
   // Which of Renderer::pixel_tiles() to trace, one byte each, 0: not; the pixels of those hold nothing of
   // use. Empty: all.
   std::span<const std::uint8_t> tiles;

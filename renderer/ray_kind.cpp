@@ -32,6 +32,10 @@ const char* name_of(RayKind kind) {
       return "catcher_probe_shadow";
     case RayKind::behind:
       return "behind";
+    case RayKind::edge:
+      return "edge";
+    case RayKind::edge_shadow:
+      return "edge_shadow";
   }
   return "unknown";
 }

@@ -22,9 +22,11 @@ enum class RayKind : std::uint8_t {
   probe_shadow,       // from what probes see to lights
   catcher_probe,      // the same for the probes of catchers alone, past virtual objects
   catcher_probe_shadow,
-  behind,  // from the eye, on through surfaces that blend and past backs that it does not see
+  behind,       // from the eye, on through surfaces that blend and past backs that it does not see
+  edge,         // further ones from the eye through samples at edges; twice where what they meet is lit anew
+  edge_shadow,  // from what those meet at the borders of shadows to lights
 };
-inline constexpr std::size_t kRayKinds = 14;
+inline constexpr std::size_t kRayKinds = 16;
 // Without "rays": "primary", "catcher_shadow", ...
 const char* name_of(RayKind kind);
 

@@ -28,6 +28,8 @@ const char* name_of(Stage stage) {
       return "second_hits";
     case Stage::second_light:
       return "second_light";
+    case Stage::edges:
+      return "edges";
     case Stage::resolve:
       return "resolve";
     case Stage::viewports:

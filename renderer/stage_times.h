@@ -20,13 +20,14 @@ enum class Stage : std::uint8_t {
   indirect_light,  // look-ups of probes at first and second hits
   second_hits,     // mirrored and refracted rays through Embree and their surfaces
   second_light,    // shadow rays and direct light at second hits
+  edges,           // further rays through samples at edges, and which surfaces they meet
   resolve,         // shaded samples -> polar buffer texels
   viewports,       // polar buffer -> viewports, composite over the camera feed
   overlays,        // lines of sample density, gaze marker
   idle,            // threads waiting at the end of a parallel phase
   other,           // frame time that no other row covers
 };
-inline constexpr std::size_t kStageCount = 17;
+inline constexpr std::size_t kStageCount = 18;
 // Column name without unit: "scene_update", ...
 const char* name_of(Stage stage);
 

@@ -33,7 +33,7 @@ std::size_t trace_packets(RTCScene scene, RayKind kind, const RecordedRays& rays
                           std::size_t count) {
   const bool probe = kind == RayKind::probe || kind == RayKind::catcher_probe;
   const bool closest = probe || kind == RayKind::primary || kind == RayKind::behind ||
-                       kind == RayKind::mirror || kind == RayKind::refraction;
+                       kind == RayKind::edge || kind == RayKind::mirror || kind == RayKind::refraction;
   const bool past_objects = kind == RayKind::catcher_shadow || kind == RayKind::catcher_occlusion ||
                             kind == RayKind::catcher_probe || kind == RayKind::catcher_probe_shadow;
   const unsigned mask = past_objects ? kCatcherMask : kAllMask;

@@ -156,6 +156,9 @@ Stage stage_of(std::size_t kind) {
   switch (static_cast<RayKind>(kind)) {
     case RayKind::primary:
       return Stage::first_hits;
+    case RayKind::edge:
+    case RayKind::edge_shadow:
+      return Stage::edges;
     case RayKind::mirror:
     case RayKind::refraction:
       return Stage::second_hits;
@@ -182,6 +185,7 @@ void widen(FramePlan& plan, const FramePlan& by) {
         &FramePlan::refraction, &FramePlan::occlusion, &FramePlan::probes, &FramePlan::catcher_probes}) {
     plan.*trait = plan.*trait || by.*trait;
   }
+  plan.edge_samples = std::max(plan.edge_samples, by.edge_samples);
 }
 
 // Rates and shares of kinds of rays that were traced at all.

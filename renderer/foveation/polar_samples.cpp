@@ -14,14 +14,15 @@ PolarSamples::PolarSamples(int max_width, int max_height, int reach) : reach_(re
   spread_.resize(columns);
   sin_phi4_.resize(rows);
   cos_phi4_.resize(rows);
-  divide_circle(max_height);
+  divide_circle(max_height, 0);
 }
 
-void PolarSamples::divide_circle(int height) {
+void PolarSamples::divide_circle(int height, double row_off) {
   height_ = height;
+  row_off_ = row_off;
   const std::size_t rows = 4 * static_cast<std::size_t>(height);
   for (std::size_t j = 0; j < static_cast<std::size_t>(height); ++j) {
-    const double phi = phi_from_v((static_cast<double>(j) + 0.5) / height);
+    const double phi = phi_from_v((static_cast<double>(j) + 0.5 + row_off) / height);
     std::fill_n(&sin_phi4_[4 * j], 4, static_cast<float>(std::sin(phi)));
     std::fill_n(&cos_phi4_[4 * j], 4, static_cast<float>(std::cos(phi)));
   }
@@ -30,12 +31,12 @@ void PolarSamples::divide_circle(int height) {
   std::fill_n(&cos_phi4_[rows], kPadding, 0.0f);
 }
 
-void PolarSamples::update(const PolarMap& map, int width, int height) {
-  if (height != height_) divide_circle(height);
+void PolarSamples::update(const PolarMap& map, int width, int height, const CellPlace& place) {
+  if (height != height_ || place.row != row_off_) divide_circle(height, place.row);
   width_ = width;
   map_ = map;
   const auto theta_rad = [&](int i) {
-    const double deg = map.theta_from_u((i + 0.5) / width);
+    const double deg = map.theta_from_u((i + 0.5 + place.column) / width);
     return std::min(deg, 180.0) / kDegreesPerRadian;
   };
   const double phi_step = glm::two_pi<double>() / height_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/foveation/polar_map.h"
+#include "renderer/pixel_pass.h"
 
 namespace herr {
 
@@ -17,9 +18,9 @@ class PolarSamples {
   // uses samples less than so many columns and rows away.
   PolarSamples(int max_width, int max_height, int reach = 1);
 
-  // New frame: any width in [1, max_width], any even height in [2, max_height], any theta_max in (0, 180]. No
-  // allocation.
-  void update(const PolarMap& map, int width, int height);
+  // New frame: any width in [1, max_width], any even height in [2, max_height], any theta_max in (0, 180].
+  // Directions go through `place` of each cell, its middle but for references. No allocation.
+  void update(const PolarMap& map, int width, int height, const CellPlace& place = {});
 
   std::int64_t bytes() const;
 
@@ -41,9 +42,10 @@ class PolarSamples {
   const float* cos_phi4() const { return cos_phi4_.data(); }
 
  private:
-  void divide_circle(int height);
+  void divide_circle(int height, double row_off);
 
   int width_ = 0, height_ = 0, reach_;
+  double row_off_ = 0;
   PolarMap map_;
   std::vector<float> sin_theta_, cos_theta_, margin_, spread_, sin_phi4_, cos_phi4_;
 };

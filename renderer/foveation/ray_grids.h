@@ -8,6 +8,7 @@
 #include <span>
 
 #include "renderer/feed/feed_view.h"
+#include "renderer/foveation/edge_places.h"
 #include "renderer/foveation/gaze_frame.h"
 #include "renderer/foveation/polar_samples.h"
 #include "renderer/foveation/radiance_buffer.h"
@@ -38,6 +39,7 @@ struct RayGrid {
   float right[3], up[3],
       gaze[3];  // anchor space; polar: gaze frame; planar: the viewport's axes (gaze = forward)
   const PolarSamples* samples = nullptr;
+  const EdgePlaces* edge_places = nullptr;  // where further rays pass through samples at edges; null: none do
   std::array<FrustumNormals, kMaxFrusta> frusta;
   int frustum_count = 0;
   float tan_left = 0, tan_up = 0, step_x = 0,

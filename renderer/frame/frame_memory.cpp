@@ -44,6 +44,7 @@ void Renderer::Impl::allocate_scratch() {
     if (scratch->second) allocate_if(plan.further_lobes, scratch->second->hits.lobes);
     allocate_if(plan.catchers_occlude, scratch->blocked);
     allocate_if(plan.alpha_blend, scratch->layers);
+    allocate_if(plan.edge_samples > 0, scratch->edges);
     // Whether light samples are adaptive may change with each frame's number of them.
     allocate_if(plan.adaptive_min_samples > 0, scratch->adaptive);
   }
@@ -53,9 +54,10 @@ MemoryUse Renderer::memory() const {
   const Impl& impl = *impl_;
   const GeometryMemory geometry = impl.geometry->memory();
   std::int64_t buffers = 0, tiles = 0, second = 0, blocked = 0, layers = 0, adaptive = 0, strips = 0,
-               lobes = 0;
+               lobes = 0, edges = 0;
   for (const RadianceBuffer& buffer : impl.buffers) buffers += buffer.bytes();
   for (const auto& samples : impl.samples) buffers += samples ? samples->bytes() : 0;
+  for (const auto& places : impl.edge_places) edges += places ? places->bytes() : 0;
   for (const std::unique_ptr<TileScratch>& scratch : impl.tile_scratch) {
     tiles += static_cast<std::int64_t>(sizeof(TileScratch));
     second += bytes_if(scratch->second);
@@ -63,6 +65,7 @@ MemoryUse Renderer::memory() const {
     blocked += bytes_if(scratch->blocked);
     layers += bytes_if(scratch->layers);
     adaptive += bytes_if(scratch->adaptive);
+    edges += bytes_if(scratch->edges);
     lobes += bytes_if(scratch->first.lobes) + (scratch->second ? bytes_if(scratch->second->hits.lobes) : 0);
   }
   for (const std::unique_ptr<StripScratch>& scratch : impl.strip_scratch) strips += scratch->bytes();
@@ -82,6 +85,7 @@ MemoryUse Renderer::memory() const {
           {"alpha layers", layers},
           {"further lobes", lobes},
           {"adaptive light samples", adaptive},
+          {"edge samples", edges},
           {"strips in work", strips},
           {"further views", views}};
 }

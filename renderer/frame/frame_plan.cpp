@@ -179,6 +179,11 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          : many && plan.alpha_blend ? "blended surfaces let shares of the light pass"
          : many                     ? "all strata for every hit"
                                     : "one sample");
+  bool edges = false;
+  decide(edges, settings.edge_samples > 0 && plan.polar, "edge samples",
+         std::to_string(settings.edge_samples) + " further rays through each sample at an edge",
+         settings.edge_samples == 0 ? "not asked for" : "foveation is off");
+  plan.edge_samples = edges ? settings.edge_samples : 0;
   const bool has_ambient =
       scene.ambient != glm::vec3{0.0f} || (settings.probes.on && !scene.instances.empty());
   decide(plan.occlusion, settings.occlusion_rays > 0 && has_ambient, "ambient occlusion",

@@ -283,8 +283,12 @@ void Renderer::Impl::set_up_rays(const FrameSample& sample, const FrameQuality& 
     const std::uint32_t key = frame_key(sample.t_ns - sample.start_ns, static_cast<int>(eye), seed);
     if (plan.polar) {
       samples[i]->update(polar_map(view.theta_max_deg), width_of(view, quality.polar_width),
-                         quality.polar_height);
+                         quality.polar_height, pass ? pass->cell : CellPlace{});
       set_polar_grid(view, profile.viewports, eye, *samples[i], buffers[i], key, grids[i]);
+      grids[i].edge_places = edge_places[i].get();
+      if (edge_places[i]) {
+        edge_places[i]->update(samples[i]->map(), samples[i]->width(), quality.polar_height);
+      }
     } else {
       set_planar_grid(view, profile.viewports[i], settings.scale, buffers[i], key, grids[i]);
     }

@@ -59,6 +59,9 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
   for (std::size_t i = 0; i < buffers.size() && plan.polar; ++i) {
     const int reach = settings.filter == ResampleFilter::bicubic ? 2 : 1;
     samples[i] = std::make_unique<PolarSamples>(settings.polar_width, settings.polar_height, reach);
+    if (plan.edge_samples == 0) continue;
+    edge_places[i] =
+        std::make_unique<EdgePlaces>(settings.polar_width, settings.polar_height, plan.edge_samples);
   }
   grids.resize(buffers.size());
   first_tile.resize(buffers.size() + 1);

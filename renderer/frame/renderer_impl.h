@@ -50,11 +50,12 @@ struct Renderer::Impl {
 
   // Per frame, rewritten in place.
   std::array<EyeView, 2> eyes;
-  std::array<std::unique_ptr<PolarSamples>, 2> samples;  // per eye, log-polar only
-  std::vector<RadianceBuffer> buffers;                   // per eye, or per viewport without foveation
-  std::vector<RayGrid> grids;                            // one per buffer
-  std::vector<int> first_tile;                           // of each grid, then the total
-  std::vector<std::uint8_t> covered_tiles;               // 1: not traced; empty where all are
+  std::array<std::unique_ptr<PolarSamples>, 2> samples;    // per eye, log-polar only
+  std::array<std::unique_ptr<EdgePlaces>, 2> edge_places;  // likewise, with edge samples
+  std::vector<RadianceBuffer> buffers;                     // per eye, or per viewport without foveation
+  std::vector<RayGrid> grids;                              // one per buffer
+  std::vector<int> first_tile;                             // of each grid, then the total
+  std::vector<std::uint8_t> covered_tiles;                 // 1: not traced; empty where all are
   std::vector<LightRecord> lights;
   ShadingInputs shading;
   std::vector<ViewportJob> viewport_jobs;     // one per viewport

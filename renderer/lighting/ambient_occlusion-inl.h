@@ -113,7 +113,8 @@ HWY_NOINLINE inline void ambient_occlusion(const TileJob& job, int packets) {
         [&](std::size_t hit, float passes) { hits.open[hit] -= share * (1.0f - passes); },
         [&](std::size_t hit, float passes) { hits.open_without[hit] -= share * (1.0f - passes); });
   }
-  if (job.shading->occlusion_smoothing) smooth_occlusion(job, packets);
+  const bool has_blocks = !scratch.edges || !scratch.edges->lights_unseen;
+  if (job.shading->occlusion_smoothing && has_blocks) smooth_occlusion(job, packets);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,6 +10,20 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
+// Where edges are looked for: remembers of lights with one sample whether something is in its way.
+HWY_INLINE void note_blocked(const TileJob& job, const LightRecord& light, int count) {
+  EdgeSamples* edges = job.scratch->edges.get();
+  if (edges == nullptr || !edges->notes || light.samples > 1) return;
+  const auto number = static_cast<int>(&light - job.shading->lights.data());
+  if (number >= kMostEdgeLights) return;
+  const VI bit = hn::Set(kI, 1 << number);
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const MF blocked = hn::Lt(load(&job.scratch->visible[slot]), set(0.5f));
+    std::int32_t* to = &edges->blocked_at[slot];
+    hn::Store(hn::Or(hn::Load(kI, to), hn::IfThenElseZero(hn::RebindMask(kI, blocked), bit)), kI, to);
+  }
+}
+
 // Direct light of every light at hits [0, count) of a batch, whose layers are laid.
 template <Lobe kLobe>
 HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, RayKind kind) {
@@ -24,6 +38,7 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
       for (int s = 0; s < light.samples; ++s) {
         queue_shadow_rays(job, light, s, hits, count);
         find_visibility(job, light, hits, kind);
+        note_blocked(job, light, count);
         for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, use, hits, slot);
       }
     }

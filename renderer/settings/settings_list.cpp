@@ -33,6 +33,9 @@ std::vector<Setting> of_rays(RenderSettings& s) {
       {"first_light_samples", "--first-light-samples", "", Group::rays, Effect::error_for_time,
        "adaptive, up to 256 light samples: trace N, the rest only where they disagree; 0: all",
        whole(s.adaptive_min_samples, 0, kMostLightSamples)},
+      {"edge_samples", "--edge-samples", "", Group::rays, Effect::error_for_time,
+       "further rays through each polar sample at an edge of surfaces or of hard shadows; 0: none",
+       whole(s.edge_samples, 0, kMostEdgeSamples)},
       {"occlusion_rays", "--occlusion-rays", "", Group::rays, Effect::error_for_time,
        "short rays of ambient occlusion per hit; 0: none", whole(s.occlusion_rays, 0, 64)},
       {"light_sampler", "", "", Group::rays, Effect::pictures,
@@ -165,7 +168,7 @@ std::vector<Setting> of_machine(RenderSettings& s) {
 
 // A new field changes the size: give it a row above (or say in render_settings.h why it has none), then this
 // number.
-static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 368);
+static_assert(sizeof(ProbeSettings) == 56 && sizeof(RenderSettings) == 376);
 
 std::vector<Setting> settings_of(RenderSettings& settings) {
   std::vector<Setting> all;

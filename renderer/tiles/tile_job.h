@@ -16,26 +16,12 @@
 #include "renderer/probes/probe_view.h"
 #include "renderer/stage_times.h"
 #include "renderer/threads/stage_clock.h"
+#include "renderer/tiles/edge_samples.h"
 #include "renderer/tiles/environment_record.h"
+#include "renderer/tiles/hit_lanes.h"
 #include "renderer/tiles/ray_recorder.h"
 
 namespace herr {
-
-inline constexpr int kTileSide = 32;
-inline constexpr int kTileRays = kTileSide * kTileSide;
-inline constexpr int kMaxLanes = 16;
-// Blocks of 4x4 samples: neighbours that share decisions and directions on every instruction set.
-inline constexpr int kBlocksAlong = kTileSide / 4;
-inline constexpr std::size_t kBlocksInTile = kBlocksAlong * kBlocksAlong;
-
-// One value per ray of a batch, with room for a last partial vector.
-template <typename T>
-using Lane = std::array<T, kTileRays + kMaxLanes>;
-
-// A vector or a colour (x red, y green, z blue) per ray of a batch.
-struct Lane3 {
-  Lane<float> x, y, z;
-};
 
 // How much a kernel knows of surfaces. plain: factors. textures: base colour and metallic-roughness, one set
 // of coordinates. all: whatever a DetailRecord holds.
@@ -173,6 +159,7 @@ struct alignas(64) TileScratch {
   std::unique_ptr<RayQueue> blocked;        // where catchers shadow one another: blocked rays of catchers
   std::unique_ptr<AlphaLayers> layers;      // where surfaces blend
   std::unique_ptr<AdaptiveLight> adaptive;  // where light samples are adaptive
+  std::unique_ptr<EdgeSamples> edges;       // where further rays go through samples at edges
 };
 
 // Counts of one worker; added up after the frame.

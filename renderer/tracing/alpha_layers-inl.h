@@ -68,15 +68,6 @@ HWY_NOINLINE inline bool add_layer(const TileJob& job, int packets, bool last) {
   return more;
 }
 
-HWY_NOINLINE inline void resolve_layers(const TileJob& job, int packets) {
-  const AlphaLayers& layers = *job.scratch->layers;
-  for (int packet = 0; packet < packets; ++packet) {
-    const int slot = packet * kLanes;
-    store_texels(job, packet, hn::Load(kI, &layers.kind[slot]),
-                 {load3(layers.light, slot), load3(layers.ratio, slot)});
-  }
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace herr
 HWY_AFTER_NAMESPACE();

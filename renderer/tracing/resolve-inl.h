@@ -126,9 +126,8 @@ HWY_INLINE void place(const TexelSink& sink, std::uint16_t* plane, int x, int y,
   }
 }
 
-HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& rgb, VF w, int packet,
+HWY_INLINE void store_plane(const TexelSink& sink, std::uint16_t* plane, const V3& rgb, VF w, int x, int y,
                             VI kind) {
-  const TileScratch& scratch = *job.scratch;
   const hn::Rebind<hwy::float16_t, F> half;
   const hn::RebindToUnsigned<decltype(half)> bits;
   alignas(64) std::uint16_t texels[4 * kMaxLanes];
@@ -136,9 +135,6 @@ HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& 
     return hn::BitCast(bits, hn::DemoteTo(half, half_rounded(kF, value)));
   };
   hn::StoreInterleaved4(to_half(rgb.x), to_half(rgb.y), to_half(rgb.z), to_half(w), bits, texels);
-  const int x = scratch.packet_x[static_cast<std::size_t>(packet)],
-            y = scratch.packet_y[static_cast<std::size_t>(packet)];
-  const TexelSink& sink = job.grid->sink;
   constexpr int kRows = kLanes / 4;
   const bool repeated = x == 0 || y < 2 || x + 4 >= sink.width || y + kRows >= sink.height;
   if (!repeated && hn::AllTrue(kI, hn::Ne(kind, hn::Set(kI, static_cast<int>(HitKind::none))))) {
@@ -157,8 +153,8 @@ HWY_INLINE void store_plane(const TileJob& job, std::uint16_t* plane, const V3& 
   }
 }
 
-HWY_INLINE void store_texels(const TileJob& job, int packet, VI kind, Texel texel) {
-  const TexelSink& sink = job.grid->sink;
+// A texel as it is stored, but for rounding: with its background, and finite.
+HWY_INLINE Texel finished_texel(const TileJob& job, int packet, VI kind, Texel texel) {
   std::int64_t& nonfinite = job.counters->nonfinite_values;
   const MF lanes = hn::RebindMask(kF, hn::Ne(kind, hn::Zero(kI)));
   put_background(job, packet, texel);
@@ -166,14 +162,41 @@ HWY_INLINE void store_texels(const TileJob& job, int packet, VI kind, Texel texe
                  finite_half(texel.light.z, lanes, nonfinite)};
   texel.ratio = {finite_half(texel.ratio.x, lanes, nonfinite), finite_half(texel.ratio.y, lanes, nonfinite),
                  finite_half(texel.ratio.z, lanes, nonfinite)};
-  store_plane(job, sink.texels, texel.light, texel.ratio.y, packet, kind);
-  if (sink.ratios) store_plane(job, sink.ratios, texel.ratio, hn::Zero(kF), packet, kind);
+  return texel;
+}
+
+// Stores the texels of a packet whose first sample is (x, y).
+HWY_INLINE void store_texels(const TexelSink& sink, int x, int y, VI kind, const Texel& texel) {
+  store_plane(sink, sink.texels, texel.light, texel.ratio.y, x, y, kind);
+  if (sink.ratios) store_plane(sink, sink.ratios, texel.ratio, hn::Zero(kF), x, y, kind);
+}
+
+// What the samples of a packet hit first, and their texels once they are lit: of all layers where they blend.
+struct ResolvedPacket {
+  VI kind;
+  Texel texel;
+};
+
+HWY_NOINLINE inline void resolve_packet(const TileJob& job, int packet, ResolvedPacket& out) {
+  const int slot = packet * kLanes;
+  if (job.shading->plan->alpha_blend) {
+    const AlphaLayers& layers = *job.scratch->layers;
+    out.kind = hn::Load(kI, &layers.kind[slot]);
+    out.texel = {load3(layers.light, slot), load3(layers.ratio, slot)};
+  } else {
+    out.kind = hn::Load(kI, &job.scratch->first.kind[slot]);
+    out.texel = surface_texel(job, packet, out.kind);
+  }
+  out.texel = finished_texel(job, packet, out.kind, out.texel);
 }
 
 HWY_NOINLINE inline void resolve(const TileJob& job, int packets) {
+  const TileScratch& scratch = *job.scratch;
   for (int packet = 0; packet < packets; ++packet) {
-    const VI kind = hn::Load(kI, &job.scratch->first.kind[packet * kLanes]);
-    store_texels(job, packet, kind, surface_texel(job, packet, kind));
+    const auto p = static_cast<std::size_t>(packet);
+    ResolvedPacket at;
+    resolve_packet(job, packet, at);
+    store_texels(job.grid->sink, scratch.packet_x[p], scratch.packet_y[p], at.kind, at.texel);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/tiles/ray_cones-inl.h"
 #include "renderer/tracing/alpha_layers-inl.h"
 #include "renderer/tracing/back_faces-inl.h"
+#include "renderer/tracing/smooth_edges-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -46,6 +47,7 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
     const VI kind_of_hit = hn::Load(kI, &scratch.first.kind[p * kLanes]);
     hn::Store(hn::IfThenElse(hn::RebindMask(kI, traced), kind_of_hit, wanted), kI,
               &scratch.first.kind[p * kLanes]);
+    if (scratch.edges && scratch.edges->notes) note_surfaces(job, p);
   }
   cycles.lap(Stage::surfaces);
 
@@ -72,30 +74,36 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
 }
 
 template <SurfaceDetail kDetail, Lobe kLobe>
+HWY_NOINLINE void light_packets(const TileJob& job, int packets, RayKind kind) {
+  const bool blends = job.shading->plan->alpha_blend;
+  if (blends) begin_layers(job, packets);
+  for (int layer = 1; layer <= kMostLayers; ++layer) {
+    trace_layer<kDetail, kLobe>(job, packets, layer == 1 ? kind : RayKind::behind);
+    if (job.scratch->edges) job.scratch->edges->notes = false;
+    if (!blends) return;
+    const bool more = add_layer(job, packets, layer == kMostLayers);
+    job.cycles->lap(Stage::resolve);
+    if (!more) return;
+  }
+}
+
+template <SurfaceDetail kDetail, Lobe kLobe>
 HWY_NOINLINE void trace_tile_with(const TileJob& job) {
   StageCycles& cycles = *job.cycles;
-  const FramePlan& plan = *job.shading->plan;
-
   cycles.start();
   const int packet_count = generate_rays(job);
   cycles.lap(Stage::polar_rays);
   if (packet_count == 0) return;
 
   if constexpr (kDetail != SurfaceDetail::plain || kLobe != Lobe::none) set_up_cones(job, packet_count);
-  if (!plan.alpha_blend) {
-    trace_layer<kDetail, kLobe>(job, packet_count, RayKind::primary);
+  const bool edges = job.grid->edge_places != nullptr;
+  if (edges) begin_edges(job, packet_count);
+  light_packets<kDetail, kLobe>(job, packet_count, RayKind::primary);
+  if (edges) {
+    smooth_edges<kDetail, kLobe>(job);
+  } else {
     resolve(job, packet_count);
-    cycles.lap(Stage::resolve);
-    return;
   }
-  begin_layers(job, packet_count);
-  for (int layer = 1; layer <= kMostLayers; ++layer) {
-    trace_layer<kDetail, kLobe>(job, packet_count, layer == 1 ? RayKind::primary : RayKind::behind);
-    const bool more = add_layer(job, packet_count, layer == kMostLayers);
-    cycles.lap(Stage::resolve);
-    if (!more) break;
-  }
-  resolve_layers(job, packet_count);
   cycles.lap(Stage::resolve);
 }
 

@@ -64,6 +64,8 @@ StageItems items_of(Stage stage, const BenchResult& result) {
       return {"second ray", rays_of(result, "mirror") + rays_of(result, "refraction")};
     case Stage::second_light:
       return {"shadow ray", rays_of(result, "mirror_shadow") + rays_of(result, "refraction_shadow")};
+    case Stage::edges:
+      return {"edge ray", rays_of(result, "edge") + rays_of(result, "edge_shadow")};
     case Stage::resolve:
       return {"polar sample", polar_samples_of(result)};
     case Stage::viewports:

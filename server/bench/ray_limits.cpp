@@ -29,7 +29,11 @@ double polar_samples(const BenchResult& result) {
 std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, std::size_t lights,
                              const RenderSettings& settings) {
   // Of a sample that looks through blended surfaces, each layer has hits and second rays of its own.
-  const double layers = plan.alpha_blend ? kMostLayers : 1;
+  const double eye_layers = plan.alpha_blend ? kMostLayers : 1;
+  // Further rays through edges are lit anew where no sample shows what they met; each side of a tile looks up
+  // the samples beyond it, once for each of its own.
+  const double edges = plan.edge_samples;
+  const double layers = eye_layers * (1 + edges);
   const double per_hit = static_cast<double>(lights) * settings.light_samples;
   const double shadow = per_sample(result, "shadow"), mirror = per_sample(result, "mirror");
   const double mirror_shadow = per_sample(result, "mirror_shadow");
@@ -58,7 +62,9 @@ std::string rays_beyond_plan(const BenchResult& result, const FramePlan& plan, s
       {"probe_shadow", per_sample(result, "probe") * static_cast<double>(lights)},
       {"catcher_probe", plan.catcher_probes ? probe_limit : 0.0},
       {"catcher_probe_shadow", per_sample(result, "catcher_probe") * static_cast<double>(lights)},
-      {"behind", layers - 1}};
+      {"behind", (eye_layers - 1) * (1 + edges)},
+      {"edge", edges > 0 ? 4 + 2 * edges : 0.0},
+      {"edge_shadow", edges * static_cast<double>(lights)}};
   for (const Limit& limit : limits) {
     const double traced = per_sample(result, limit.name);
     if (traced <= limit.most * (1 + kRoundingSlack)) continue;

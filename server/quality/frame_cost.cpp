@@ -8,7 +8,7 @@ namespace {
 void add_times(const StageTimes& times, FrameCost& cost) {
   auto& [eye, occlusion, second, light, probe] = cost.work_ms;
   eye = times[Stage::polar_rays] + times[Stage::first_hits] + times[Stage::surfaces] +
-        times[Stage::indirect_light] + times[Stage::resolve];
+        times[Stage::indirect_light] + times[Stage::edges] + times[Stage::resolve];
   occlusion = times[Stage::occlusion];
   second = times[Stage::second_hits];
   light = times[Stage::light_rays] + times[Stage::second_light];
@@ -22,7 +22,7 @@ void add_times(const StageTimes& times, FrameCost& cost) {
 
 void add_rays(const RayCounts& rays, FrameCost& cost) {
   auto& [eye, occlusion, second, light, probe] = cost.rays;
-  eye = rays[RayKind::primary];
+  eye = rays[RayKind::primary];  // those through edges are a share of them
   occlusion = rays[RayKind::occlusion] + rays[RayKind::catcher_occlusion];
   second = rays[RayKind::mirror] + rays[RayKind::refraction];
   light = rays[RayKind::shadow] + rays[RayKind::catcher_shadow] + rays[RayKind::mirror_shadow] +

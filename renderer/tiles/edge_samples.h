@@ -1,0 +1,54 @@
+// What a tile remembers of its samples while further rays go through those at edges: of each sample, row by
+// row, the surface that it shows and its texel. A border of one sample runs around the tile, so that a
+// sample's neighbours are found without a branch; nothing is known of it (EdgeSamples::kNone).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "renderer/tiles/hit_lanes.h"
+
+namespace herr {
+
+// Lights whose shadows have edges, of those that a scene has.
+inline constexpr int kMostEdgeLights = 31;
+
+struct alignas(64) EdgeSamples {
+  static constexpr int kStride = kTileSide + 2;
+  static constexpr std::int32_t kNone = -2, kMissed = -1;
+  // Bits of `marks`: a neighbour shows another surface; the same one, where lights are in the way of others.
+  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2;
+
+  // Index of sample (column, row) of the tile in pictures, each in [-1, kTileSide].
+  static constexpr int at(int column, int row) { return (row + 1) * kStride + column + 1; }
+  template <typename T>
+  using Picture = std::array<T, kStride * kStride + 2 * kMaxLanes>;
+  struct Picture3 {
+    Picture<float> x, y, z;
+  };
+
+  // Samples at edges: column and row in the tile, and what their rays have added up to.
+  Lane<std::int32_t> column, row;
+  Lane3 light_sum, ratio_sum;
+  // Rays that met what no neighbour shows: where they go, and (place << 16) + sample in the list above.
+  Lane<std::int32_t> unseen;
+  Lane3 unseen_direction;
+  Lane<std::int32_t> blocked_at;  // `blocked` per hit, while the tile is lit
+
+  Picture<std::int32_t> surface;  // number of the instance, or one of the above
+  Picture3 position, normal;      // of the first hit, as HitBatch::position and geometric_normal
+  Picture<float> offset;          // as HitBatch::offset
+  Picture<std::int32_t> blocked;  // bit per light of one sample: something is in its way
+  Picture<std::int32_t> kind;     // HitKind
+  Picture<std::int32_t> marks;
+  Picture3 light, ratio;  // the texel
+
+  int count = 0, unseen_count = 0;
+  bool notes = false;          // the tile's samples are in work, their first layer
+  bool lights_unseen = false;  // the rays that met what no neighbour shows are; they lie in no blocks
+  // Where the tile's packets lie: those of unseen surfaces take their places.
+  std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
+  int packets = 0;
+};
+
+}  // namespace herr

@@ -1,0 +1,155 @@
+// Further rays through samples at edges, and which of the samples around shows what each meets: coverage
+// apart from shading, as in hardware multisampling. Lanes are samples; each place of their cells is one
+// packet. Before: edge_picture. After: find_edges, smooth_edges.
+#pragma once
+
+#include "renderer/surfaces/normals-inl.h"
+#include "renderer/tracing/back_faces-inl.h"
+#include "renderer/tracing/edge_picture-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace herr {
+namespace HWY_NAMESPACE {
+
+// As many samples of the list as fit a packet.
+struct EdgeGroup {
+  MF lanes;
+  VI x, y;    // column and row of the polar buffer
+  VI cell;    // index in pictures
+  VU key;     // random numbers: frame, eye and sample
+  VF spread;  // of their cones
+  SeenSurface own;
+};
+
+HWY_INLINE VU key_of(const RayGrid& grid, VI x, VI y) {
+  return hash(hn::BitCast(kU, hn::Add(hn::ShiftLeft<16>(y), x)), grid.key);
+}
+HWY_INLINE VF spread_at(const RayGrid& grid, VI x) {
+  const VF spread = hn::GatherIndex(kF, grid.samples->spread(), x);
+  return hn::Mul(set(grid.ray_width), hn::Max(spread, set(grid.finest_pixel_rad)));
+}
+
+HWY_INLINE VI cells_at(VI column, VI row) {
+  return hn::Add(hn::Mul(row, hn::Set(kI, EdgeSamples::kStride)),
+                 hn::Add(column, hn::Set(kI, EdgeSamples::at(0, 0))));
+}
+
+HWY_INLINE EdgeGroup edge_group(const TileJob& job, int start) {
+  const EdgeSamples& samples = *job.scratch->edges;
+  EdgeGroup group;
+  group.lanes = first_lanes(samples.count - start);
+  const auto used = hn::RebindMask(kI, group.lanes);
+  const VI column = hn::IfThenElseZero(used, hn::Load(kI, &samples.column[static_cast<std::size_t>(start)])),
+           row = hn::IfThenElseZero(used, hn::Load(kI, &samples.row[static_cast<std::size_t>(start)]));
+  group.x = hn::Add(column, hn::Set(kI, job.x0));
+  group.y = hn::Add(row, hn::Set(kI, job.y0));
+  group.cell = cells_at(column, row);
+  group.key = key_of(*job.grid, group.x, group.y);
+  group.spread = spread_at(*job.grid, group.x);
+  group.own = seen_at(samples, group.cell);
+  return group;
+}
+
+HWY_INLINE V3 direction_at(const RayGrid& grid, VF sin_theta, VF cos_theta, VF sin_phi, VF cos_phi) {
+  const VF a = hn::Mul(sin_theta, cos_phi), b = hn::Mul(sin_theta, sin_phi);
+  return mul_add(cos_theta, set3(grid.gaze), mul_add(a, set3(grid.right), scale(set3(grid.up), b)));
+}
+// Of samples (x, y) of the polar buffer.
+HWY_INLINE V3 sample_directions(const RayGrid& grid, VI x, VI y) {
+  const PolarSamples& samples = *grid.samples;
+  const VI row = hn::ShiftLeft<2>(y);
+  return direction_at(
+      grid, hn::GatherIndex(kF, samples.sin_theta(), x), hn::GatherIndex(kF, samples.cos_theta(), x),
+      hn::GatherIndex(kF, samples.sin_phi4(), row), hn::GatherIndex(kF, samples.cos_phi4(), row));
+}
+// Through place `k` of the group's cells.
+HWY_INLINE V3 direction_through(const RayGrid& grid, const EdgeGroup& group, int k) {
+  const EdgePlaces& places = *grid.edge_places;
+  return direction_at(grid, hn::GatherIndex(kF, places.sin_theta(k), group.x),
+                      hn::GatherIndex(kF, places.cos_theta(k), group.x),
+                      hn::GatherIndex(kF, places.sin_phi(k), group.y),
+                      hn::GatherIndex(kF, places.cos_phi(k), group.y));
+}
+
+// What a traced packet met; `backs`: faces of these lanes that eyes do not see.
+HWY_INLINE SeenSurface surface_met(const TileJob& job, const RayHit& packet, MF lanes, MF& backs) {
+  const VU geometry = hn::Load(kU, packet.hit.geomID), ids = hn::Load(kU, packet.hit.instID[0]);
+  const MF hit = hn::And(lanes, hn::RebindMask(kF, hn::Ne(geometry, hn::Set(kU, RTC_INVALID_GEOMETRY_ID))));
+  const V3 direction = load3(packet.ray.dir_x, packet.ray.dir_y, packet.ray.dir_z);
+  const V3 origin = load3(packet.ray.org_x, packet.ray.org_y, packet.ray.org_z);
+  const VF zero = hn::Zero(kF);
+  SeenSurface met;
+  met.surface =
+      hn::IfThenElse(hn::RebindMask(kI, hit), hn::BitCast(kI, ids), hn::Set(kI, EdgeSamples::kMissed));
+  met.position = mul_add(hn::IfThenElseZero(hit, load(packet.ray.tfar)), direction, origin);
+  met.normal = {zero, zero, zero};
+  met.offset = zero;
+  MF left = hit;
+  backs = first_lanes(0);
+  while (!hn::AllFalse(kF, left)) {
+    const std::uint32_t id = packet.hit.instID[0][hn::FindFirstTrue(kF, left)];
+    const MF of_instance = hn::And(left, hn::RebindMask(kF, hn::Eq(ids, hn::Set(kU, id))));
+    left = hn::AndNot(of_instance, left);
+    const InstanceRecord& instance = job.shading->instances[id];
+    const bool mesh = instance.kind == ShapeKind::mesh;
+    const V3 in_object =
+        mesh ? object_normal(packet) : load3(packet.hit.Ng_x, packet.hit.Ng_y, packet.hit.Ng_z);
+    const V3 n = normal_to_world(instance, in_object);
+    const MF away = hn::Gt(dot(n, direction), zero);
+    if (mesh && instance.back_face_culling) backs = hn::Or(backs, hn::And(of_instance, away));
+    met.normal = select(of_instance, select(away, scale(n, set(-1.0f)), n), met.normal);
+  }
+  return met;
+}
+
+// Traces rays from the eye in the same way as those of samples, up to the surfaces that they meet. `chance`
+// decides which voxels they meet.
+template <SurfaceDetail kDetail>
+HWY_INLINE SeenSurface trace_to_surface(const TileJob& job, const V3& direction, VU chance, VF spread,
+                                        MF lanes) {
+  const FramePlan& plan = *job.shading->plan;
+  alignas(64) RayHit packet;
+  alignas(64) int valid[kMaxLanes];
+  set_rays(packet, set3(job.grid->origin), direction);
+  const bool holes = plan.alpha_mask || plan.alpha_blend;
+  if (plan.voxels) set_chance(packet.ray, chance);
+  if (holes || plan.back_face_culling) hn::Store(hn::Set(kU, kCullBackFaces), kU, packet.ray.flags);
+  if constexpr (kDetail != SurfaceDetail::plain) {
+    if (holes || plan.voxels) hn::Store(footprint_code(hn::Zero(kF), spread), kU, packet.ray.id);
+  }
+  set_valid(valid, lanes);
+  job.counters->rays[RayKind::edge] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
+  record(job, RayKind::edge, packet.ray, valid, true);
+  intersect_packet<kLanes>(valid, job.shading->scene, true, &packet);
+  for (;;) {
+    MF backs;
+    const SeenSurface met = surface_met(job, packet, lanes, backs);
+    if (hn::AllFalse(kF, backs)) return met;
+    pass_backs(job, packet, backs);
+  }
+}
+
+// Looks for a sample that shows `met`, the ray's own first, then the others around it, nearest first; with
+// `blocked` the same lights must be blocked there. Lanes that found one leave `open`.
+HWY_INLINE void find_sample(const TileJob& job, const EdgeGroup& group, int k, const SeenSurface& met,
+                            const VI* blocked, MF& open, VI& found) {
+  const EdgeSamples& samples = *job.scratch->edges;
+  const auto take = [&](VI cells, MF shows) HWY_ATTR {
+    if (blocked) shows = hn::And(shows, hn::RebindMask(kF, hn::Eq(gather(samples.blocked, cells), *blocked)));
+    shows = hn::And(open, shows);
+    found = hn::IfThenElse(hn::RebindMask(kI, shows), cells, found);
+    open = hn::AndNot(shows, open);
+  };
+  take(group.cell, on_one_surface(met, group.own));
+  for (const EdgePlaces::Step& step : job.grid->edge_places->neighbours(k)) {
+    if (hn::AllFalse(kF, open)) return;
+    const VI cells = hn::Add(group.cell, hn::Set(kI, step.row * EdgeSamples::kStride + step.column));
+    const MF same = hn::RebindMask(kF, hn::Eq(gather(samples.surface, cells), met.surface));
+    if (hn::AllFalse(kF, hn::And(open, same))) continue;
+    take(cells, on_one_surface(met, seen_at(samples, cells)));
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace herr
+HWY_AFTER_NAMESPACE();
