@@ -7,13 +7,13 @@
 
 namespace herr {
 
-// Will robust_cv() of `final_count` values exceed kMostCalibrationCv whatever positive values follow these?
-// With c = kMostCalibrationCv / 1.4826, a machine that is quiet enough in the end has a median absolute
-// deviation of at most c m, m the median of all M = final_count values. So at least M / 2 of them lie within
-// [m (1 - c), m (1 + c)]. At most M - N of those are still to come, N the number there is: at least
-// N - M / 2 of the present ones lie within a span whose ends have the ratio (1 + c) / (1 - c). Where no such
-// span holds so many, the answer is yes. A smaller final count asks for more: it holds for each count up to
-// M.
+// Will robust_cv() of `final_count` values, no fewer than these, exceed kMostCalibrationCv whatever positive
+// values follow these? With c = kMostCalibrationCv / 1.4826, a machine that is quiet enough in the end has a
+// median absolute deviation of at most c m, m the median of all M = final_count values. So at least M / 2 of
+// them lie within [m (1 - c), m (1 + c)]. At most M - N of those are still to come, N the number there is: at
+// least N - M / 2 of the present ones lie within a span whose ends have the ratio (1 + c) / (1 - c). Where no
+// such span holds so many, the answer is yes. A smaller final count asks for more: it holds for each count up
+// to M.
 bool speed_stays_restless(std::span<const double> rays_ms, int final_count);
 
 // Of one run, or of several together, in one unit.

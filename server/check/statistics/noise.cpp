@@ -26,12 +26,12 @@ double robust_cv(std::span<const double> values) {
 }
 
 std::string noise_text(const Noise& noise) {
+  if (std::isnan(noise.steal)) return "the kernel does not say what a hypervisor took of the CPU time";
   // Written so that what is not a number is too restless.
   if (!(noise.calibration_cv <= kMostCalibrationCv)) {
     return "the machine's speed varied by " + percent(noise.calibration_cv) + " from run to run (limit " +
            percent(kMostCalibrationCv) + ")";
   }
-  if (std::isnan(noise.steal)) return "the kernel does not say what a hypervisor took of the CPU time";
   if (!(noise.steal <= kMostSteal)) {
     return "the hypervisor took " + percent(noise.steal) + " of the CPU time (limit " + percent(kMostSteal) +
            ")";

@@ -24,7 +24,7 @@ std::vector<double> ladder(int count) {
 TEST(LastingNoise, OfTheSpeedTakesAsManyValuesInASpanAsWouldDo) {
   // c = 0.05 / 1.4826 = 0.033725; the ends of a span have the ratio 1.033725 / 0.966275 = 1.06980, and
   // ln 1.06980 / ln 1.01 = 6.78: 7 rungs of the ladder lie within one. Of 40 values and M in the end,
-  // 40 - M / 2 must: 10 of M = 60 do not, 7 of M = 66 do.
+  // 40 - M / 2 must: 10 of M = 60 and 8 of M = 64 do not, 7 of M = 66 do.
   EXPECT_TRUE(speed_stays_restless(ladder(40), 60));
   EXPECT_TRUE(speed_stays_restless(ladder(40), 64));
   EXPECT_FALSE(speed_stays_restless(ladder(40), 66));
@@ -45,17 +45,17 @@ TEST(LastingNoise, OfAQuietMachineNeverLasts) {
 TEST(LastingNoise, OfTheSpeedIsBroughtDownByNoRunsToCome) {
   std::mt19937_64 random(kSeed);
   std::uniform_real_distribution<double> spread(0.02, 0.4);
-  std::uniform_int_distribution<int> so_far(31, 60);
+  std::uniform_int_distribution<int> so_far(31, 56);
   constexpr int kFinal = 60;
   int lasting = 0, open = 0, brought_down = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 400; ++trial) {
     std::normal_distribution<double> normal(0, spread(random));
     std::vector<double> values;
     for (int i = so_far(random); i > 0; --i) values.push_back(std::exp(normal(random)));
     // The best that can still come: all alike. Around each value and each middle of two.
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < values.size(); ++i) {
-      for (std::size_t j = i; j < values.size(); j += 3) {
+      for (std::size_t j = i; j < values.size(); ++j) {
         std::vector<double> all = values;
         all.resize(kFinal, 0.5 * (values[i] + values[j]));
         least = std::min(least, robust_cv(all));
@@ -64,14 +64,16 @@ TEST(LastingNoise, OfTheSpeedIsBroughtDownByNoRunsToCome) {
     if (speed_stays_restless(values, kFinal)) {
       ++lasting;
       EXPECT_GT(least, kMostCalibrationCv) << "seed " << kSeed << ", trial " << trial;
-    } else {
+    } else if (!speed_stays_restless(values, kFinal - 2)) {
+      // One value more than needed lies inside: all that come in its middle make the machine quiet, unless
+      // the median lies elsewhere.
       ++open;
       brought_down += least <= kMostCalibrationCv;
     }
   }
-  // Neither answer is rare, and where it is "no" the machine can mostly become quiet indeed.
-  EXPECT_GT(lasting, 200);
-  EXPECT_GT(open, 200);
+  // Neither answer is rare, and where it is "no" the machine can become quiet indeed.
+  EXPECT_GT(lasting, 50);
+  EXPECT_GT(open, 50);
   EXPECT_GT(brought_down, open * 9 / 10) << open;
 }
 

@@ -130,10 +130,10 @@ TEST_F(ProgramCheckLimits, RewritesItsLineOnATerminal) {
   write_other(sed(kStolen));
   // util-linux runs it with a terminal for stderr and stdout.
   if (run_line(root(), "script -V").exit_code != 0) GTEST_SKIP() << "there is no script(1)";
-  const Outcome run = run_line(
-      root(), "TERM=xterm script -qec '" + test::program_path() +
-                  " check session --profile small.json --polar 32x16 --threads 1 --frames 6 --against other' "
-                  "typescript");
+  const Outcome run = run_line(root(), "TERM=xterm script -qec '" + test::program_path() +
+                                           " check session --profile small.json --preset direct --polar "
+                                           "32x16 --threads 1 --frames 6 --against other' "
+                                           "typescript");
   EXPECT_EQ(run.exit_code, 4) << run.out;
   const std::string first = "\r\033[Kpair 1 of 15–30, noisy so far; ",
                     second = "\r\033[Kpair 2 of 15–30, noisy";
