@@ -51,8 +51,10 @@ struct FramePlan {
   bool shapes = false;           // analytic spheres and boxes
   bool surface_details = false;  // vertex colours, further textures, highlights of their own, unlit, alpha
   bool further_lobes = false;    // clear coats, sheen, stretched highlights
-  bool alpha_mask = false;       // hits are asked whether they lie in a hole
-  bool alpha_blend = false;      // eyes look on through what they hit; shadow rays pass by shares
+  bool gloss = false;            // some surface reflects by its roughness more than even light
+  bool filtered_environment = false;  // highlights show the environment picture as their lobe blurs it
+  bool alpha_mask = false;            // hits are asked whether they lie in a hole
+  bool alpha_blend = false;           // eyes look on through what they hit; shadow rays pass by shares
   bool back_face_culling =
       false;  // eyes' hits are asked whether they lie on the back of a single-sided surface
   bool catchers = false;

@@ -41,6 +41,8 @@ void Renderer::Impl::allocate_scratch() {
       allocate_if(plan.mirrored_feed, scratch->second->feed);
     }
     allocate_if(plan.further_lobes, scratch->first.lobes);
+    allocate_if(plan.gloss, scratch->first.gloss);
+    if (scratch->second) allocate_if(plan.gloss, scratch->second->hits.gloss);
     if (scratch->second) allocate_if(plan.further_lobes, scratch->second->hits.lobes);
     allocate_if(plan.catchers_occlude, scratch->blocked);
     allocate_if(plan.alpha_blend, scratch->layers);
@@ -50,11 +52,21 @@ void Renderer::Impl::allocate_scratch() {
   }
 }
 
+void Renderer::Impl::filter_environment() {
+  if (!plan.filtered_environment || filtered_environment) return;
+  const auto parallel = [this](int count, const std::function<void(int)>& work) {
+    threads.run(count, [&](int i, int) { work(i); });
+  };
+  filtered_environment = std::make_unique<FilteredEnvironment>(
+      scene.environment_map, plan.probes ? settings.probes.rays : 0, parallel);
+}
+
 MemoryUse Renderer::memory() const {
   const Impl& impl = *impl_;
   const GeometryMemory geometry = impl.geometry->memory();
   std::int64_t buffers = 0, tiles = 0, second = 0, blocked = 0, layers = 0, adaptive = 0, strips = 0,
-               lobes = 0, edges = 0;
+               lobes = 0, edges = 0,
+               gloss = impl.filtered_environment ? impl.filtered_environment->bytes() : 0;
   for (const RadianceBuffer& buffer : impl.buffers) buffers += buffer.bytes();
   for (const auto& samples : impl.samples) buffers += samples ? samples->bytes() : 0;
   for (const auto& places : impl.edge_places) edges += places ? places->bytes() : 0;
@@ -66,6 +78,7 @@ MemoryUse Renderer::memory() const {
     layers += bytes_if(scratch->layers);
     adaptive += bytes_if(scratch->adaptive);
     edges += bytes_if(scratch->edges);
+    gloss += bytes_if(scratch->first.gloss) + (scratch->second ? bytes_if(scratch->second->hits.gloss) : 0);
     lobes += bytes_if(scratch->first.lobes) + (scratch->second ? bytes_if(scratch->second->hits.lobes) : 0);
   }
   for (const std::unique_ptr<StripScratch>& scratch : impl.strip_scratch) strips += scratch->bytes();
@@ -84,6 +97,7 @@ MemoryUse Renderer::memory() const {
           {"catcher shadow rays", blocked},
           {"alpha layers", layers},
           {"further lobes", lobes},
+          {"gloss", gloss},
           {"adaptive light samples", adaptive},
           {"edge samples", edges},
           {"strips in work", strips},

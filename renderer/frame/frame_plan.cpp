@@ -16,7 +16,8 @@ namespace {
 struct Traits {
   std::size_t catchers_ever = 0, instances = 0, catchers = 0, reflecting = 0, reflecting_catchers = 0,
               transparent = 0, textured = 0, specular = 0, shapes = 0, voxels = 0, detailed = 0, masked = 0,
-              blended = 0, back_face_culling = 0, further_lobes = 0, glowing = 0;
+              blended = 0, back_face_culling = 0, further_lobes = 0, glowing = 0, smooth = 0,
+              by_roughness_ever = 0;
   bool catchers_may_occlude = false;
 };
 
@@ -46,9 +47,12 @@ Traits traits_of(const Scene& scene) {
   Traits traits;
   for (const Instance& instance : scene.instances) {
     if (instance.catcher) ++traits.catchers_ever;
+    const Material& material = scene.materials[instance.material];
+    const bool by_roughness = !material.mirror && !material.unlit && material.transmission <= 0;
+    traits.by_roughness_ever += by_roughness && !instance.catcher ? 1 : 0;
     if (!instance.present) continue;
     ++traits.instances;
-    const Material& material = scene.materials[instance.material];
+    traits.smooth += by_roughness && may_mirror(material) ? 1 : 0;
     traits.glowing += glows(scene, instance) ? 1 : 0;
     if (instance.kind == ShapeKind::voxels) ++traits.voxels;
     const bool is_mesh = instance.kind == ShapeKind::mesh;
@@ -61,13 +65,13 @@ Traits traits_of(const Scene& scene) {
     traits.textured += has_textures(scene, instance) ? 1 : 0;
     if (instance.catcher) {
       ++traits.catchers;
-      if (material.mirror > 0) ++traits.reflecting_catchers;
+      if (may_mirror(material)) ++traits.reflecting_catchers;
       traits.catchers_may_occlude |=
           traits.catchers > 1 || !is_mesh || !lies_flat(scene.meshes[instance.mesh]);
       continue;
     }
     ++traits.specular;  // glTF's metallic-roughness surfaces all have a specular lobe
-    if (material.mirror > 0) ++traits.reflecting;
+    if (may_mirror(material)) ++traits.reflecting;
     if (material.transmission > 0) ++traits.transparent;
   }
   return traits;
@@ -205,6 +209,18 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
          std::to_string(scene.environment_map.width_px) + "x" +
              std::to_string(scene.environment_map.height_px) + " pixels around the scene",
          "the environment has one colour");
+  // Those that may come count, too: it takes long to make.
+  decide(plan.filtered_environment, plan.environment_map && t.by_roughness_ever > 0, "filtered environment",
+         settings.probes.on ? "highlights show the picture as their lobe blurs it, where probes know of it"
+                            : "highlights show the picture as their lobe blurs it; probes are off: nothing "
+                              "hides it from rough surfaces but short rays",
+         plan.environment_map ? "no surface reflects by its roughness" : "the environment has one colour");
+  const bool by_lobe = plan.filtered_environment || (plan.mirror_rays && t.smooth > 0);
+  decide(plan.gloss, by_lobe, "gloss by roughness",
+         plan.filtered_environment
+             ? "highlights have their lobe's share of the environment"
+             : share(t.smooth, t.instances, "are smooth: the roughness of each place counts"),
+         "rough surfaces, and those that say how much they mirror, need none", !by_lobe);
   decide(plan.catchers, t.catchers > 0, "catchers", share(t.catchers, t.instances, "are catchers"),
          "the scene has no catcher", t.catchers == 0);
   decide(plan.catchers_occlude, t.catchers_may_occlude, "catcher shadow rays",

@@ -255,6 +255,8 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   const float turn = outside.turn_deg / 360.0f;
   shading.environment_map = {outside.rgba.empty() ? nullptr : outside.rgba.data(), outside.width_px,
                              outside.height_px, turn - std::floor(turn)};
+  shading.filtered =
+      filtered_environment ? filtered_environment->record(turn - std::floor(turn)) : FilteredRecord{};
   constexpr float kDarkest = 1e-4f;  // of the light on the farthest catcher: below it a ratio is noise
   const glm::vec3 scale =
       plan.catchers ? farthest_irradiance(state.lights, boxes.catchers()) : glm::vec3{0.0f};

@@ -79,6 +79,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
     strip_scratch.push_back(std::make_unique<StripScratch>(widest));
   }
   allocate_scratch();
+  filter_environment();
   build_further_views();
   if (plan.probes) build_probes();
   counters.resize(workers);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/detail/detail_levels.h"
+#include "renderer/environment/filtered_environment.h"
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/geometry/instance_boxes.h"
@@ -41,6 +42,7 @@ struct Renderer::Impl {
   DetailLevels details;
   std::array<DetailEye, 2> detail_eyes;
   InstanceBoxes boxes;
+  std::unique_ptr<FilteredEnvironment> filtered_environment;  // where the plan has one
   bool session_has_camera = false;
   double beyond_scene_m = 1;  // leaves the scene from any place in it
 
@@ -132,6 +134,7 @@ struct Renderer::Impl {
   void restart(const SceneState& state);
   void allocate_buffers();  // frame_memory.cpp
   void allocate_scratch();
+  void filter_environment();
   std::vector<PixelTile> pixel_tiles() const;  // pixel_tiles.cpp
   void find_covered_tiles();
   void run_tile(int job, int worker, RayRecorder* recorder);

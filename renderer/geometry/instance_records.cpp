@@ -60,7 +60,7 @@ void set_material(const Material& material, InstanceRecord& record) {
   }
   record.metallic = material.metallic;
   record.roughness = material.roughness;
-  record.mirror = material.mirror;
+  record.mirror = material.unlit ? 0.0f : material.mirror.value_or(-1.0f);
   // Index 0 is no index: a mirror, of F0 1, which nothing passes.
   const bool full = material.refractive_index <= 0;
   record.transmission = full ? 0.0f : material.transmission;

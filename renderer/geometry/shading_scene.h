@@ -89,7 +89,8 @@ struct InstanceRecord {
   float normal_from_object[9] = {};           // rows of the inverse transpose of the object's matrix
   float uv_lower[2] = {}, uv_scale[2] = {};   // uv = lower + scale * unorm
   float base_colour[3] = {};
-  float metallic = 0, roughness = 1, mirror = 0;
+  float metallic = 0, roughness = 1;
+  float mirror = 0;  // share of the mirror ray that is seen; below 0: by the roughness of each place
   float transmission = 0, refractive_index = 1.5f;
   float dielectric_f0 = 0.04f;  // ((n - 1) / (n + 1))^2; 1 of index 0 alone
   float absorption[3] = {};     // of the body behind the surface, per metre

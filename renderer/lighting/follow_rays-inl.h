@@ -80,6 +80,7 @@ HWY_NOINLINE void follow_rays(const TileJob& job) {
     }
     take_pending(scratch, rays);
     trace_second_rays<kDetail>(job, RayKind::refraction, 0x2545f491u, true);
+    if (job.shading->plan->gloss) prepare_gloss(*job.shading->plan, scratch.second->hits, rays, true);
     if constexpr (kLobe == Lobe::layered) cover_bases(scratch.second->hits, rays);
     send_onward(job, rays);
     bring_second_light<kLobe>(job, rays, RayKind::refraction_shadow, true);

@@ -160,6 +160,7 @@ HWY_NOINLINE inline void cover_bases(HitBatch& hits, int count) {
     const VF below = hn::Mul(past_coat, past_sheen);
     weaken(hits.diffuse, slot, below);
     weaken(hits.f0, slot, below);
+    if (hits.gloss) weaken(hits.gloss->albedo, slot, below);
     hn::Store(hn::Mul(load(&hits.f90[slot]), below), kF, &hits.f90[slot]);
     if (!hn::AllFalse(kF, glass)) keep_passing(hits, slot, glass, uncovered, below);
   }

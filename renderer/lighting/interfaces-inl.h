@@ -41,13 +41,18 @@ HWY_INLINE V3 mirrored(const V3& v, const V3& n, const V3& g) {
   return select(hn::Gt(dot(bent, g), hn::Zero(kF)), bent, reflect(g));
 }
 
-// Share of the mirror ray that is seen, per channel: mirror * (F0 + (F90 - F0) (1 - n.v)^5); F90 is 1 unless
-// highlights are `weighted`.
-HWY_INLINE V3 mirror_weight(const HitBatch& hits, int slot, VF cosine, bool weighted) {
+// Share of the mirror ray that is seen, per channel: mirror * (F0 + (F90 - F0) (1 - n.v)^5), or of surfaces
+// that reflect by their roughness mirror * what their lobe reflects. F90 is 1 unless highlights are weighted.
+HWY_INLINE V3 mirror_weight(const FramePlan& plan, const HitBatch& hits, int slot, VF cosine) {
   const VF one = set(1.0f), grazing = schlick_weight(cosine), mirror = load(&hits.mirror[slot]);
-  const VF f90 = weighted ? load(&hits.f90[slot]) : one;
+  const VF f90 = plan.surface_details ? load(&hits.f90[slot]) : one;
   const V3 f0 = load3(hits.f0, slot);
-  return scale(mul_add(grazing, sub({f90, f90, f90}, f0), f0), mirror);
+  V3 reflects = mul_add(grazing, sub({f90, f90, f90}, f0), f0);
+  if (plan.gloss) {
+    const MF own = hn::Gt(load(&hits.gloss->own[slot]), hn::Zero(kF));
+    reflects = select(own, load3(hits.gloss->albedo, slot), reflects);
+  }
+  return scale(reflects, mirror);
 }
 
 // Fresnel's reflectance of an interface between dielectrics: `eta` is the index of the viewer's side over

@@ -4,8 +4,8 @@
 // After: direct_light lights its hits, among them those catchers.
 #pragma once
 
+#include "renderer/environment/environment-inl.h"
 #include "renderer/feed/feed_texels-inl.h"
-#include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/shadow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();

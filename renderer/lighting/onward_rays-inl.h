@@ -43,8 +43,7 @@ HWY_INLINE Onward onward_from(const FramePlan& plan, const HitBatch& hits, int s
   const VF mirror_share = hn::IfThenElse(whole, hn::Max(mirror, transmission), mirror);
   out.mirror = hn::IfThenElse(out.clear, mirror_share, mirror);
   V3 back = scale(out.at.reflects, mirror_share);
-  const V3 opaque = mirror_weight(hits, slot, dot(load3(hits.normal, slot), load3(hits.viewer, slot)),
-                                  plan.surface_details);
+  const V3 opaque = mirror_weight(plan, hits, slot, dot(load3(hits.normal, slot), load3(hits.viewer, slot)));
   mirrors = hn::AndNot(out.clear, hn::And(mirrors, object));
   back = multiply(arrives, select(out.clear, back, only(mirrors, opaque)));
   V3 through = multiply(arrives, scale(load3(hits.tint, slot), hn::Mul(transmission, out.at.passes)));

@@ -30,14 +30,39 @@ HWY_INLINE VF open_share(const HitBatch& hits, int slot, const FramePlan& plan, 
 struct SpecularShare {
   V3 reflects;
   VF unfollowed;
+  VF diffuse;    // share of light from all sides that gets past the highlight to what scatters below
+  VF held_back;  // of that, where light comes evenly
+  V3 around;     // radiance that comes by the lobe itself
 };
+
+// Surfaces that reflect by their roughness: what is mirrored does not reach the diffuse layer. In a filtered
+// environment all of the highlight comes by its lobe.
+HWY_INLINE void take_gloss(const HitBatch& hits, int slot, const FramePlan& plan, SpecularShare& out) {
+  const VF zero = hn::Zero(kF), one = set(1.0f);
+  const MF own = hn::Gt(load(&hits.gloss->own[slot]), zero);
+  if (hn::AllFalse(kF, own)) return;
+  const VF share = plan.filtered_environment ? one : hn::Sub(one, out.unfollowed);
+  const VF past = hn::NegMulAdd(share, hn::Min(load(&hits.gloss->held_back[slot]), one), one);
+  out.diffuse = hn::IfThenElse(own, past, out.diffuse);
+  if (!plan.filtered_environment) return;
+  out.reflects = only(hn::Not(own), out.reflects);
+  out.held_back = hn::IfThenZeroElse(own, out.held_back);
+  out.around = scale(only(own, load3(hits.gloss->around, slot)), out.unfollowed);
+}
 
 // F0, but for glass whose light is followed: there, what does not pass at this angle. Total reflection is
 // followed whole.
-HWY_INLINE SpecularShare specular_share(const HitBatch& hits, int slot, const FramePlan& plan,
+HWY_INLINE SpecularShare specular_share(const HitBatch& hits, int slot, const ShadingInputs& shading,
                                         bool mirror_traced) {
-  const VF one = set(1.0f);
-  SpecularShare out{load3(hits.f0, slot), mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one};
+  const FramePlan& plan = *shading.plan;
+  const VF zero = hn::Zero(kF), one = set(1.0f);
+  const VF held_back = shading.probes != nullptr ? load(&hits.held_back[slot]) : zero;
+  SpecularShare out{load3(hits.f0, slot),
+                    mirror_traced ? hn::Sub(one, load(&hits.mirror[slot])) : one,
+                    one,
+                    held_back,
+                    {zero, zero, zero}};
+  if (plan.gloss) take_gloss(hits, slot, plan, out);
   if (!plan.refraction) return out;
   const MF clear =
       hn::And(of_kind(hits, slot, HitKind::object), hn::Gt(load(&hits.transmission[slot]), hn::Zero(kF)));
@@ -54,25 +79,26 @@ HWY_INLINE SpecularShare specular_share(const HitBatch& hits, int slot, const Fr
 HWY_INLINE V3 outgoing(const HitBatch& hits, int slot, const ShadingInputs& shading, bool mirror_traced,
                        bool occlusion_traced) {
   const bool probes = shading.probes != nullptr;
-  const VF held_back = probes ? load(&hits.held_back[slot]) : hn::Zero(kF);
-  const SpecularShare specular = specular_share(hits, slot, *shading.plan, mirror_traced);
+  const SpecularShare specular = specular_share(hits, slot, shading, mirror_traced);
   const VF open = open_share(hits, slot, *shading.plan, occlusion_traced);
   const VF none = hn::Zero(kF);
   const V3 layers = shading.plan->further_lobes ? layers_share(hits, slot) : V3{none, none, none};
   const auto channel = [&](const Lane<float>& emission, const Lane<float>& diffuse, VF reflects,
-                           const Lane<float>& direct, const Lane<float>& indirect, VF layer,
+                           const Lane<float>& direct, const Lane<float>& indirect, VF layer, VF by_lobe,
                            float ambient) HWY_ATTR {
     const VF around = probes ? load(&indirect[slot]) : set(ambient);
+    const VF under = hn::Mul(load(&diffuse[slot]), specular.diffuse);
     const VF scattered =
-        hn::Add(layer, scattered_share(load(&diffuse[slot]), reflects, specular.unfollowed, held_back));
-    return hn::Add(load(&emission[slot]), hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot])));
+        hn::Add(layer, scattered_share(under, reflects, specular.unfollowed, specular.held_back));
+    const VF received = hn::MulAdd(scattered, hn::Mul(open, around), load(&direct[slot]));
+    return hn::Add(load(&emission[slot]), hn::MulAdd(open, by_lobe, received));
   };
   return {channel(hits.emission.x, hits.diffuse.x, specular.reflects.x, hits.direct.x, hits.indirect.x,
-                  layers.x, shading.ambient[0]),
+                  layers.x, specular.around.x, shading.ambient[0]),
           channel(hits.emission.y, hits.diffuse.y, specular.reflects.y, hits.direct.y, hits.indirect.y,
-                  layers.y, shading.ambient[1]),
+                  layers.y, specular.around.y, shading.ambient[1]),
           channel(hits.emission.z, hits.diffuse.z, specular.reflects.z, hits.direct.z, hits.indirect.z,
-                  layers.z, shading.ambient[2])};
+                  layers.z, specular.around.z, shading.ambient[2])};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,7 +5,7 @@
 
 #include <bit>
 
-#include "renderer/lighting/environment-inl.h"
+#include "renderer/environment/environment-inl.h"
 #include "renderer/lighting/shadow_rays-inl.h"
 #include "renderer/probes/probe_view.h"
 #include "renderer/simd/simd_types-inl.h"
@@ -281,7 +281,10 @@ struct ProbeSum {
     const VF open = hn::IfThenElseZero(hn::And(at.surface, at.cell.faces_out), unknown);
     const V3 known = scale(light, scale_up);
     if (hn::AllFalse(kF, hn::Gt(open, hn::Zero(kF)))) return known;
-    return mul_add(open, environment_radiance(shading, at.normal), known);
+    const V3 outside = shading.filtered.even.texels != nullptr
+                           ? environment_texel(shading.filtered.even, at.normal)
+                           : environment_radiance(shading, at.normal);
+    return mul_add(open, outside, known);
   }
 };
 

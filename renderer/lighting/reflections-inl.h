@@ -16,9 +16,15 @@ HWY_INLINE void append_weights(Lane3& weights, int at, const V3& weight, MF lane
   hn::StoreU(hn::Compress(weight.z, lanes), kF, weights.z.data() + at);
 }
 
+// What `lanes` reflect by their roughness comes from all sides: they send no ray.
+HWY_INLINE void stand_for_no_ray(HitBatch& hits, int slot, MF lanes) {
+  const MF own = hn::And(lanes, hn::Gt(load(&hits.gloss->own[slot]), hn::Zero(kF)));
+  store_lanes(hn::Zero(kF), own, &hits.mirror[slot]);
+}
+
 HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
   TileScratch& scratch = *job.scratch;
-  const HitBatch& hits = scratch.first;
+  HitBatch& hits = scratch.first;
   const FramePlan& plan = *job.shading->plan;
   RayQueue& queue = scratch.queue;
   queue.count = 0;
@@ -29,7 +35,7 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
     if (hn::AllFalse(kF, mirrors)) continue;
     const V3 v = load3(hits.viewer, slot);
     const V3 n = load3(hits.normal, slot);
-    V3 weight = mirror_weight(hits, slot, dot(n, v), plan.surface_details);
+    V3 weight = mirror_weight(plan, hits, slot, dot(n, v));
     if (plan.refraction) {
       const VF one = set(1.0f);
       const Onward onward =
@@ -37,6 +43,7 @@ HWY_NOINLINE inline void queue_mirror_rays(const TileJob& job, int count) {
       weight = select(onward.clear, onward.back, weight);
     }
     const MF reflects = hn::And(mirrors, hn::Gt(largest(weight), set(kNegligibleWeight)));
+    if (plan.gloss) stand_for_no_ray(hits, slot, hn::AndNot(reflects, mirrors));
     if (hn::AllFalse(kF, reflects)) continue;
     append_weights(scratch.second->weight, queue.count, weight, reflects);
     const V3 g = load3(hits.geometric_normal, slot);
@@ -55,6 +62,7 @@ HWY_NOINLINE void reflect_light(const TileJob& job, int count) {
   if (rays == 0) return;
   remember_senders(scratch);
   trace_second_rays<kDetail>(job, RayKind::mirror, 0x517cc1b7u);
+  if (job.shading->plan->gloss) prepare_gloss(*job.shading->plan, scratch.second->hits, rays, glass);
   if constexpr (kLobe == Lobe::layered) cover_bases(scratch.second->hits, rays);
   if (glass) {
     remember_mirror_paths(scratch, rays);

@@ -4,9 +4,10 @@
 
 #include <cstring>
 
+#include "renderer/environment/environment-inl.h"
 #include "renderer/lighting/catcher_ratio-inl.h"
 #include "renderer/lighting/direct_light-inl.h"
-#include "renderer/lighting/environment-inl.h"
+#include "renderer/lighting/gloss-inl.h"
 #include "renderer/lighting/interfaces-inl.h"
 #include "renderer/lighting/mirrored_feed-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
@@ -114,10 +115,13 @@ HWY_INLINE void light_indirectly(const TileJob& job, int rays) {
 // Adds what second rays [0, rays) brought to the light of the first hits that sent them: objects to
 // all, what is not virtual to objects only, since a catcher's feed shows the real room already. Rays of
 // kind none bring nothing. `onward`: the hits' mirrored light was followed (HitBatch::mirror says how much).
-HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool onward) {
+// `mirrored`: the first hits sent these rays themselves; where one leaves the scene, a surface that reflects
+// by its roughness shows the environment as its lobe does.
+HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool onward, bool mirrored) {
   HitBatch& first = job.scratch->first;
   const SecondRays& sent = *job.scratch->second;
   const HitBatch& second = sent.hits;
+  const bool blurs = mirrored && job.shading->plan->filtered_environment && job.grid->feed == nullptr;
   alignas(64) float r[kMaxLanes], g[kMaxLanes], b[kMaxLanes];
   for (int start = 0; start < rays; start += kLanes) {
     const MF object = of_kind(second, start, HitKind::object), miss = of_kind(second, start, HitKind::miss);
@@ -148,6 +152,10 @@ HWY_NOINLINE inline void gather_second_light(const TileJob& job, int rays, bool 
         first.mirrored.x[hit] += sent.weight.x[ray] * r[i];
         first.mirrored.y[hit] += sent.weight.y[ray] * g[i];
         first.mirrored.z[hit] += sent.weight.z[ray] * b[i];
+      } else if (blurs && first.gloss->own[hit] > 0 && second.kind[ray] == static_cast<int>(HitKind::miss)) {
+        first.direct.x[hit] += first.mirror[hit] * first.gloss->shine.x[hit];
+        first.direct.y[hit] += first.mirror[hit] * first.gloss->shine.y[hit];
+        first.direct.z[hit] += first.mirror[hit] * first.gloss->shine.z[hit];
       } else {
         first.direct.x[hit] += sent.weight.x[ray] * r[i];
         first.direct.y[hit] += sent.weight.y[ray] * g[i];
@@ -166,8 +174,11 @@ HWY_INLINE void bring_second_light(const TileJob& job, int rays, RayKind shadow,
   direct_light<kLobe>(job, job.scratch->second->hits, rays, shadow);
   require_finite(hits, rays, Stage::light_rays, *job.shading->plan);
   light_indirectly(job, rays);
+  if (job.shading->plan->filtered_environment) {
+    show_environment(*job.shading, job.scratch->second->hits, rays);
+  }
   require_finite(hits, rays, Stage::indirect_light, *job.shading->plan);
-  gather_second_light(job, rays, onward);
+  gather_second_light(job, rays, onward, shadow == RayKind::mirror_shadow);
   job.cycles->lap(Stage::second_light);
 }
 

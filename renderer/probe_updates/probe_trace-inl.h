@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "renderer/environment/environment-inl.h"
 #include "renderer/lighting/direct_light-inl.h"
-#include "renderer/lighting/environment-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probe_updates/probe_update-inl.h"
@@ -97,8 +97,11 @@ HWY_INLINE void store_radiance(const ProbeJob& job, int first, int rays) {
                      hn::MulAdd(load(&diffuse[slot]), load(&indirect[slot]), load(&direct[slot])));
     };
     const auto ray = static_cast<std::size_t>(first + slot / kProbeLanes);
-    const V3 environment = environment_radiance(
-        *job.tile.shading, {set(directions.x[ray]), set(directions.y[ray]), set(directions.z[ray])});
+    const V3 direction{set(directions.x[ray]), set(directions.y[ray]), set(directions.z[ray])};
+    const ShadingInputs& shading = *job.tile.shading;
+    const V3 environment = shading.filtered.coarse.texels != nullptr
+                               ? environment_texel(shading.filtered.coarse, direction)
+                               : environment_radiance(shading, direction);
     V3 light = select(object,
                       {channel(hits.emission.x, hits.diffuse.x, hits.direct.x, hits.indirect.x),
                        channel(hits.emission.y, hits.diffuse.y, hits.direct.y, hits.indirect.y),

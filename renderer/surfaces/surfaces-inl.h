@@ -41,6 +41,19 @@ HWY_INLINE V3 matte_albedo(const MaterialAt& m, const V3& base, const V3& diffus
           channel(base.z, diffuse.z, m.f0.z)};
 }
 
+// Share of the mirror ray that a surface shows by its roughness. One ray stands for lobes up to kSharpMirror,
+// for none from kRoughestMirror on, and for a share of what lies between; what glass mirrors fades from 0 on.
+constexpr float kSharpMirror = 0.2f;
+HWY_INLINE VF mirror_by_roughness(const InstanceRecord& instance, const MaterialAt& m) {
+  const VF zero = hn::Zero(kF), one = set(1.0f);
+  const float fades = instance.transmission > 0 ? kRoughestMirror : kRoughestMirror - kSharpMirror;
+  const VF share =
+      hn::Min(hn::Max(hn::Mul(hn::Sub(set(kRoughestMirror), m.roughness), set(1.0f / fades)), zero), one);
+  if (!(instance.transmission > 0)) return share;
+  const VF clear = hn::Mul(hn::Sub(one, m.metallic), m.transmission);
+  return hn::Mul(share, hn::Min(hn::Max(m.metallic, clear), one));
+}
+
 // Material of one instance at `lanes`: factors times textures, split into diffuse and specular reflectance,
 // and what passes where the frame follows light through transparent surfaces.
 template <SurfaceDetail kDetail>
@@ -83,12 +96,18 @@ HWY_INLINE void store_material(const InstanceRecord& instance, VI record, const 
   const V3 diffuse = scale(base, dielectric);
   store_lanes(use == SurfaceUse::matte ? matte_albedo(m, base, diffuse, held_back) : diffuse, lanes,
               out.diffuse, slot);
-  if (shading.probes != nullptr) put(held_back, out.held_back);
+  if (shading.probes != nullptr || shading.plan->gloss) put(held_back, out.held_back);
   store_lanes(mul_add(m.metallic, sub(base, m.f0), m.f0), lanes, out.f0, slot);
   const VF alpha = hn::Max(hn::Mul(m.roughness, m.roughness), set(kSmallestAlpha));
   put(hn::Mul(alpha, alpha), out.alpha2);
   store_lanes(m.emission, lanes, out.emission, slot);
-  put(set(instance.mirror), out.mirror);
+  const bool by_roughness = instance.mirror < 0;
+  const bool own = by_roughness && !(instance.transmission > 0) && shading.plan->gloss;
+  put(!by_roughness                      ? set(instance.mirror)
+      : own || instance.transmission > 0 ? mirror_by_roughness(instance, m)
+                                         : hn::Zero(kF),
+      out.mirror);
+  if (out.gloss) put(set(own ? 1.0f : 0.0f), out.gloss->own);
   put(set(instance.catcher ? 1.0f : 0.0f), out.is_catcher);
 }
 

@@ -1,5 +1,6 @@
-// An equirectangular picture of the light that comes from outside the scene, as the kernels read it.
-// Before: scenes/ decodes the file. After: lighting/environment-inl.h looks directions up.
+// An equirectangular picture of the light that comes from outside the scene, as the kernels read it, and what
+// is made of it for surfaces that blur it. Before: scenes/ decodes the file; environment/ filters it. After:
+// environment/environment-inl.h and filtered_lookup-inl.h look directions up.
 #pragma once
 
 namespace herr {
@@ -10,6 +11,33 @@ struct EnvironmentRecord {
   const float* texels = nullptr;  // four floats each: R, G, B, unused; null: there is no picture
   int width = 0, height = 0;
   float turn = 0;  // [0, 1)
+};
+
+inline constexpr int kMostFilteredLevels = 10;
+inline constexpr int kMostBrightSources = 16;
+
+// A small part of the picture that outshines the rest: light from one direction.
+struct BrightSource {
+  float direction[3] = {};  // towards it, unit, in the world
+  float irradiance[3] = {};
+  float half_turn2 = 0;  // square of what a half vector turns from its middle to its rim
+};
+
+// The picture as GGX highlights of growing width show it head on: level k, of alpha first_alpha times
+// ratio^k, is the mean over the lobe of (n = v = r). Narrower lobes lie between the picture itself and level
+// 0, and differ from the picture by their tails alone, which grow with alpha^2.
+struct FilteredRecord {
+  const float* texels = nullptr;  // of all levels, as EnvironmentRecord's; null: none was made
+  int levels = 0;
+  float first_alpha = 0, levels_per_octave = 0;  // per doubling of alpha
+  int first_texel[kMostFilteredLevels] = {}, width[kMostFilteredLevels] = {},
+      height[kMostFilteredLevels] = {};
+  // Levels from this one on are without the bright sources, which wide lobes take by themselves.
+  int first_without_sources = kMostFilteredLevels;
+  int source_count = 0;
+  BrightSource sources[kMostBrightSources];
+  EnvironmentRecord even;    // mean radiance that a surface facing the direction receives: irradiance / pi
+  EnvironmentRecord coarse;  // the picture as rays see it that stand for a whole texel of it
 };
 
 }  // namespace herr

@@ -76,6 +76,10 @@ void look_at_light(const HitBatch& hits, const FramePlan& plan, FiniteSearch& se
 }
 
 void look_at_indirect(const HitBatch& hits, const FramePlan& plan, FiniteSearch& search) {
+  if (hits.gloss && plan.filtered_environment) {
+    search.look(hits.gloss->shine, "shine");
+    search.look(hits.gloss->around, "around");
+  }
   if (!plan.probes) return;
   search.look(hits.indirect, "indirect");
   if (plan.catcher_probes) search.look(hits.indirect_without, "indirect_without", true);

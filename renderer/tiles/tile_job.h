@@ -40,19 +40,31 @@ struct alignas(64) FurtherLobes {
   Lane<float> stretch;      // strength of anisotropy, 0 without it
 };
 
+// What hits have that reflect by their roughness: only where the plan has gloss.
+struct alignas(64) Gloss {
+  Lane<float> own;  // 1: by the roughness there; 0: the material says how much it mirrors, or light passes it
+  Lane3 albedo;     // share of light from all sides that the highlight sends to the viewer
+  Lane<float> held_back;  // of that, what a dielectric keeps from its diffuse layer
+  Lane<float> again;      // of the lobe, (1 - E) / E: light that meets the surface more than once
+  // Where the plan filters the environment: what the highlight shows of it where nothing hides it, and what
+  // it shows of light from all sides by what probes know.
+  Lane3 shine, around;
+};
+
 // Surfaces that a batch of rays hit, and the light that they send back along the ray.
 struct alignas(64) HitBatch {
-  Lane3 position;             // metres from the anchor
-  Lane3 normal;               // for shading, unit, on the viewer's side
-  Lane3 geometric_normal;     // unit, on the viewer's side
-  Lane3 viewer;               // towards the viewer, unit
-  Lane<float> offset;         // metres along the geometric normal at which secondary rays start
-  Lane3 diffuse;              // albedo
-  Lane3 f0;                   // specular reflectance at normal incidence
-  Lane<float> held_back;      // with probes: what a dielectric keeps from its diffuse layer, its largest F0
-  Lane<float> alpha2;         // GGX alpha squared
-  Lane3 emission;             // radiance
-  Lane<float> mirror;         // share of the mirror ray that is seen
+  Lane3 position;          // metres from the anchor
+  Lane3 normal;            // for shading, unit, on the viewer's side
+  Lane3 geometric_normal;  // unit, on the viewer's side
+  Lane3 viewer;            // towards the viewer, unit
+  Lane<float> offset;      // metres along the geometric normal at which secondary rays start
+  Lane3 diffuse;           // albedo
+  Lane3 f0;                // specular reflectance at normal incidence
+  Lane<float>
+      held_back;       // with probes or gloss: what a dielectric keeps from its diffuse layer, its largest F0
+  Lane<float> alpha2;  // GGX alpha squared
+  Lane3 emission;      // radiance
+  Lane<float> mirror;  // share of the mirror ray that is seen, but for what reflects of it
   Lane<float> transmission;   // share of the light that passes the surface
   Lane<float> index_ratio;    // refractive index of the viewer's side over that of the other
   Lane<float> dielectric_f0;  // reflectance of the bare interface at normal incidence
@@ -82,6 +94,7 @@ struct alignas(64) HitBatch {
   // unaligned.
   Lane<std::uint8_t> block;
   std::unique_ptr<FurtherLobes> lobes;  // where the plan has further lobes
+  std::unique_ptr<Gloss> gloss;         // where the plan has gloss
 };
 
 // Rays that wait to be traced, dense, and which hit of the batch each belongs to.
@@ -178,6 +191,7 @@ struct ShadingInputs {
   float occlusion_radius_m = 0;
   bool occlusion_smoothing = true;
   EnvironmentRecord environment_map;  // instead of `environment` where it has texels
+  FilteredRecord filtered;            // of that, where the plan filters it
   float environment[3] = {};
   float smallest_irradiance[3] =
       {};  // below this a catcher is too dark for a ratio: its feed is kept as it is

@@ -53,6 +53,7 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
 
   const int count = packet_count * kLanes;
   require_finite(scratch.first, count, Stage::surfaces, plan);
+  if (plan.gloss) prepare_gloss(plan, scratch.first, count, plan.mirror_rays);
   if constexpr (kLobe == Lobe::layered) cover_bases(scratch.first, count);
   direct_light<kLobe>(job, scratch.first, count, RayKind::shadow);
   cycles.lap(Stage::light_rays);
@@ -64,6 +65,11 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
   }
   if (plan.probes) {
     indirect_light(job, scratch.first, count);
+    cycles.lap(Stage::indirect_light);
+    require_finite(scratch.first, count, Stage::indirect_light, plan);
+  }
+  if (plan.filtered_environment) {
+    show_environment(*job.shading, scratch.first, count);
     cycles.lap(Stage::indirect_light);
     require_finite(scratch.first, count, Stage::indirect_light, plan);
   }

@@ -11,7 +11,6 @@
 #include "scenes/document/catcher_meshes.h"
 #include "scenes/document/document_limits.h"
 #include "scenes/document/scene_document_paths.h"
-#include "scenes/gltf/material_builder.h"
 #include "scenes/model/transform_checks.h"
 #include "sessions/files/input_error.h"
 
@@ -163,7 +162,6 @@ Material MaterialOverride::apply(Material material) const {
     material.transmission_texture = {};
   }
   if (refractive_index) material.refractive_index = *refractive_index;
-  if (metallic || roughness || transmission || refractive_index) material.mirror = mirror_of(material);
   if (emission) {
     material.emission = *emission;
     material.emission_texture = {};

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "scenes/gltf/file/gltf_limits.h"
-#include "sessions/camera/half_from_samples.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -37,10 +34,6 @@ std::vector<const GltfTextureUse*> texture_uses(const GltfMaterial& material) {
   return uses;
 }
 
-double brightness(const glm::dvec3& colour) {
-  return std::sqrt(glm::dot(glm::dvec3(0.299, 0.587, 0.114), colour * colour));
-}
-
 // Glossiness in alpha -> roughness in green, as a metallic-roughness texture has it.
 void make_rough(float glossiness, std::vector<std::uint8_t>& rgba) {
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -55,33 +48,6 @@ std::int64_t texture_bytes(const ImageSize& size) {
 }
 
 }  // namespace
-
-float metal_share(const glm::vec3& diffuse, const glm::vec3& f0) {
-  // base (1 - metallic) 0.96 = diffuse (1 - max F0) and 0.04 (1 - metallic) + base metallic = F0, in
-  // brightness, without base: 0.04 m^2 + b m + c = 0.
-  constexpr double kDielectric = 0.04;
-  const double specular = brightness(f0);
-  if (specular < kDielectric) return 0.0f;
-  const double passed = 1.0 - std::max({f0.x, f0.y, f0.z});
-  const double b = brightness(diffuse) * passed / (1.0 - kDielectric) + specular - 2.0 * kDielectric;
-  const double c = kDielectric - specular;
-  const double root = std::sqrt(std::max(b * b - 4.0 * kDielectric * c, 0.0));
-  return static_cast<float>(std::clamp((root - b) / (2.0 * kDielectric), 0.0, 1.0));
-}
-
-float mirror_of(float metallic, float roughness, float clear_dielectric) {
-  // At roughness 0.35 a GGX lobe is some 14 degrees wide: a single mirror ray no longer stands for it.
-  constexpr float kRoughest = 0.35f;
-  const float clear = std::max(metallic, (1.0f - metallic) * clear_dielectric);
-  return std::clamp(clear, 0.0f, 1.0f) * std::clamp((kRoughest - roughness) / kRoughest, 0.0f, 1.0f);
-}
-
-float mirror_of(const Material& m) {
-  if (m.unlit) return 0.0f;
-  const glm::vec3 f0 = glm::min(m.specular_colour, glm::vec3(1.0f)) * m.specular;
-  return mirror_of(m.metallic, m.roughness,
-                   m.refractive_index > 0 ? m.transmission : metal_share(m.base_colour, f0));
-}
 
 std::vector<UvSource> MaterialBuilder::uv_sources(int material, const GltfPrimitive& primitive) const {
   std::vector<UvSource> sources;
@@ -159,7 +125,6 @@ Material MaterialBuilder::build(const GltfMaterial& from, const std::vector<UvSo
   }
   add_textures(from, get, to);
   add_lobes(from, get, to);
-  to.mirror = mirror_with_textures(from, to);
   note_losses(from, to);
   return to;
 }
@@ -172,6 +137,11 @@ void MaterialBuilder::add_textures(const GltfMaterial& from, const Get& get, Mat
   to.metallic_roughness_uv_set = rough.uv_set;
   to.roughness = from.roughness;
   if (from.has_glossiness) to.roughness = rough.texture >= 0 ? 1.0f : 1.0f - from.glossiness;
+  if (rough.texture >= 0) {
+    to.smoothest_texel = from.has_glossiness
+                             ? 1.0f - from.glossiness * range_of(from.specular_colour_texture, 3).largest
+                             : range_of(from.metallic_roughness_texture, 1).least;
+  }
   if (to.emission != glm::vec3(0.0f)) to.emission_texture = get(from.emission_texture, Values::colour, 1);
   to.normal_texture = get(from.normal_texture, Values::linear, 1);
   to.specular_texture = get(from.specular_texture, Values::linear, 1);
@@ -200,38 +170,10 @@ void MaterialBuilder::add_lobes(const GltfMaterial& from, const Get& get, Materi
   }
 }
 
-// The mirror share is one number per material: textures count with their mean.
-float MaterialBuilder::mirror_with_textures(const GltfMaterial& from, const Material& to) {
-  // No mirror, whatever the textures hold.
-  if (to.metallic <= 0 && to.transmission <= 0 && to.refractive_index > 0) return 0.0f;
-  Material mean = to;
-  const auto weigh = [&](float& factor, int texture, const GltfTextureUse& use, std::size_t channel) {
-    if (texture >= 0) factor *= channel_mean(use, channel);
-  };
-  const int rough = to.metallic_roughness_texture;
-  if (from.has_glossiness) {
-    if (rough >= 0) mean.roughness = 1.0f - from.glossiness * channel_mean(from.specular_colour_texture, 3);
-  } else {
-    weigh(mean.metallic, rough, from.metallic_roughness_texture, 2);
-    weigh(mean.roughness, rough, from.metallic_roughness_texture, 1);
-  }
-  weigh(mean.transmission, to.transmission_texture.texture, from.transmission_texture, 0);
-  if (to.refractive_index > 0) return mirror_of(mean);
-  weigh(mean.specular, to.specular_texture.texture, from.specular_texture, 3);
-  const auto tint = [&](glm::vec3& colour, int texture, const GltfTextureUse& use) {
-    if (texture < 0) return;
-    for (int channel = 0; channel < 3; ++channel)
-      colour[channel] *= channel_mean(use, static_cast<std::size_t>(channel), true);
-  };
-  tint(mean.base_colour, to.base_colour_texture, from.base_colour_texture);
-  tint(mean.specular_colour, to.specular_colour_texture.texture, from.specular_colour_texture);
-  return mirror_of(mean);
-}
-
 void MaterialBuilder::note_losses(const GltfMaterial& from, const Material& to) {
   if (to.transmission <= 0 && from.coat <= 0 && from.sheen_colour == glm::vec3(0.0f)) return;
   const auto mean = [&](float factor, int texture, const GltfTextureUse& use) {
-    return texture < 0 ? factor : factor * channel_mean(use, 1);
+    return texture < 0 ? factor : factor * range_of(use, 1).mean;
   };
   MeanRoughness rough{to.roughness, mean(from.coat_roughness, to.clearcoat.roughness_texture.texture,
                                          from.coat_roughness_texture)};
@@ -240,18 +182,20 @@ void MaterialBuilder::note_losses(const GltfMaterial& from, const Material& to) 
   losses_.add(from, rough);
 }
 
-// Mean of one channel of a texture, 0 ... 1; `decode`: from IEC 61966-2-1 to linear light.
-float MaterialBuilder::channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode) {
+// One channel of a texture, 0 ... 1.
+MaterialBuilder::ChannelRange MaterialBuilder::range_of(const GltfTextureUse& use, std::size_t channel) {
   const std::vector<std::uint8_t>& rgba =
       pixels_of(model_.textures[static_cast<std::size_t>(use.texture)].image);
-  std::array<std::uint64_t, 256> counts{};
-  for (std::size_t i = channel; i < rgba.size(); i += 4) ++counts[rgba[i]];
-  double sum = 0;
-  for (std::size_t value = 0; value < counts.size(); ++value) {
-    const double share = static_cast<double>(value) / 255.0;
-    sum += static_cast<double>(counts[value]) * (decode ? linear_from_srgb(share) : share);
+  std::uint8_t least = 255, largest = 0;
+  std::uint64_t sum = 0;
+  for (std::size_t i = channel; i < rgba.size(); i += 4) {
+    least = std::min(least, rgba[i]);
+    largest = std::max(largest, rgba[i]);
+    sum += rgba[i];
   }
-  return static_cast<float>(sum / (0.25 * static_cast<double>(rgba.size())));
+  const double mean = static_cast<double>(sum) / (0.25 * static_cast<double>(rgba.size()));
+  return {static_cast<float>(least) / 255.0f, static_cast<float>(mean / 255.0),
+          static_cast<float>(largest) / 255.0f};
 }
 
 TextureSlot MaterialBuilder::slot(const GltfTextureUse& use, Values values, float factor,

@@ -17,17 +17,8 @@
 
 namespace herr {
 
-// How much of a metal a surface of this diffuse colour and this reflectance at normal incidence is, 0 ... 1:
-// the appendix of KHR_materials_pbrSpecularGlossiness.
-float metal_share(const glm::vec3& diffuse, const glm::vec3& f0);
-
-// Share of the mirror ray that a surface shows: smooth metals and smooth glass mirror, rough surfaces and
-// other dielectrics do not. `clear_dielectric`: the transmission, or what metal_share says of index 0.
-float mirror_of(float metallic, float roughness, float clear_dielectric);
-float mirror_of(const Material& material);  // by its factors
-
 // Appends to scene.materials and scene.textures as materials are asked for. One per glTF file. Where
-// pixels are left out, only those that say how much a material mirrors are decoded.
+// pixels are left out, only those that say whether a material mirrors are decoded.
 class MaterialBuilder {
  public:
   MaterialBuilder(const GltfModel& model, Scene& scene, TexturePixels pixels)
@@ -55,16 +46,18 @@ class MaterialBuilder {
   enum class Values : std::uint8_t { linear, colour, covering_colour, rough_gloss };
   using Get = std::function<TextureSlot(const GltfTextureUse&, Values, float factor)>;
   Material build(const GltfMaterial& from, const std::vector<UvSource>& sources);
-  static void add_textures(const GltfMaterial& from, const Get& get, Material& to);
+  void add_textures(const GltfMaterial& from, const Get& get, Material& to);
   static void add_lobes(const GltfMaterial& from, const Get& get, Material& to);
-  float mirror_with_textures(const GltfMaterial& from, const Material& to);
   TextureSlot slot(const GltfTextureUse& use, Values values, float factor,
                    const std::vector<UvSource>& sources, const std::string& material);
   int texture(const GltfTexture& from, Values values, float factor);
   ImageSize size_of(int image);
   const DecodedImage& decoded(int image);
   const std::vector<std::uint8_t>& pixels_of(int image);
-  float channel_mean(const GltfTextureUse& use, std::size_t channel, bool decode = false);
+  struct ChannelRange {
+    float least, mean, largest;
+  };
+  ChannelRange range_of(const GltfTextureUse& use, std::size_t channel);
   EncodedImage encoded(int image) const;
   std::int64_t texture_bytes_left() const;
   void note_losses(const GltfMaterial& from, const Material& to);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,18 +69,21 @@ struct Attenuation {
 
 // glTF metallic-roughness in linear light. Mapping to the paper's factors (see scenes/gltf/README.md):
 // diffuse = base_colour * (1 - metallic), specular F0 = mix(0.04, base_colour, metallic) with GGX alpha =
-// roughness^2, reflection = mirror * F (Schlick from F0).
+// roughness^2; what it mirrors is by roughness, or the paper's reflection factor where `mirror` gives one.
 struct Material {
   std::string name;
-  glm::vec3 base_colour{0.8f};          // [0, 1]
-  float metallic = 0.0f;                // [0, 1]
-  float roughness = 0.8f;               // [0, 1]
-  glm::vec3 emission{0.0f};             // radiance, >= 0
-  float mirror = 0.0f;                  // [0, 1] share of the mirror ray that is seen; 0 traces none
+  glm::vec3 base_colour{0.8f};  // [0, 1]
+  float metallic = 0.0f;        // [0, 1]
+  float roughness = 0.8f;       // [0, 1]
+  glm::vec3 emission{0.0f};     // radiance, >= 0
+  // [0, 1] share of the mirror ray that is seen, times Schlick's F; 0 traces none. None: by the roughness of
+  // each place.
+  std::optional<float> mirror;
   int base_colour_texture = -1;         // index into Scene::textures, -1 = none
   int metallic_roughness_texture = -1;  // G = roughness, B = metallic (linear)
-  float transmission = 0.0f;            // [0, 1] share of light that passes, refracted
-  float refractive_index = 1.5f;        // [1, 100], or 0: a mirror, F0 is 1 (KHR_materials_ior)
+  float smoothest_texel = 0.0f;   // at most the least G of that texture, 0 ... 1: tells where none mirrors
+  float transmission = 0.0f;      // [0, 1] share of light that passes, refracted
+  float refractive_index = 1.5f;  // [1, 100], or 0: a mirror, F0 is 1 (KHR_materials_ior)
   int base_colour_uv_set = 0, metallic_roughness_uv_set = 0;  // as TextureSlot::uv_set
 
   float alpha = 1.0f;  // [0, 1], times the base colour texture's and the vertices'; unused where opaque
@@ -103,6 +107,18 @@ struct Material {
   Anisotropy anisotropy;
   Attenuation attenuation;
 };
+
+// Roughness from which on no mirror ray is traced: a GGX lobe is some 14 degrees wide there, and one ray no
+// longer stands for it.
+inline constexpr float kRoughestMirror = 0.35f;
+
+// May some place of it send a mirror ray?
+inline bool may_mirror(const Material& material) {
+  if (material.mirror) return *material.mirror > 0;
+  if (material.unlit || (material.metallic <= 0 && material.specular <= 0)) return false;
+  const float texel = material.metallic_roughness_texture >= 0 ? material.smoothest_texel : 1.0f;
+  return material.roughness * texel < kRoughestMirror;
+}
 
 // Has it lobes beyond diffuse and one isotropic highlight?
 inline bool has_further_lobes(const Material& material) {

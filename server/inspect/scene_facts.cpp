@@ -71,7 +71,7 @@ SceneFacts facts_of(const Scene& scene) {
   add_objects(scene, facts);
   facts.materials = static_cast<std::int64_t>(scene.materials.size());
   for (const Material& material : scene.materials) {
-    facts.mirrors += material.mirror > 0 ? 1 : 0;
+    facts.mirrors += may_mirror(material) ? 1 : 0;
     facts.emitters += material.emission != glm::vec3(0.0f) ? 1 : 0;
   }
   facts.textures = static_cast<std::int64_t>(scene.textures.size());

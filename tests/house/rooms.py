@@ -6,7 +6,7 @@ ROOMS = {
                  "check", "inspect/meters", "inspect", "record", "import/text", "import/map", "import/tables", "import/rows",
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check/roles", "import/check"),
     "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "environment", "document", "changes"),
-    "renderer": ("settings", "simd", "threads", "feed", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles",
+    "renderer": ("settings", "simd", "threads", "feed", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles", "environment",
                  "surfaces", "highlights", "lighting", "tracing", "probe_updates", "viewports", "outside", "frame", "bench"),
     "server": ("text", "diagrams", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",

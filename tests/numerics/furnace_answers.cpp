@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRoughness[] = {0.0, 0.1, 0.2, 0.35, 0.6, 1.0};
 
-// What material_builder derives from a roughness.
+// A reflection factor that fades as surfaces grow rougher.
 float mirror_share(double roughness) {
   return static_cast<float>(std::max(0.35 - roughness, 0.0) / 0.35);
 }

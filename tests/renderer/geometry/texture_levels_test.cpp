@@ -173,7 +173,8 @@ TEST(TextureLevelsTest, MirrorsShowTheLevelOfTheWholeWay) {
   Scene scene = wall_of(grey_image(256, 256, checker, true));
   scene.instances[0].world_from_object[3] = {0, 0, 2};  // at z = 1, facing -z or not: both sides show
   Material mirror = test::matte(glm::vec3{1.0f});
-  mirror.metallic = mirror.mirror = 1;
+  mirror.metallic = 1;
+  mirror.mirror = 1.0f;
   mirror.roughness = 0;
   test::add(scene, test::quad({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}), mirror);
   const RenderedFrame frame = test::render(scene, test::single_view(32, 32, 15, 15), test::planar_settings(),

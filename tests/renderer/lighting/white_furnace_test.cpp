@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/renderer/probes/probe_scenes.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double kRoughness[] = {0.0, 0.1, 0.2, 0.35, 1.0};
 
-// What material_builder derives from a roughness.
+// A reflection factor that fades as surfaces grow rougher.
 float mirror_share(double roughness) {
   return static_cast<float>(std::max(0.35 - roughness, 0.0) / 0.35);
 }
@@ -35,6 +36,25 @@ Material white_metal(double roughness) {
   return m;
 }
 
+// Reflects by its roughness.
+Material white_ball(double roughness, float metallic) {
+  Material m = test::matte(glm::vec3{1.0f});
+  m.metallic = metallic;
+  m.roughness = static_cast<float>(roughness);
+  return m;
+}
+
+void expect_white(const ViewportImage& image, const std::string& what) {
+  double least = 10, most = 0;
+  test::for_each_pixel(image, [&](int, int, const test::Pixel& pixel) {
+    if (pixel[3] < 0.5f) return;  // beside the ball
+    least = std::min(least, double{pixel[1]});
+    most = std::max(most, double{pixel[1]});
+  });
+  EXPECT_GT(least, 0.99) << what;
+  EXPECT_LT(most, 1.01) << what;
+}
+
 // A ball before the eye shows every angle from head on to grazing.
 void expect_white(const Material& material, const std::string& what) {
   Scene scene;
@@ -42,15 +62,7 @@ void expect_white(const Material& material, const std::string& what) {
   scene.environment = scene.ambient = glm::vec3{1.0f};
   const RenderedFrame frame = test::render(scene, test::single_view(24, 24, 20, 20), test::planar_settings(),
                                            test::sample_from({0, 0, 0}));
-  double least = 10, most = 0;
-  test::for_each_pixel(frame.viewports[0], [&](int, int, const test::Pixel& pixel) {
-    if (pixel[3] < 0.5f) return;  // beside the ball
-    least = std::min(least, double{pixel[1]});
-    most = std::max(most, double{pixel[1]});
-  });
-  EXPECT_GT(least, 0.99) << what;
-  EXPECT_LT(most, 1.01) << what;
-  EXPECT_GT(most, 0) << what;
+  expect_white(frame.viewports[0], what);
 }
 
 TEST(WhiteFurnaceTest, GlassKeepsItsLightHoweverRough) {
@@ -75,6 +87,25 @@ TEST(WhiteFurnaceTest, SheenLosesNoLightOverMetalOrGlass) {
     for (Material m : {white_glass(roughness), white_metal(roughness)}) {
       m.sheen = {glm::vec3{0.8f}, 0.5f, {}, {}};
       expect_white(m, "roughness " + std::to_string(roughness) + (m.metallic > 0 ? ", metal" : ", glass"));
+    }
+  }
+}
+
+// Roughness by roughness, metal and dielectric: by the mirror ray, the lobe, even light, and any mixture.
+TEST(WhiteFurnaceTest, SurfacesKeepTheirLightWhateverTheirRoughness) {
+  for (const bool picture : {false, true}) {
+    for (int tenths = 0; tenths <= 20; ++tenths) {
+      for (const float metallic : {0.0f, 1.0f}) {
+        Scene scene;
+        test::add(scene, test::sphere({0, 0, -3}, 1, 48, 96), white_ball(0.05 * tenths, metallic));
+        scene.environment = glm::vec3{1.0f};
+        if (picture) scene.environment_map = {64, 32, 0, std::vector<float>(4 * 64 * 32, 1.0f)};
+        test::ProbeRun run(scene, test::single_view(24, 24, 20, 20), test::probe_settings(0),
+                           test::sample_from({0.02, 0.03, 0}));
+        run.run(4);
+        expect_white(run.frame.viewports[0], "roughness " + std::to_string(0.05 * tenths) + ", metal " +
+                                                 std::to_string(metallic) + (picture ? ", picture" : ""));
+      }
     }
   }
 }

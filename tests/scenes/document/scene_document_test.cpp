@@ -223,9 +223,10 @@ TEST(SceneDocument, AnOverrideChangesOneEntryAndTheMirrorFollowsTheSurface) {
   const Material& mirror = loaded.materials.at(loaded.instances.at(4).material);
   // The default material of glTF: white, metallic 1, roughness 1.
   EXPECT_EQ(plain.roughness, 1.0f);
-  EXPECT_EQ(plain.mirror, 0.0f);
-  // 1 * (0.35 - 0.07) / 0.35 = 0.8; three roundings of 6e-8.
-  EXPECT_NEAR(metal.mirror, 0.8, 2e-7);
+  EXPECT_FALSE(plain.mirror) << "by its roughness";
+  EXPECT_FALSE(may_mirror(plain));
+  EXPECT_FALSE(metal.mirror);
+  EXPECT_TRUE(may_mirror(metal));
   EXPECT_EQ(mirror.mirror, 0.25f);
   EXPECT_TRUE(loaded.instances[4].catcher);
 }

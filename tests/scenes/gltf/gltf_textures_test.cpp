@@ -67,14 +67,15 @@ TEST(GltfTextures, AnImageUsedForColourAndForRoughnessIsTwoTextures) {
   json document = textured_document();
   document["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
   const auto file = write_model(folder, document);
-  // Mean G = 0 and B = 255: a smooth metal, which mirrors.
+  // G = 0 and B = 255: a smooth metal, which mirrors.
   write_picture(folder.path() / "a picture.png", 1, 1, 3, {7, 0, 255});
   const Scene scene = load_scene(file);
   ASSERT_EQ(scene.textures.size(), 2u);
   EXPECT_TRUE(scene.textures[0].srgb);
   EXPECT_FALSE(scene.textures[1].srgb);
   EXPECT_EQ(scene.materials.at(0).metallic_roughness_texture, 1);
-  EXPECT_EQ(scene.materials.at(0).mirror, 1.0f);
+  EXPECT_EQ(scene.materials.at(0).smoothest_texel, 0.0f);
+  EXPECT_TRUE(may_mirror(scene.materials.at(0)));
 }
 
 TEST(GltfTextures, WithoutPixelsASceneHasTheSameSizesMirrorsAndRefusals) {
@@ -94,7 +95,8 @@ TEST(GltfTextures, WithoutPixelsASceneHasTheSameSizesMirrorsAndRefusals) {
       EXPECT_EQ(whole.textures[i].rgba.size(), 24u);
       EXPECT_TRUE(described.textures[i].rgba.empty());
     }
-    EXPECT_EQ(described.materials.at(0).mirror, whole.materials.at(0).mirror);
+    EXPECT_EQ(described.materials.at(0).smoothest_texel, whole.materials.at(0).smoothest_texel);
+    EXPECT_EQ(may_mirror(described.materials.at(0)), may_mirror(whole.materials.at(0)));
     std::filesystem::resize_file(folder.path() / name, 40);
     for (const TexturePixels pixels : {TexturePixels::decoded, TexturePixels::left_out})
       EXPECT_THROW((void)load_scene(file, pixels), InputError) << name;
@@ -214,7 +216,7 @@ TEST(GltfTextures, FactorsEmissionAndUnlitArrive) {
   EXPECT_TRUE(unlit.unlit);
   EXPECT_EQ(unlit.base_colour, glm::vec3(0.25f, 0.5f, 0.75f));
   EXPECT_EQ(unlit.emission, glm::vec3(0)) << "its colour is all that it shows";
-  EXPECT_EQ(unlit.mirror, 0.0f);
+  EXPECT_FALSE(may_mirror(unlit));
 }
 
 }  // namespace

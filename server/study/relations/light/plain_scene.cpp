@@ -26,7 +26,8 @@ void show_plainly(RelationCase& subject) {
 
 void make_matte(Scene& scene) {
   for (Material& material : scene.materials) {
-    material.metallic = material.mirror = material.transmission = 0;
+    material.metallic = material.transmission = 0;
+    material.mirror = 0.0f;
     material.roughness = 1;
     material.specular = 0;
     material.specular_texture = material.transmission_texture = material.occlusion_texture = {};

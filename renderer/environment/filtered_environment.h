@@ -1,0 +1,33 @@
+// What an environment picture looks like in highlights: made once, before the first frame that needs it.
+// Before: Scene::environment_map, the frame plan. After: lighting/gloss-inl.h and the rays of probes look it
+// up. Sources: the levels are the first factor of Karis's split sum ("Real Shading in Unreal Engine 4",
+// 2013), bright sources stand apart from them as in Debevec's light probe sampling (2005).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/environment/picture_pyramid.h"
+#include "renderer/tiles/environment_record.h"
+
+namespace herr {
+
+class FilteredEnvironment {
+ public:
+  // `probe_rays`: rays that each probe sends; 0: no probes. Takes some 0.5 s on two cores for a large
+  // picture.
+  FilteredEnvironment(const EnvironmentImage& picture, int probe_rays, const ParallelFor& parallel);
+
+  // As kernels read it, the picture turned by `turn` (EnvironmentRecord::turn). Valid as long as this is.
+  FilteredRecord record(float turn) const;
+  std::int64_t bytes() const;
+
+ private:
+  void filter_levels(const std::vector<SkyPicture>& whole, const std::vector<SkyPicture>& rest,
+                     const ParallelFor& parallel);
+  FilteredRecord record_;
+  std::vector<float> texels_;
+  SkyPicture even_, coarse_;
+};
+
+}  // namespace herr

@@ -1,0 +1,96 @@
+#include "renderer/environment/picture_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <utility>
+
+namespace herr {
+namespace {
+
+// As the kernels look it up: bilinear, columns wrap around, rows end at the poles.
+std::array<double, 3> bilinear(const EnvironmentImage& picture, double u, double v) {
+  const double x = u * picture.width_px - 0.5, y = v * picture.height_px - 0.5;
+  const auto wrapped = [&](double column) {
+    const auto at = static_cast<int>(column) % picture.width_px;
+    return static_cast<std::size_t>(at < 0 ? at + picture.width_px : at);
+  };
+  const auto clamped = [&](double row) {
+    return static_cast<std::size_t>(std::clamp(row, 0.0, picture.height_px - 1.0));
+  };
+  const double left = std::floor(x), upper = std::floor(y), tx = x - left, ty = y - upper;
+  const std::size_t columns[2] = {wrapped(left), wrapped(left + 1)};
+  const std::size_t rows[2] = {clamped(upper), clamped(upper + 1)};
+  const double weights[2][2] = {{(1 - tx) * (1 - ty), tx * (1 - ty)}, {(1 - tx) * ty, tx * ty}};
+  std::array<double, 3> sum{};
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) {
+      const float* texel =
+          picture.rgba.data() + 4 * (rows[j] * static_cast<std::size_t>(picture.width_px) + columns[i]);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += weights[j][i] * double{texel[c]};
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+glm::dvec3 SkyPicture::direction(double x, double y) const {
+  const double azimuth = (x / width - 0.5) * glm::two_pi<double>(), polar = y / height * glm::pi<double>();
+  return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
+}
+
+double SkyPicture::solid_angle(int y) const {
+  const double step = glm::pi<double>() / height;
+  return glm::two_pi<double>() / width * (std::cos(step * y) - std::cos(step * (y + 1)));
+}
+
+SkyPicture resampled(const EnvironmentImage& picture, int width, const ParallelFor& parallel) {
+  SkyPicture out{width, width / 2, {}};
+  out.texels.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  const int steps = std::max(2, 2 * ((picture.width_px + width - 1) / width));
+  parallel(out.height, [&](int y) {
+    for (int x = 0; x < out.width; ++x) {
+      std::array<double, 3> sum{};
+      double weights = 0;
+      for (int j = 0; j < steps; ++j) {
+        const double v = (y + (j + 0.5) / steps) / out.height, weight = std::sin(v * glm::pi<double>());
+        for (int i = 0; i < steps; ++i) {
+          const std::array<double, 3> sample = bilinear(picture, (x + (i + 0.5) / steps) / out.width, v);
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * sample[c];
+          weights += weight;
+        }
+      }
+      std::array<float, 4>& texel = out.texels[static_cast<std::size_t>(y * out.width + x)];
+      for (std::size_t c = 0; c < 3; ++c) texel[c] = static_cast<float>(sum[c] / weights);
+    }
+  });
+  return out;
+}
+
+SkyPicture halved(const SkyPicture& picture) {
+  SkyPicture out{picture.width / 2, picture.height / 2, {}};
+  out.texels.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  for (int y = 0; y < out.height; ++y) {
+    const double upper = picture.solid_angle(2 * y), lower = picture.solid_angle(2 * y + 1);
+    const auto share = static_cast<float>(0.5 * upper / (upper + lower)), rest = 0.5f - share;
+    for (int x = 0; x < out.width; ++x) {
+      std::array<float, 4> texel{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        texel[c] = share * (picture.at(2 * x, 2 * y)[c] + picture.at(2 * x + 1, 2 * y)[c]) +
+                   rest * (picture.at(2 * x, 2 * y + 1)[c] + picture.at(2 * x + 1, 2 * y + 1)[c]);
+      }
+      out.texels.push_back(texel);
+    }
+  }
+  return out;
+}
+
+std::vector<SkyPicture> pyramid_of(SkyPicture picture) {
+  std::vector<SkyPicture> levels;
+  levels.push_back(std::move(picture));
+  while (levels.back().width > 4) levels.push_back(halved(levels.back()));
+  return levels;
+}
+
+}  // namespace herr

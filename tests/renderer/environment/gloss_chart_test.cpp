@@ -1,0 +1,189 @@
+// A chart of spheres, roughness 0 ... 1 by metal 0 and 1, in an environment picture and under a box lamp,
+// against a slow path tracer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+#include "scenes/environment/environment_image.h"
+#include "tests/recordings/real_data.h"
+#include "tests/renderer/environment/slow_gloss.h"
+#include "tests/renderer/probes/probe_scenes.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+constexpr double kRoughness[] = {0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1};
+constexpr int kColumns = 9, kWidth = 486, kHeight = 108;
+constexpr double kDistance = 14, kApart = 2, kRadius = 0.6;
+
+// A sky with clouds over uneven ground, four windows of light in it, and a sun of 8 degrees across, 60 times
+// as bright as the sky: a third of all light comes from it.
+EnvironmentImage day() {
+  EnvironmentImage picture;
+  picture.width_px = 512;
+  picture.height_px = 256;
+  const glm::dvec3 sun = glm::normalize(glm::dvec3{0.5, 0.6, 0.6});
+  for (int y = 0; y < picture.height_px; ++y) {
+    for (int x = 0; x < picture.width_px; ++x) {
+      glm::dvec3 sum{0.0};
+      for (int sample = 0; sample < 16; ++sample) {
+        const double azimuth =
+                         ((x + (sample % 4 + 0.5) / 4) / picture.width_px - 0.5) * glm::two_pi<double>(),
+                     polar = (y + (sample / 4 + 0.5) / 4) / picture.height_px * glm::pi<double>();
+        const glm::dvec3 d{std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                           -std::sin(polar) * std::cos(azimuth)};
+        const bool sky = d.y > 0;
+        sum += sky ? glm::dvec3{0.3, 0.4, 0.7} + (1 - d.y) * glm::dvec3{0.6, 0.5, 0.3}
+                   : (0.2 + 0.1 * std::sin(6 * d.x) * std::sin(5 * d.z)) * glm::dvec3{1.0, 0.8, 0.5};
+        if (sky && d.y < 0.25 && std::sin(7 * azimuth) > 0.3) sum += 0.4;
+        if (d.y > 0.5 && d.y < 0.7 && std::abs(std::sin(2 * azimuth)) > 0.95) sum += 3.0;
+        if (glm::dot(d, sun) > std::cos(4 / kDegreesPerRadian)) sum += glm::dvec3{60, 54, 45};
+      }
+      sum /= 16.0;
+      for (int c = 0; c < 3; ++c) picture.rgba.push_back(static_cast<float>(sum[c]));
+      picture.rgba.push_back(0);
+    }
+  }
+  return picture;
+}
+
+std::vector<test::GlossBall> chart_balls() {
+  std::vector<test::GlossBall> balls;
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      test::GlossBall ball;
+      ball.centre = {kApart * (column - 4), kApart * (0.5 - row), -kDistance};
+      ball.radius = kRadius;
+      ball.metallic = 1 - row;
+      ball.roughness = kRoughness[column];
+      ball.base = row == 0 ? glm::dvec3{0.95, 0.8, 0.5} : glm::dvec3{0.2, 0.35, 0.5};
+      balls.push_back(ball);
+    }
+  }
+  return balls;
+}
+
+Scene scene_of(const std::vector<test::GlossBall>& balls) {
+  Scene scene;
+  for (const test::GlossBall& ball : balls) {
+    Instance instance;
+    instance.name = "ball";
+    instance.kind = ShapeKind::sphere;
+    instance.material = static_cast<std::uint32_t>(scene.materials.size());
+    instance.world_from_object = {{ball.radius, 0, 0}, {0, ball.radius, 0}, {0, 0, ball.radius}, ball.centre};
+    Material material;
+    material.base_colour = glm::vec3(ball.base);
+    material.metallic = static_cast<float>(ball.metallic);
+    material.roughness = static_cast<float>(ball.roughness);
+    scene.materials.push_back(material);
+    scene.instances.push_back(instance);
+  }
+  scene.probes.box = Bounds{{-9.5, -2.5, -kDistance - 2}, {9.5, 2.5, -kDistance + 2}};
+  return scene;
+}
+
+DisplayProfile chart_view() {
+  const double half_width = std::atan(9.0 / kDistance) * kDegreesPerRadian,
+               half_height = std::atan(2.0 / kDistance) * kDegreesPerRadian;
+  return test::single_view(kWidth, kHeight, half_width, half_height);
+}
+
+// For someone who looks: a picture of three strips, rendered, slow and four times their difference.
+void write_picture(const std::vector<glm::dvec3>& fast, const std::vector<glm::dvec3>& slow,
+                   const std::string& name) {
+  const char* folder = std::getenv("HERR_TEST_PICTURES");
+  if (folder == nullptr) return;
+  std::ofstream out(std::string(folder) + "/" + name + ".ppm", std::ios::binary);
+  out << "P6\n" << kWidth << " " << 3 * kHeight << "\n255\n";
+  for (int strip = 0; strip < 3; ++strip) {
+    for (std::size_t i = 0; i < fast.size(); ++i) {
+      const glm::dvec3 value = strip == 0   ? fast[i]
+                               : strip == 1 ? slow[i]
+                                            : 4.0 * glm::abs(fast[i] - slow[i]);
+      for (int c = 0; c < 3; ++c)
+        out.put(static_cast<char>(
+            static_cast<unsigned char>(255 * std::pow(std::clamp(value[c], 0.0, 1.0), 1 / 2.2))));
+    }
+  }
+}
+
+// Root of the mean square difference over the pixels whose centre shows a ball, over the ball's mean.
+void compare(const RenderedFrame& frame, const test::SlowGloss& slow, const std::string& name) {
+  const DisplayProfile profile = chart_view();
+  std::vector<glm::dvec3> fast, exact;
+  std::vector<double> square(slow.balls.size()), mean(slow.balls.size());
+  std::vector<int> pixels(slow.balls.size());
+  test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+    fast.push_back({pixel[0], pixel[1], pixel[2]});
+    exact.push_back(fast.back());
+    const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
+    for (std::size_t i = 0; i < slow.balls.size(); ++i) {
+      const test::GlossBall& ball = slow.balls[i];
+      const double along = glm::dot(ball.centre, d);
+      const double off = std::sqrt(glm::dot(ball.centre, ball.centre) - along * along);
+      if (off > 0.995 * ball.radius) continue;  // float and double agree on what is hit
+      exact.back() = slow.radiance(glm::dvec3{0.0}, d, static_cast<std::uint32_t>(y * kWidth + x));
+      const glm::dvec3 difference = fast.back() - exact.back();
+      square[i] += glm::dot(difference, difference) / 3;
+      mean[i] += (exact.back().x + exact.back().y + exact.back().z) / 3;
+      ++pixels[i];
+    }
+  });
+  write_picture(fast, exact, name);
+  for (std::size_t i = 0; i < slow.balls.size(); ++i) {
+    const test::GlossBall& ball = slow.balls[i];
+    const double error = std::sqrt(square[i] * pixels[i]) / mean[i];
+    std::cout << name << ": metal " << ball.metallic << ", roughness " << ball.roughness << ": mean "
+              << mean[i] / pixels[i] << ", relative RMSE " << error << "\n";
+    EXPECT_GT(pixels[i], 500);
+    const double most = ball.roughness <= 0.1 || ball.roughness >= 0.4 ? 0.05 : 0.1;
+    EXPECT_LE(error, most) << name << ", metal " << ball.metallic << ", roughness " << ball.roughness;
+  }
+}
+
+// Rays without width meet the middle of pixels, as those of the slow tracer do.
+void expect_chart_in(const EnvironmentImage& picture, const std::string& name) {
+  test::SlowGloss slow;
+  slow.balls = chart_balls();
+  const test::PictureDirections directions(picture);
+  slow.picture = &directions;
+  Scene scene = scene_of(slow.balls);
+  scene.environment_map = picture;
+  RenderSettings settings = test::probe_settings();
+  settings.ray_width = 0;
+  test::ProbeRun run(scene, chart_view(), settings, test::sample_from({0, 0, 0}));
+  run.run(60);
+  compare(run.frame, slow, name);
+}
+
+TEST(GlossChartTest, SpheresInAPictureOfTheSky) {
+  expect_chart_in(day(), "day");
+}
+
+TEST(GlossChartTest, SpheresInARealPicture) {
+  const std::filesystem::path file = test::real_data() / "models/hdr/royal_esplanade_1k.hdr";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  std::vector<std::string> remarks;
+  expect_chart_in(read_environment_image(file, remarks), "royal_esplanade");
+}
+
+TEST(GlossChartTest, SpheresUnderABoxLamp) {
+  test::SlowGloss slow;
+  slow.balls = chart_balls();
+  slow.lamp = test::light_at({1, 5, -7}, {200, 190, 170}, {2.0f, 0.5f, 2.0f});
+  Scene scene = scene_of(slow.balls);
+  scene.lights = {*slow.lamp};
+  RenderSettings settings = test::probe_settings();
+  settings.ray_width = 0;
+  settings.light_samples = 1024;
+  test::ProbeRun run(scene, chart_view(), settings, test::sample_from({0, 0, 0}));
+  run.run(10);
+  compare(run.frame, slow, "lamp");
+}
+
+}  // namespace
+}  // namespace herr
