@@ -69,12 +69,20 @@ struct Setting {
   std::variant<NumberSetting, WordSetting, SizeSetting, TextSetting> value;
   std::string otherwise = {};  // what holds where an optional number or a text is none: "the profile's"
   std::string back_flag = {};  // of a switch that a preset turns: the flag that brings the default back
+  // Beside what its value changes nothing, as the others stand now, and what to do ("--foveation off, which
+  // has no polar buffer"); empty where it changes something.
+  std::function<std::string()> idle_beside = {};
 };
 
 // A value as JSON has it; std::monostate: none.
 using PlainValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 bool is_switch(const Setting& setting);
+bool is_idle(const Setting& setting);
+// "--polar acuity: no effect with --foveation off, ..." for each setting that has another value than its row
+// in `defaults` and changes nothing beside the others. Both have the same rows.
+std::vector<std::string> idle_settings(const std::vector<Setting>& settings,
+                                       const std::vector<Setting>& defaults);
 bool shapes_pictures(const Setting& setting);
 // Its name for people: "light samples", without unit.
 std::string label_of(const Setting& setting);

@@ -9,6 +9,8 @@
 
 namespace herr {
 
+inline constexpr int kMostAdaptiveSamples = 256;  // light samples of a hit that are traced a few first
+
 // One row for each field, save `force`, which no user sets. The rows refer to `settings`, which must
 // outlive them and stay where it is.
 std::vector<Setting> settings_of(RenderSettings& settings);

@@ -11,6 +11,7 @@
 #include "server/process/terminal.h"
 #include "server/replay/replay_command.h"
 #include "server/serve/serve_command.h"
+#include "server/settings/option_checks.h"
 #include "server/study/rate/rate_command.h"
 #include "server/study/stability/report_again.h"
 #include "server/study/stability/stability_command.h"
@@ -24,14 +25,27 @@ struct RunCommand {
     herr::print_result(show.text);
     return herr::kExitDone;
   }
-  int operator()(const herr::ReplayOptions& options) const { return herr::run_replay(options); }
-  int operator()(const herr::ServeOptions& options) const { return herr::run_serve(options); }
-  int operator()(const herr::BenchOptions& options) const { return herr::run_bench(options); }
+  int operator()(const herr::ReplayOptions& options) const {
+    herr::warn_of_idle_settings(options.render);
+    return herr::run_replay(options);
+  }
+  int operator()(const herr::ServeOptions& options) const {
+    herr::warn_of_idle_settings(options.replay.render);
+    return herr::run_serve(options);
+  }
+  int operator()(const herr::BenchOptions& options) const {
+    herr::warn_of_idle_settings(options.render);
+    return herr::run_bench(options);
+  }
   int operator()(const herr::CheckOptions& options) const { return herr::run_check(options); }
-  int operator()(const herr::InspectOptions& options) const { return herr::run_inspect(options); }
+  int operator()(const herr::InspectOptions& options) const {
+    herr::warn_of_idle_settings(options.render);
+    return herr::run_inspect(options);
+  }
   int operator()(const herr::LookOptions& options) const { return herr::run_look(options); }
   int operator()(const herr::StudyOptions& options) const {
     if (!options.report.empty()) return herr::print_report_again(options);
+    herr::warn_of_idle_settings(options.render);
     if (options.hz) return herr::run_rate(options);
     return options.stability ? herr::run_stability(options) : herr::run_study(options);
   }

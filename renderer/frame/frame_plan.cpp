@@ -8,6 +8,7 @@
 #include "renderer/geometry/shading_scene.h"
 #include "renderer/geometry/surface_details.h"
 #include "renderer/probes/probe_grid.h"
+#include "renderer/settings_list.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -106,6 +107,8 @@ std::string share(std::size_t count, std::size_t all, const char* what) {
 }
 
 }  // namespace
+
+static_assert(kMostAdaptiveSamples == kMostOrderedSamples, "what settings promise is what is traced");
 
 LightSampling FramePlan::light_sampling(int samples) const {
   const bool adaptive =

@@ -1,6 +1,7 @@
 // What the probes of a volume know, unpacked for people and other programs: where each stands, in which state
 // it is, what light it has gathered, how far it sees. Says what look-ups read, as of the last update.
-// Before: a Renderer has updated its probes. After: `herr inspect --probes` draws them. No frame uses this.
+// Before: a Renderer has updated its probes. After: `herr inspect --probe-pictures` draws them. No frame uses
+// this.
 #pragma once
 
 #include <array>

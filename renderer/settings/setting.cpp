@@ -84,6 +84,23 @@ bool is_switch(const Setting& setting) {
   return word != nullptr && word->words == std::vector<std::string>{kOff, kOn};
 }
 
+bool is_idle(const Setting& setting) {
+  return setting.idle_beside && !setting.idle_beside().empty();
+}
+
+std::vector<std::string> idle_settings(const std::vector<Setting>& settings,
+                                       const std::vector<Setting>& defaults) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const Setting& setting = settings[i];
+    const std::string text = text_of(setting);
+    if (!is_idle(setting) || text == text_of(defaults.at(i))) continue;
+    lines.push_back(setting.flag + (is_switch(setting) ? "" : " " + text) + ": no effect with " +
+                    setting.idle_beside());
+  }
+  return lines;
+}
+
 bool shapes_pictures(const Setting& setting) {
   return setting.effect != SettingEffect::none;
 }

@@ -53,11 +53,20 @@ void add_bench(CLI::App& app, BenchOptions& options) {
 
 // What probes know, as pictures.
 void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
-  file_flag(app, "--probes", "new folder for what the scene's probes know, as pictures and an index",
+  file_flag(app, "--probe-pictures", "new folder for what the scene's probes know, as pictures and an index",
             [&](const std::string& text) {
               options.probes.folder = text;
               options.render.probes.on = true;
             });
+  // Elsewhere --probes is a switch.
+  app.add_option_function<std::vector<std::string>>(
+         "--probes",
+         [](const std::vector<std::string>&) {
+           throw UsageError("--probes: is called --probe-pictures here; give --probe-pictures DIR");
+         },
+         "")
+      ->expected(0, 1)
+      ->group("");
   value_flag(app, "--probe-updates", "N",
              "updates of every probe before that, 1 ... 100000 (default " +
                  std::to_string(kDefaultProbeUpdates) + ")",
@@ -72,7 +81,7 @@ void add_probe_dump_flags(CLI::App& app, InspectOptions& options) {
   add_setting_flags(app, settings, {SettingGroup::machine});
   app.add_flag_callback(
       "--overwrite", [&] { options.overwrite = options.probes.overwrite = true; },
-      "replace what an earlier --probes or --acuity-plot wrote");
+      "replace what an earlier --probe-pictures or --acuity-plot wrote");
 }
 
 // What no single flag of bench can know.
@@ -120,6 +129,7 @@ std::string one_line(std::string text) {
 std::vector<std::string> long_flags(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;  // of old, and refused
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;
@@ -228,13 +238,14 @@ void check_required(const ReplayOptions& options) {
 void check_required(const InspectOptions& options) {
   non_empty("PATH", options.path.native());
   if (!options.probes.folder.empty()) {
-    if (!options.render.probes.on) throw UsageError("--no-probes: conflicts with --probes; give one of them");
+    if (!options.render.probes.on)
+      throw UsageError("--no-probes: conflicts with --probe-pictures; give one of them");
     return;
   }
   if (options.overwrite && options.acuity_plot.empty())
-    throw UsageError("--overwrite: nothing is written; give --probes DIR or --acuity-plot FILE");
+    throw UsageError("--overwrite: nothing is written; give --probe-pictures DIR or --acuity-plot FILE");
   if (options.probes.updates != kDefaultProbeUpdates)
-    throw UsageError("--probe-updates: nothing is updated; give --probes DIR");
+    throw UsageError("--probe-updates: nothing is updated; give --probe-pictures DIR");
 }
 
 void check_required(const SynthOptions& options) {

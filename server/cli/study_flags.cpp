@@ -76,8 +76,9 @@ void add_sweep_flags(CLI::App& app, StudyOptions& options) {
                took("--frames");
              });
   value_flag(app, "--minutes", "M",
-             "time for all of it, half of it at most for references; what it is not enough for is listed "
-             "(default 20)",
+             "time for all of it, half of it for references; fewer frames and settings where it is short, "
+             "all listed; "
+             "one frame's references and the default are measured whatever they take (default 20)",
              [&options, took](const std::string& text) {
                options.minutes = parse_real_number("--minutes", text, 0.1, 10000);
                took("--minutes");

@@ -66,12 +66,14 @@ FrameRecord describe_frame(std::int64_t frame, const FrameSample& sample, const 
   describe_acuity(rendered, record);
   record.pose_source = sample.head.source;
   record.gaze_source = sample.gaze.source;
+  record.gaze_in_head = sample.gaze.head_direction;
   record.pose_age_ms = age_ms(sample.head.age_ns);
   if (report.findings.gaze_rows > 0) record.gaze_age_ms = age_ms(sample.gaze.age_ns);
   record.camera_age_ms = camera_age_ms(sample);
   describe_feed(sample, report, record);
   const double frame_ms = rendered.times.frame_ms;
   const double period_ms = report.range.period_ms();
+  record.period_ms = period_ms;
   record.missed = frame_ms > period_ms;
   const double shown_after_ms = clock == ReplayClock::max ? frame_ms : std::max(frame_ms, period_ms);
   if (record.pose_age_ms) record.motion_to_photon_ms = *record.pose_age_ms + shown_after_ms;

@@ -54,7 +54,7 @@ void build_renderer(const RenderSettings& settings, const SessionReport& report,
   opened.renderer = std::make_unique<Renderer>(opened.scene, report.profile, asked, has_camera);
 }
 
-void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
+void open_inputs(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
   open_recording(options, report, opened);
   const Session& session = *opened.session;
   report.header = session.header();
@@ -62,7 +62,8 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
   report.profile =
       scaled_profile(options.profile.empty() ? report.header.profile : load_display_profile(options.profile),
                      options.profile_scale);
-  const std::optional<OutsideView> view = view_of(options, report.profile);
+  report.settings = options.render;
+  report.settings.outside = view_of(options, report.profile);
   // In real time a frame of the session is a tick of the display.
   const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
   const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;
@@ -73,9 +74,11 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
                      " lies in that span; choose one within the session");
   }
   open_scene(options, report, opened);
-  RenderSettings asked = options.render;
-  asked.outside = view;
-  build_renderer(asked, report, opened);
+}
+
+void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {
+  open_inputs(options, report, opened);
+  build_renderer(report.settings, report, opened);
   if (opened.renderer->settings().auto_exposure) {
     choose_exposure(report, opened);
     open_recording(options, report, opened);  // from its start again

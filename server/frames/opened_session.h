@@ -26,9 +26,13 @@ struct OpenedSession {
   OpenedSession& operator=(const OpenedSession&) = delete;
 };
 
-// Reads and checks everything in report.session_folder; writes nothing but `opened` and what `report` says
-// about the session, its scene, what is to be rendered and how. Throws InputError and UsageError; `report`
-// then holds what was found until then.
+// Reads and checks everything in report.session_folder, its scene and --view; no renderer is made of them.
+// Writes nothing but `opened` and what `report` says about the session, its scene and what is to be rendered;
+// report.settings are what was asked for. Throws InputError and UsageError; `report` then holds what was
+// found until then.
+void open_inputs(const ReplayOptions& options, SessionReport& report, OpenedSession& opened);
+
+// open_inputs(), then the renderer; `report` says how is rendered, too.
 void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened);
 
 // The recording alone once more, from its start: time in a session never goes back. Throws as Session::open.

@@ -39,6 +39,7 @@ std::vector<std::uint8_t> encoded_look(const LookOptions& options, LookRenderer&
   metadata.scene = options.path.filename().string();
   metadata.program = program_with_version();
   metadata.isa = name_of(renderer.renderer().settings().isa);
+  metadata.world_from_session = renderer.scene().world_from_session;
   metadata.settings = "herr look, rays per pixel " + std::to_string(options.samples) +
                       (options.background ? "" : ", no background") + ", " +
                       settings_text(renderer.renderer().settings(), false);

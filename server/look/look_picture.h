@@ -29,6 +29,7 @@ class LookRenderer {
   // Of the camera's frame, for metadata.
   FrameSample sample(const LookCamera& camera) const;
   Renderer& renderer() { return *renderer_; }
+  const Scene& scene() const { return scene_; }
 
  private:
   bool render_outside(const FrameSample& sample, ViewportImage& out);

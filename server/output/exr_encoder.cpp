@@ -15,7 +15,10 @@
 #include <OpenEXR/ImfVecAttribute.h>
 
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "server/output/memory_stream.h"
 #include "server/output/srgb_table.h"
@@ -103,6 +106,54 @@ void describe_eye(const FrameSample& sample, Eye of, Imf::Header& header) {
   header.insert("herr.gaze_source", Imf::StringAttribute(name_of(sample.gaze.source[eye])));
 }
 
+// What stands for the camera of a part: the eye that sees it, or the camera outside. None: neither is known.
+std::optional<Pose> world_from_camera(const PictureOutline& outline, const FrameSample& sample,
+                                      const PictureMetadata& metadata) {
+  if (outline.eye) {
+    return metadata.world_from_session * sample.head.world_from_head *
+           sample.head_from_eye[static_cast<std::size_t>(*outline.eye)];
+  }
+  return outline.kind == PictureKind::outside ? metadata.world_from_outside : std::nullopt;
+}
+
+// As OpenEXR states it (ImfStandardAttributes.h): row vectors, as all of Imath; the camera's space is
+// left-handed, x to the right, y up, z into the picture.
+Imath::M44f world_to_camera(const Pose& world_from_camera) {
+  const Pose camera_from_world = inverse(world_from_camera);
+  const glm::dmat3 turn = glm::mat3_cast(camera_from_world.orientation);  // [column][row], column vectors
+  Imath::M44f matrix;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double sign = axis == 2 ? -1 : 1;
+    for (int of = 0; of < 3; ++of) matrix[of][axis] = static_cast<float>(sign * turn[of][axis]);
+    matrix[3][axis] = static_cast<float>(sign * camera_from_world.position[axis]);
+  }
+  return matrix;
+}
+
+void describe_camera(const Pose& world_from_camera, Imf::Header& header) {
+  header.insert("herr.camera_position_m", Imf::V3dAttribute(vec(world_from_camera.position)));
+  header.insert("herr.camera_orientation_xyzw",
+                Imf::StringAttribute(quaternion_text(world_from_camera.orientation)));
+  Imf::addWorldToCamera(header, world_to_camera(world_from_camera));
+}
+
+void describe_place(const Pose& world_from_session, Imf::Header& header) {
+  header.insert("herr.world_from_session_position_m", Imf::V3dAttribute(vec(world_from_session.position)));
+  header.insert("herr.world_from_session_orientation_xyzw",
+                Imf::StringAttribute(quaternion_text(world_from_session.orientation)));
+}
+
+// The rectangle that the display window covers at distance 1 before the camera, y up. The picture lies in its
+// upper left corner; the window is as large as the largest part.
+void describe_projection(const PictureOutline& outline, const Imath::Box2i& window, Imf::Header& header) {
+  const double pixel_x = (outline.tan_right - outline.tan_left) / outline.width_px;
+  const double pixel_y = (outline.tan_up - outline.tan_down) / outline.height_px;
+  const double width = pixel_x * (window.max.x + 1), height = pixel_y * (window.max.y + 1);
+  header.screenWindowWidth() = static_cast<float>(width);
+  header.screenWindowCenter() = {static_cast<float>(outline.tan_left + width / 2),
+                                 static_cast<float>(outline.tan_up - height / 2)};
+}
+
 // The display window: all parts must share one, so it is as large as the largest picture; the data window of
 // a part is the picture's own.
 Imath::Box2i display_window(const std::vector<PictureOutline>& outlines) {
@@ -127,7 +178,10 @@ Imf::Header make_header(const PictureOutline& outline, const ViewportImage& pict
   describe_exposure(picture, header);
   describe_values(pixels, header);
   describe_head(sample, header);
+  describe_place(metadata.world_from_session, header);
   if (outline.eye) describe_eye(sample, *outline.eye, header);
+  if (const auto camera = world_from_camera(outline, sample, metadata)) describe_camera(*camera, header);
+  describe_projection(outline, window, header);
   header.insert("herr.viewport_kind", Imf::StringAttribute(name_of(outline.kind)));
   header.insert("herr.tan_left", Imf::DoubleAttribute(outline.tan_left));
   header.insert("herr.tan_right", Imf::DoubleAttribute(outline.tan_right));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,11 @@ using ParallelFor = std::function<void(int count, const std::function<void(int)>
 struct PictureMetadata {
   std::int64_t frame = 0;
   std::string session, scene;
-  std::string program;   // name and version
-  std::string isa;       // instruction set that rendered it: pictures differ in the last bit between them
-  std::string settings;  // one line; names the exposure, which stands as a number beside it
+  std::string program;      // name and version
+  std::string isa;          // instruction set that rendered it: pictures differ in the last bit between them
+  std::string settings;     // one line; names the exposure, which stands as a number beside it
+  Pose world_from_session;  // where the recording stands in the scene, whose space is world
+  std::optional<Pose> world_from_outside;  // of the camera outside the headset: looks along -Z, +Y up
 };
 
 // One part for each of pictures_of_frame(), in that order; `pictures` are theirs. `out` keeps its storage.

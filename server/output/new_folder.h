@@ -15,7 +15,7 @@ class NewFolder {
   struct Request {
     std::filesystem::path out;
     bool overwrite = false;  // `out` may hold an earlier result
-    std::string flag;        // begins every message: "OUT", "--probes"
+    std::string flag;        // begins every message: "OUT", "--probe-pictures"
     std::string example;     // of a good name
     // Throws UsageError when the folder, which is not empty, holds anything but an earlier result.
     std::function<void(const std::filesystem::path&)> check_overwritable;

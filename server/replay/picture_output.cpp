@@ -6,8 +6,27 @@
 
 #include "server/output/contact_sheet.h"
 #include "server/output/png_encoder.h"
+#include "server/process/version.h"
+#include "server/results/settings_report.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
+
+PictureMetadata picture_metadata(const SessionReport& report, const ReplayOptions& options,
+                                 const Pose& world_from_session) {
+  PictureMetadata metadata;
+  metadata.session = printable(report.name);
+  metadata.scene = printable(report.scene_name);
+  metadata.program = program_with_version();
+  metadata.isa = name_of(report.settings.isa);
+  metadata.settings = settings_text(resolved_options(options, report), report.findings.camera_rows[0] > 0);
+  metadata.world_from_session = world_from_session;
+  if (const auto& view = report.settings.outside) {
+    const Pose& stated = view->space_from_camera;
+    metadata.world_from_outside = view->space == OutsideSpace::session ? world_from_session * stated : stated;
+  }
+  return metadata;
+}
 
 PictureOutput::PictureOutput(Config config, const FrameFiles& files, Renderer& renderer, FrameWriter& writer)
     : config_(std::move(config)), names_(files), renderer_(renderer), writer_(writer) {

@@ -10,9 +10,14 @@
 #include "server/output/frame_writer.h"
 #include "server/output/srgb_table.h"
 #include "server/results/frame_files.h"
+#include "server/results/session_report.h"
 #include "server/settings/replay_options.h"
 
 namespace herr {
+
+// What the headers of a run's EXR files say of it; of a frame they say its number, beside.
+PictureMetadata picture_metadata(const SessionReport& report, const ReplayOptions& options,
+                                 const Pose& world_from_session);
 
 class PictureOutput {
  public:

@@ -9,6 +9,7 @@
 #include "server/process/terminal.h"
 #include "server/replay/policy_text.h"
 #include "server/replay/replay_session.h"
+#include "server/replay/session_check.h"
 #include "server/results/output_folder.h"
 #include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
@@ -141,13 +142,47 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   return text;
 }
 
-std::string total_text(const std::vector<SessionReport>& reports) {
+// "all 3 sessions: 24 frames, ...", "2 of 3 sessions: 16 frames, ..." of those that came to their end.
+std::string total_text(const std::vector<SessionReport>& reports, std::size_t asked) {
   RunStatistics total;
-  for (const SessionReport& report : reports) total.merge(report.statistics);
+  std::size_t done = 0;
+  std::int64_t frames_done = 0;
+  for (const SessionReport& report : reports) {
+    total.merge(report.statistics);
+    if (report.state != ReplayState::done) continue;
+    ++done;
+    frames_done += report.statistics.frames;
+  }
   if (total.frames == 0) return {};
-  return "\nall " + std::to_string(reports.size()) + " sessions: " + std::to_string(total.frames) +
-         " frames, " + std::to_string(total.missed_frames) + " over the display period\n\n" +
+  std::string text = done == asked ? "\nall " : "\n" + std::to_string(done) + " of ";
+  text += std::to_string(asked) + " sessions: " + std::to_string(frames_done) + " frames";
+  if (total.frames > frames_done) {
+    text += ", and " + std::to_string(total.frames - frames_done) + " of sessions that ended early";
+  }
+  return text + "; " + std::to_string(total.missed_frames) + " over the display period\n\n" +
          latency_table(total);
+}
+
+// A line for each session that failed: the last that the run says, since the first has long gone by.
+void show_failures(const std::vector<SessionReport>& reports, std::size_t asked) {
+  std::vector<std::string> failures;
+  for (const SessionReport& report : reports) {
+    if (report.state != ReplayState::failed) continue;
+    failures.push_back(printable(report.name) + " (exit " + std::to_string(report.exit_code) +
+                       "): " + report.error);
+  }
+  for (const std::string& failure : failures) {
+    print_message(std::to_string(failures.size()) + " of " + std::to_string(asked) +
+                  " sessions failed: " + failure);
+  }
+}
+
+void show_session(const SessionReport& report, const ReplayOptions& options, bool first) {
+  show_messages(report);
+  if (!report.error.empty()) print_message(report.error);
+  if (!options.json && report.statistics.frames > 0) {
+    print_result((first ? "" : "\n") + report_text(report, options));
+  }
 }
 
 }  // namespace
@@ -155,30 +190,35 @@ std::string total_text(const std::vector<SessionReport>& reports) {
 int run_replay(const ReplayOptions& options) {
   check_render_settings(options.render);
   check_folders(options);
+  const std::size_t asked = options.sessions.size();
+  const std::vector<SessionReport> checked = check_sessions(options);
   std::vector<SessionReport> reports;
   int exit_code = kExitDone;
-  for (const std::filesystem::path& session : options.sessions) {
-    reports.push_back(replay_session(session, options));
-    const SessionReport& report = reports.back();
-    show_messages(report);
-    if (!report.error.empty()) print_message(report.error);
-    exit_code = worse_exit_code(exit_code, report.exit_code);
-    if (!options.json && report.statistics.frames > 0) {
-      print_result((reports.size() > 1 ? "\n" : "") + report_text(report, options));
+  bool first = true;
+  for (std::size_t i = 0; i < asked; ++i) {
+    if (checked[i].unopened) {
+      reports.push_back(checked[i]);  // was named
+    } else {
+      reports.push_back(replay_session(options.sessions[i], options));
+      show_session(reports.back(), options, first);
+      first = false;
     }
+    const SessionReport& report = reports.back();
+    if (report.unopened && asked > 1) write_refusal(report, options);
+    exit_code = worse_exit_code(exit_code, report.exit_code);
     // A full disk or the user's wish to stop holds for the sessions that follow as well.
     if (const int signal = stop_signal(); signal != 0) {
-      const bool all_done = reports.size() == options.sessions.size();
-      if (!all_done) exit_code = worse_exit_code(exit_code, kExitSignalBase + signal);
+      if (reports.size() < asked) exit_code = worse_exit_code(exit_code, kExitSignalBase + signal);
       break;
     }
     if (report.exit_code == kExitTemporary) break;
   }
   if (options.json) {
     print_result(json_text(run_json(reports, options, exit_code)));
-  } else if (reports.size() > 1) {
-    print_result(total_text(reports));
+  } else if (asked > 1) {
+    print_result(total_text(reports, asked));
   }
+  if (asked > 1) show_failures(reports, asked);
   return exit_code;
 }
 

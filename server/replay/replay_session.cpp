@@ -16,8 +16,8 @@
 #include "server/process/progress_bar.h"
 #include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
-#include "server/process/version.h"
 #include "server/replay/picture_output.h"
+#include "server/replay/session_check.h"
 #include "server/results/checkpoint.h"
 #include "server/results/earlier_frames.h"
 #include "server/results/fingerprint.h"
@@ -26,7 +26,6 @@
 #include "server/results/memory_parts.h"
 #include "server/results/output_folder.h"
 #include "server/results/run_state.h"
-#include "server/results/settings_report.h"
 #include "server/results/summary_json.h"
 #include "server/settings/quality_target.h"
 #include "sessions/files/atomic_file.h"
@@ -97,17 +96,22 @@ class SessionReplay {
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
   RenderedFrame rendered_;
+  bool reading_ = false;  // session and scene: an error is one of theirs
   std::int64_t frames_since_checkpoint_ = 0;
   TimeNs checkpoint_ns_ = 0;  // when the last one was written
 };
 
 SessionReport SessionReplay::run() {
   try {
+    reading_ = true;
     open_session(options_, report_, opened_);  // nothing is written yet
+    reading_ = false;
     // After a signal no frame is rendered: what an earlier run left stays.
     if (!stopped()) start_output();
     if (writer_) {
+      reading_ = true;
       render_frames();
+      reading_ = false;
       writer_->finish();
     }
   } catch (...) {
@@ -126,6 +130,8 @@ SessionReport SessionReplay::run() {
 void SessionReplay::note_failure() {
   report_.state = ReplayState::failed;
   report_.exit_code = exit_code_of_current_exception(report_.error);
+  report_.unopened = !writer_ && reading_;
+  if (reading_) add_keep_going(options_, report_);
 }
 
 void SessionReplay::start_output() {
@@ -211,12 +217,7 @@ void SessionReplay::open_writer(const EarlierFrames& earlier) {
   config.formats = options_.formats;
   config.with_alpha = !report_.plan.camera;
   config.pictures = report_.pictures();
-  config.metadata.session = printable(report_.name);
-  config.metadata.scene = printable(report_.scene_name);
-  config.metadata.program = program_with_version();
-  config.metadata.isa = name_of(report_.settings.isa);
-  config.metadata.settings =
-      settings_text(resolved_options(options_, report_), report_.findings.camera_rows[0] > 0);
+  config.metadata = picture_metadata(report_, options_, opened_.scene.world_from_session);
   pictures_ = std::make_unique<PictureOutput>(std::move(config), *files_, *opened_.renderer, *writer_);
 }
 

@@ -18,6 +18,7 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("frame", record.frame);
   visit("t_ns", record.t_ns);
   visit("frame_ms", record.times.frame_ms);
+  visit("period_ms", record.period_ms);
   for (std::size_t i = 0; i < kStageCount; ++i) {
     visit(std::string(name_of(static_cast<Stage>(i))) + "_ms", record.times.ms[i]);
   }
@@ -32,6 +33,12 @@ void for_each_column(Record& record, Visit&& visit) {
   visit("pose_source", record.pose_source);
   visit("gaze_source_left", record.gaze_source[0]);
   visit("gaze_source_right", record.gaze_source[1]);
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    const std::string name = eye == 0 ? "gaze_left_" : "gaze_right_";
+    visit(name + "x", record.gaze_in_head[eye].x);
+    visit(name + "y", record.gaze_in_head[eye].y);
+    visit(name + "z", record.gaze_in_head[eye].z);
+  }
   visit("theta_max_left_deg", record.theta_max_deg[0]);
   visit("theta_max_right_deg", record.theta_max_deg[1]);
   visit("k_radial_left_per_deg", record.k_radial[0]);

@@ -13,6 +13,7 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/files/strict_json.h"
 
 namespace herr {
 namespace {
@@ -50,6 +51,17 @@ bool starts_with_digits_after(const std::string& name, const std::string& prefix
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
+// Of a session that failed before its first frame: a summary of anything else names its frames.
+bool is_refusal(const fs::path& file) {
+  if (file.filename() != "summary.json") return false;
+  try {
+    const JsonDocument summary(file);
+    return summary.root().text("state") == "failed" && !summary.root().has("frames");
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 [[noreturn]] void refuse_folder(const fs::path& folder, const std::error_code& error) {
   // What is short now may be there later; everything else is a wrong --out.
   if (error == std::errc::no_space_on_device || error.value() == EDQUOT) {
@@ -85,20 +97,26 @@ void OutputFolder::check(EarlierResults earlier) const {
   if (kind != FileKind::folder) {
     throw UsageError("--out: " + shown(path_) + " exists and is not a folder; choose another folder");
   }
-  std::error_code error;
-  const bool empty = list_folder(path_, error).empty();
-  if (error) refuse_folder(path_, error);
-  if (!empty && earlier == EarlierResults::refuse) {
+  const bool free = is_free();
+  if (!free && earlier == EarlierResults::refuse) {
     throw UsageError("--out: " + shown(path_) +
                      " is not empty; give --resume to go on with an interrupted replay, or --overwrite to "
                      "replace the results in it");
   }
-  if (earlier != EarlierResults::resume || path_exists(checkpoint_json())) return;
+  if (free || earlier != EarlierResults::resume || path_exists(checkpoint_json())) return;
   for (const fs::path& file : earlier_results()) {
     if (is_replay_leftover(file.filename().string())) continue;
     throw UsageError("--resume: " + shown(path_) +
                      " has results but no checkpoint.json to go on from; give --overwrite to replace them");
   }
+}
+
+bool OutputFolder::is_free() const {
+  if (facts_of(path_).kind == FileKind::missing) return true;
+  std::error_code error;
+  const std::vector<std::string> names = list_folder(path_, error);
+  if (error) refuse_folder(path_, error);
+  return names.empty() || (names.size() == 1 && is_refusal(path_ / names.front()));
 }
 
 FolderLock OutputFolder::prepare(PictureFormats formats, EarlierResults earlier) const {

@@ -26,6 +26,9 @@ class OutputFolder {
   // Throws UsageError when the folder lies inside the session, is not a folder, is not empty and may not be
   // touched, or has results that cannot be gone on with. Reads only.
   void check(EarlierResults earlier) const;
+  // True where no results lie, nor anything else: the folder is missing, empty, or has only the summary.json
+  // of a session that was refused before its first frame. Such a folder is as good as an empty one.
+  bool is_free() const;
   // Makes the folders, keeps other processes out, and removes the results of an earlier replay, or only the
   // temporary files that one left (resume), and nothing else. Throws UsageError where the folder cannot be
   // made, WriteError when the disk refuses, TemporaryError when another process writes there.

@@ -37,7 +37,8 @@ struct SessionReport {
   std::filesystem::path session_folder, scene_file, out_folder;
   ReplayState state = ReplayState::done;
   int exit_code = kExitDone;
-  std::string error;  // one line; empty unless failed
+  std::string error;      // one line; empty unless failed
+  bool unopened = false;  // failed before the first frame: session, scene or settings were refused
 
   SessionHeader header;
   SessionFindings findings;

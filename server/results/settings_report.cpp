@@ -41,17 +41,14 @@ std::string phrase(const Setting& setting) {
   return label_of(setting) + " " + text + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
-// What means nothing beside the other settings, or in a session without a camera feed, and is not told.
-Names without_meaning(const RenderSettings& settings, bool session_has_camera) {
-  Names names;
-  if (settings.foveation == Foveation::off) names.emplace_back("polar");
-  if (session_has_camera) return names;
-  names.emplace_back("camera");
-  names.emplace_back("feed_distance_m");
-  return names;
+// What means nothing in a session without a camera feed, and is not told.
+Names without_meaning(bool session_has_camera) {
+  if (session_has_camera) return {};
+  return {"camera", "feed_distance_m"};
 }
 
-// `defaults` are the same rows of a struct that nobody changed.
+// `defaults` are the same rows of a struct that nobody changed. What changes nothing beside the others is not
+// told.
 std::string line_of(const std::vector<Setting>& settings, const std::vector<Setting>& defaults,
                     const Names& left_out) {
   static const Names kAlwaysTold{"polar",       "light_samples", "occlusion_rays",
@@ -59,7 +56,7 @@ std::string line_of(const std::vector<Setting>& settings, const std::vector<Sett
   std::string always, further;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& setting = settings[i];
-    if (!shapes_pictures(setting) || is_among(left_out, setting)) continue;
+    if (!shapes_pictures(setting) || is_idle(setting) || is_among(left_out, setting)) continue;
     const bool told = is_among(kAlwaysTold, setting);
     if (!told && text_of(setting) == text_of(defaults[i])) continue;
     std::string& line = told ? always : further;
@@ -70,14 +67,13 @@ std::string line_of(const std::vector<Setting>& settings, const std::vector<Sett
 
 std::string line_of_render(RenderSettings settings, bool session_has_camera, Names left_out) {
   RenderSettings defaults;
-  for (const std::string_view name : without_meaning(settings, session_has_camera)) left_out.push_back(name);
+  for (const std::string_view name : without_meaning(session_has_camera)) left_out.push_back(name);
   return line_of(settings_of(settings), settings_of(defaults), left_out);
 }
 
 std::string line_of_run(const ReplayOptions& resolved, bool session_has_camera, Names left_out) {
   ReplayOptions told = resolved, defaults;
-  for (const std::string_view name : without_meaning(told.render, session_has_camera))
-    left_out.push_back(name);
+  for (const std::string_view name : without_meaning(session_has_camera)) left_out.push_back(name);
   return line_of(settings_of(told), settings_of(defaults), left_out);
 }
 

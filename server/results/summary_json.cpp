@@ -124,7 +124,19 @@ Json subject_json(const SessionReport& report, const ReplayOptions& options) {
           {"settings", settings_json(resolved_options(options, report))}};
 }
 
+// What there is to say of a session that was refused.
+static Json refusal_json(const SessionReport& report) {
+  return {{"format_version", 1},
+          {"program", program_with_version()},
+          {"state", name_of(report.state)},
+          {"exit_code", report.exit_code},
+          {"error", report.error},
+          {"session", {{"name", report.name}, {"folder", report.session_folder.string()}}},
+          {"output", {{"folder", report.out_folder.string()}}}};
+}
+
 Json summary_json(const SessionReport& report, const ReplayOptions& options) {
+  if (report.unopened) return refusal_json(report);
   Json json{{"format_version", 1},
             {"program", program_with_version()},
             {"state", name_of(report.state)},
@@ -161,13 +173,16 @@ Json summary_json(const SessionReport& report, const ReplayOptions& options) {
 Json run_json(const std::vector<SessionReport>& reports, const ReplayOptions& options, int exit_code) {
   Json sessions = Json::array();
   RunStatistics total;
+  std::size_t failed = 0;
   for (const SessionReport& report : reports) {
     sessions.push_back(summary_json(report, options));
+    failed += report.state == ReplayState::failed ? 1 : 0;
     total.merge(report.statistics);
   }
   return {{"sessions", sessions},
           {"total",
            {{"sessions", reports.size()},
+            {"failed_sessions", failed},
             {"frames", frame_counts_json(total)},
             {"latency", latencies_json(total)},
             {"pace", pace_json(total)},

@@ -41,6 +41,10 @@ Json of_eyes_json(const std::array<std::optional<double>, 2>& values) {
   return {{"left", optional_json(values[0])}, {"right", optional_json(values[1])}};
 }
 
+Json direction_json(const glm::dvec3& direction) {
+  return Json::array({direction.x, direction.y, direction.z});
+}
+
 Json statistics_json(const RunStatistics& statistics) {
   Json json = latencies_json(statistics);
   json["load"] = load_json(statistics, process_load());
@@ -56,39 +60,42 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
   for (std::size_t i = 0; i < kStageCount; ++i) {
     stages[name_of(static_cast<Stage>(i))] = record.times.ms[i];
   }
-  return {{"sequence", frame.sequence},
-          {"lap", frame.lap},
-          {"frame", record.frame},
-          {"t_ns", record.t_ns},
-          {"finished_s", seconds(frame.finished_ns - started_ns)},
-          {"frame_ms", record.times.frame_ms},
-          {"stages_ms", stages},
-          {"sample_ms", record.sample_ms},
-          {"cpu_ms", optional_json(record.cpu_ms)},
-          {"preemptions", record.preemptions ? Json(*record.preemptions) : Json(nullptr)},
-          {"views_ms", record.times.views_ms},
-          {"outside_ms", record.times.outside_ms},
-          {"pose_age_ms", optional_json(record.pose_age_ms)},
-          {"gaze_age_ms", optional_json(record.gaze_age_ms)},
-          {"camera_age_ms", optional_json(record.camera_age_ms)},
-          {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
-          {"polar_width", record.decision.quality.polar_width},
-          {"polar_height", record.decision.quality.polar_height},
-          {"k_radial_per_deg", of_eyes_json(record.k_radial)},
-          {"k_angular_per_deg", of_eyes_json(record.k_angular)},
-          {"light_samples", record.decision.quality.light_samples},
-          {"allowed_probes", record.decision.quality.probes},
-          {"quality_reason", name_of(record.decision.reason)},
-          {"quality_aim_ms", optional_json(record.decision.aim_ms)},
-          {"quality_predicted_ms", optional_json(record.decision.predicted_ms)},
-          {"head_deg_s", record.head_deg_s},
-          {"feed_turn_arcmin", optional_json(record.feed_turn_arcmin)},
-          {"feed_shift_arcmin", optional_json(record.feed_shift_arcmin)},
-          {"misregistration_arcmin", optional_json(record.misregistration_arcmin)},
-          {"missed", record.missed},
-          {"cause", record.missed ? Json(name_of(record.cause)) : Json(nullptr)},
-          {"dropped", record.dropped_frames},
-          {"repeated", record.repeated_ticks}};
+  return {
+      {"sequence", frame.sequence},
+      {"lap", frame.lap},
+      {"frame", record.frame},
+      {"t_ns", record.t_ns},
+      {"finished_s", seconds(frame.finished_ns - started_ns)},
+      {"frame_ms", record.times.frame_ms},
+      {"period_ms", record.period_ms},
+      {"stages_ms", stages},
+      {"sample_ms", record.sample_ms},
+      {"cpu_ms", optional_json(record.cpu_ms)},
+      {"gaze_in_head",
+       {{"left", direction_json(record.gaze_in_head[0])}, {"right", direction_json(record.gaze_in_head[1])}}},
+      {"preemptions", record.preemptions ? Json(*record.preemptions) : Json(nullptr)},
+      {"views_ms", record.times.views_ms},
+      {"outside_ms", record.times.outside_ms},
+      {"pose_age_ms", optional_json(record.pose_age_ms)},
+      {"gaze_age_ms", optional_json(record.gaze_age_ms)},
+      {"camera_age_ms", optional_json(record.camera_age_ms)},
+      {"motion_to_photon_ms", optional_json(record.motion_to_photon_ms)},
+      {"polar_width", record.decision.quality.polar_width},
+      {"k_radial_per_deg", of_eyes_json(record.k_radial)},
+      {"k_angular_per_deg", of_eyes_json(record.k_angular)},
+      {"light_samples", record.decision.quality.light_samples},
+      {"allowed_probes", record.decision.quality.probes},
+      {"quality_reason", name_of(record.decision.reason)},
+      {"quality_aim_ms", optional_json(record.decision.aim_ms)},
+      {"quality_predicted_ms", optional_json(record.decision.predicted_ms)},
+      {"head_deg_s", record.head_deg_s},
+      {"feed_turn_arcmin", optional_json(record.feed_turn_arcmin)},
+      {"feed_shift_arcmin", optional_json(record.feed_shift_arcmin)},
+      {"misregistration_arcmin", optional_json(record.misregistration_arcmin)},
+      {"missed", record.missed},
+      {"cause", record.missed ? Json(name_of(record.cause)) : Json(nullptr)},
+      {"dropped", record.dropped_frames},
+      {"repeated", record.repeated_ticks}};
 }
 
 }  // namespace
@@ -110,7 +117,8 @@ Json status_json(const ServeSnapshot& snapshot, const ReplayOptions& options, Ti
             {"lap", snapshot.lap},
             {"sequence", snapshot.rendered},
             {"run", {{"frames", frame_counts_json(snapshot.run)}}},
-            {"window", window_json(snapshot, now_ns)}};
+            {"window", window_json(snapshot, now_ns)},
+            {"definitions", count_definitions_json(options.clock)}};
   json["load"] = load_json(snapshot.run, process_load());
   if (!snapshot.subject) return json;
   const SessionReport& subject = *snapshot.subject;

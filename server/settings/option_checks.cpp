@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/settings_list.h"
 #include "server/process/exit_code.h"
+#include "server/process/terminal.h"
 
 namespace herr {
 namespace {
@@ -42,6 +44,13 @@ void check_render_settings(const RenderSettings& settings) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string("--isa: ") + error.what() + "; use --isa best");
   }
+}
+
+void warn_of_idle_settings(const RenderSettings& settings) {
+  RenderSettings given = settings, defaults;
+  for (const std::string& line : idle_settings(settings_of(given), settings_of(defaults)))
+    print_message("warning: " + line + (line.find("; ") == std::string::npos ? "; " : ", or ") +
+                  "leave it out");
 }
 
 void check_replay_options(const ReplayOptions& options) {

@@ -9,6 +9,8 @@ namespace herr {
 
 // Throws UsageError where this CPU lacks the instruction set, and for two exposures.
 void check_render_settings(const RenderSettings& settings);
+// A line on stderr for each setting that was given and changes nothing beside the others.
+void warn_of_idle_settings(const RenderSettings& settings);
 // Throws UsageError that names the flag.
 void check_replay_options(const ReplayOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "renderer/frame_counters.h"
@@ -34,6 +35,8 @@ struct FrameRecord {
   std::optional<double> motion_to_photon_ms;
   SampleSource pose_source = SampleSource::held;
   std::array<SampleSource, 2> gaze_source{SampleSource::held, SampleSource::held};
+  // Unit vectors of the head's space, -Z ahead: where each eye's fovea was taken to look in this frame.
+  std::array<glm::dvec3, 2> gaze_in_head{glm::dvec3{0, 0, -1}, glm::dvec3{0, 0, -1}};
   std::array<double, 2> theta_max_deg{};
   // Per eye, as reached_acuity() has them; none without polar buffers, and of an eye without viewports.
   std::array<std::optional<double>, 2> k_radial, k_angular, k_angular_at_deg;
@@ -41,7 +44,8 @@ struct FrameRecord {
   double head_deg_s = 0;     // how fast the head moved (motion_policy.h)
   // How well feed and virtual objects agree (feed_registration.h); none without a feed.
   std::optional<double> feed_turn_arcmin, feed_shift_arcmin, misregistration_arcmin;
-  bool missed = false;  // the frame time exceeds the display period; realtime: sampling and delays included
+  double period_ms = 0;  // of the display: what a frame may take
+  bool missed = false;   // the frame time exceeds the display period; realtime: sampling and delays included
   MissCause cause = MissCause::none;  // why it missed (miss_cause.h)
   bool stutter = false;             // it took much longer than the frames before it in its run (frame_pace.h)
   std::int64_t dropped_frames = 0;  // realtime: frames of the session left out just before this one

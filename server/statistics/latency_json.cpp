@@ -56,10 +56,10 @@ Json latencies_json(const RunStatistics& statistics) {
   return json;
 }
 
-Json definitions_json(ReplayClock clock) {
+Json count_definitions_json(ReplayClock clock) {
   const bool realtime = clock == ReplayClock::realtime;
   Json json;
-  for (const DistributionRow& row : distribution_rows()) json[row.name] = row.sentence;
+  json["rendered"] = "frames of the session that were rendered";
   json["missed"] = realtime ? "frames that were done later than their start + one display period"
                             : "frames whose frame time exceeds the display period";
   json["missed_by_machine"] =
@@ -70,6 +70,13 @@ Json definitions_json(ReplayClock clock) {
                              : "always 0: this clock leaves no frame out";
   json["repeated"] = realtime ? "display ticks between two presentations that had no new frame"
                               : "always 0: this clock has no display ticks";
+  return json;
+}
+
+Json definitions_json(ReplayClock clock) {
+  Json json;
+  for (const DistributionRow& row : distribution_rows()) json[row.name] = row.sentence;
+  json.update(count_definitions_json(clock));
   json["clipped_pixels"] =
       "pixels of PNG files whose colour, times 2^exposure, is above 1 or below 0: PNG shows white or 0 "
       "there, "

@@ -41,6 +41,7 @@ void prepare_folders(const StudyOptions& options) {
 }  // namespace
 
 int run_study(const StudyOptions& options) {
+  const TimeNs started_ns = steady_now_ns();
   check_render_settings(options.render);
   prepare_folders(options);
   StudySubject subject(options);
@@ -49,7 +50,7 @@ int run_study(const StudyOptions& options) {
   keep_only(options.only, sweeps);
   const StudyFolder folder(options.out_folder());
   const FolderLock lock = folder.prepare(options.overwrite, options.resume);
-  StudyRun run(options, subject, std::move(sweeps), folder);
+  StudyRun run(options, subject, std::move(sweeps), folder, started_ns);
   if (!run.measure()) {
     print_message("stopped after " + std::to_string(run.rows().size()) + " rows; go on with --resume");
     return kExitSignalBase + stop_signal();

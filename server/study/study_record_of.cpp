@@ -12,6 +12,7 @@
 #include "server/study/reference/reference_spec.h"
 #include "server/study/report/difference_picture.h"
 #include "server/study/study_head.h"
+#include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 
 namespace herr {
@@ -59,7 +60,7 @@ bool is_pictured(const StudySetting& setting) {
          (setting.knob == "polar" && setting.n < 400 && setting.n > 300 && setting.base == "N = 64");
 }
 
-std::vector<StudyPicture> pictures_of(StudySubject& subject, StudyRun& run) {
+std::vector<StudyPicture> pictures_of(StudySubject& subject, StudyRun& run, double limit_s) {
   std::vector<StudyPicture> pictures;
   subject.rewind();
   const FrameInstant instant = subject.instant(subject.frames().frames.front().number);
@@ -72,6 +73,8 @@ std::vector<StudyPicture> pictures_of(StudySubject& subject, StudyRun& run) {
   const auto& names = *run.state().settings;
   for (const StudySetting& setting : run.sweeps().settings) {
     if (!is_pictured(setting) || pictures.size() >= 2 * kMostPictured) continue;
+    // Not without a picture, but no longer than asked for.
+    if (!pictures.empty() && run.seconds() > limit_s) break;
     if (std::find(names.begin(), names.end(), setting.name) == names.end()) continue;
     const auto renderer = renderer_at(instant, with_changes(subject.defaults(), setting.changes));
     RenderedFrame frame;
@@ -119,6 +122,15 @@ void add_gaze_warning(StudyRecord& record) {
   }
 }
 
+// What is measured whatever it takes may be more than the time allowed.
+void add_time_warning(StudyRecord& record) {
+  constexpr double kMuch = 1.2;
+  if (record.minutes_taken <= kMuch * record.minutes_allowed) return;
+  record.warnings.push_back("the study took " + fixed_text(record.minutes_taken, 1) +
+                            " minutes in place of " + fixed_text(record.minutes_allowed, 1) +
+                            ": the references of one frame and the default alone take so long here");
+}
+
 }  // namespace
 
 StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyRun& run) {
@@ -136,7 +148,8 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   StudyFits fits = fit_knobs(run.sweeps().knobs, record.points, record.references);
   record.fits = std::move(fits.fits);
   record.remarks = std::move(fits.remarks);
-  record.advice = advice_of(record.points);
+  record.no_advice = run.no_advice();
+  if (record.no_advice.empty()) record.advice = advice_of(record.points);
   record.aims = aims_of(record.points);
   record.left_out = run.sweeps().left_out;
   record.dropped = run.dropped();
@@ -148,8 +161,9 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   record.warnings.insert(record.warnings.end(), run.warnings().begin(), run.warnings().end());
   add_reference_warnings(record);
   add_gaze_warning(record);
-  record.pictures = pictures_of(subject, run);
+  record.pictures = pictures_of(subject, run, 60 * options.minutes);
   record.minutes_taken = run.seconds() / 60;
+  add_time_warning(record);
   return record;
 }
 

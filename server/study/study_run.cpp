@@ -20,7 +20,6 @@ namespace herr {
 namespace {
 
 constexpr std::int64_t kLongestCsv = std::int64_t{1} << 30;
-constexpr double kShareOfReferences = 0.5;
 constexpr double kLongestClipFrame_ms = 1500;
 constexpr int kMostCombinations = 40;
 
@@ -56,16 +55,16 @@ double seconds_since(TimeNs start_ns) {
 }  // namespace
 
 StudyRun::StudyRun(const StudyOptions& options, StudySubject& subject, StudySweeps sweeps,
-                   const StudyFolder& folder)
+                   const StudyFolder& folder, TimeNs started_ns)
     : options_(options),
       subject_(subject),
       folder_(folder),
       sweeps_(std::move(sweeps)),
       cache_(options.references.empty() ? folder.references() : options.references),
       progress_(60 * options.minutes),
-      start_ns_(steady_now_ns()),
-      last_row_ns_(start_ns_),
-      reference_start_ns_(start_ns_) {
+      start_ns_(started_ns),
+      last_row_ns_(steady_now_ns()),
+      reference_start_ns_(last_row_ns_) {
   state_.subject = subject_of(subject, options);
   if (options.resume && path_exists(folder.state())) {
     StudyState earlier = read_state(folder.state());
@@ -184,10 +183,13 @@ void StudyRun::make_references() {
   subject_.rewind();
   for (const StudyFrame& frame : subject_.frames().frames) {
     const auto is_known = [&](const ReferenceSpec& spec) { return is_noted(spec.name, frame.number); };
+    if (state_.settings && referenced_frames_ == state_.frames) break;
     if (std::all_of(specs.begin(), specs.end(), is_known)) {
       done += static_cast<double>(specs.size());
+      ++referenced_frames_;
       continue;
     }
+    if (!has_time_for_references(referenced_frames_)) break;
     const FrameInstant instant = subject_.instant(frame.number);
     const std::unique_ptr<Renderer> threads = renderer_at(instant, subject_.defaults());
     References::Context context = reference_context(frame.number);
@@ -200,6 +202,7 @@ void StudyRun::make_references() {
       stop_if_asked();  // one that was cut short is not noted
       note(references, frame.number);
     }
+    ++referenced_frames_;
   }
   references_s_ = kShareOfReferences * limit_s();
   last_row_ns_ = steady_now_ns();
@@ -208,7 +211,7 @@ void StudyRun::make_references() {
 // Three blocks over all frames: six pairs, the fewest that have an interval.
 MeasuringRules StudyRun::measuring_rules() const {
   MeasuringRules rules;
-  const auto frames = static_cast<int>(state_.settings ? state_.frames : subject_.frames().frames.size());
+  const auto frames = static_cast<int>(state_.settings ? state_.frames : referenced_frames_);
   rules.timing.fewest_blocks = (3 + frames - 1) / std::max(1, frames);
   rules.timing.blocks = std::max(rules.timing.blocks, rules.timing.fewest_blocks);
   return rules;
@@ -266,7 +269,7 @@ void StudyRun::measure_frame(const std::vector<StudySetting>& settings, std::int
   for (const StudySetting& setting : settings) {
     if (!missing(setting)) continue;
     stop_if_asked();
-    if (seconds() > until_s) {
+    if (seconds() + expected_seconds(setting) > until_s) {
       out_of_time_.push_back(setting.name + ", frame " + std::to_string(frame));
       continue;
     }

@@ -23,9 +23,11 @@ namespace herr {
 
 class StudyRun {
  public:
-  // All must outlive it; `sweeps` are those of the subject that are wanted. Reads what an earlier run left
-  // (options.resume). Throws InputError where that is of another study.
-  StudyRun(const StudyOptions& options, StudySubject& subject, StudySweeps sweeps, const StudyFolder& folder);
+  // All must outlive it; `sweeps` are those of the subject that are wanted. The minutes count from
+  // `started_ns`. Reads what an earlier run left (options.resume). Throws InputError where that is of another
+  // study.
+  StudyRun(const StudyOptions& options, StudySubject& subject, StudySweeps sweeps, const StudyFolder& folder,
+           TimeNs started_ns);
 
   // False: a signal asked for the end; what was measured stands in the folder. Throws as the renderer and
   // WriteError.
@@ -37,16 +39,23 @@ class StudyRun {
   std::vector<std::string> dropped() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   double seconds() const;  // earlier runs included
+  // "3 of 74 settings measured: no recommendation; give --minutes 12 or more" where so little was measured
+  // that a choice among it would be none; else empty.
+  std::string no_advice() const;
   // `frame`: whose rows are measured against them; none for pictures that no row needs.
   References::Context reference_context(std::optional<std::int64_t> frame = {});
 
  private:
+  static constexpr double kShareOfReferences = 0.5;
   static constexpr double kReportSeconds = 10;  // at the end, for pictures and pages
   static constexpr int kClipPasses = 4;         // of a half of each frame's reference
 
   void read_rows();
   void make_references();
+  bool has_time_for_references(std::size_t frame) const;
   void share_time();
+  void measure_bases();
+  double minutes_for_advice() const;
   void measure_settings(const std::vector<StudySetting>& settings, std::size_t frames, double until_s);
   void measure_frame(const std::vector<StudySetting>& settings, std::int64_t frame, double until_s);
   void choose_combinations();
@@ -58,6 +67,7 @@ class StudyRun {
   const StudyRow* row_of(const std::string& name, std::int64_t frame) const;
   std::vector<StudySetting> wanted_settings() const;
   double estimated_seconds(const StudySetting& setting) const;
+  double expected_seconds(const StudySetting& setting) const;
   double limit_s() const { return 60 * options_.minutes; }
   MeasuringRules measuring_rules() const;
   double clip_seconds() const;
@@ -77,7 +87,8 @@ class StudyRun {
   StudyProgress progress_;
   double earlier_s_ = 0;
   TimeNs start_ns_, last_row_ns_, reference_start_ns_;
-  double references_s_ = 0;  // that those over pixels may take, so far
+  double references_s_ = 0;            // that those over pixels may take, so far
+  std::size_t referenced_frames_ = 0;  // that have references: the first of the subject's
 };
 
 }  // namespace herr

@@ -76,7 +76,7 @@ FACE = {
 }
 
 # Folders of tests that stand for no single room: the whole program, runs of minutes, samples.
-TEST_ROOMS = {"renderer": ("samples",), "server": ("program", "program/check", "long")}
+TEST_ROOMS = {"renderer": ("samples",), "server": ("program", "program/check", "program/replay", "long")}
 
 # More files than this in one folder are two concepts.
 MOST_FILES = 25

@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <vector>
 
 namespace herr {
 namespace {
@@ -41,6 +43,42 @@ TEST(SettingsList, EachRowHasANameASentenceAndADefaultInRange) {
     EXPECT_FALSE(setting.sentence.empty());
     EXPECT_EQ(complaint([&] { check_range(setting); }), "");
     EXPECT_NE(text_of(setting).empty(), setting.otherwise.empty()) << "either a default, or what else holds";
+  }
+}
+
+std::vector<std::string> idle(const std::function<void(RenderSettings&)>& change) {
+  RenderSettings settings, defaults;
+  change(settings);
+  return idle_settings(settings_of(settings), settings_of(defaults));
+}
+
+TEST(SettingsList, ASettingThatChangesNothingBesideTheOthersSaysSo) {
+  EXPECT_TRUE(idle([](RenderSettings&) {}).empty());
+  EXPECT_EQ(
+      idle([](RenderSettings& s) { s.foveation = Foveation::off, s.polar_acuity = true; }),
+      std::vector<std::string>{"--polar acuity: no effect with --foveation off, which has no polar buffer"});
+  EXPECT_EQ(idle([](RenderSettings& s) { s.scale = 0.5; }),
+            std::vector<std::string>{"--scale 0.5: no effect with foveation; give --foveation off"});
+  EXPECT_TRUE(idle([](RenderSettings& s) { s.foveation = Foveation::off, s.scale = 0.5; }).empty());
+  EXPECT_EQ(idle([](RenderSettings& s) { s.probes.on = false, s.probes.rays = 128; }),
+            std::vector<std::string>{"--probe-rays 128: no effect with no probes; give --probes"});
+  EXPECT_EQ(idle([](RenderSettings& s) { s.occlusion_rays = 0, s.occlusion_smoothing = false; }).size(), 1u);
+  EXPECT_EQ(idle([](RenderSettings& s) { s.camera = false, s.feed_distance_m = 3; }).size(), 1u);
+}
+
+// Adaptive samples trace a few of at most 256 first: of as many as are first, or of more, all are traced.
+TEST(SettingsList, AdaptiveSamplesAreIdleBesideTooFewAndTooManyLightSamples) {
+  for (const auto& [samples, first, is_idle] : {std::tuple{1, 8, true},
+                                                {8, 8, true},
+                                                {9, 8, false},
+                                                {256, 8, false},
+                                                {257, 8, true},
+                                                {64, 0, false}}) {
+    const auto change = [samples = samples, first = first](RenderSettings& s) {
+      s.light_samples = samples;
+      s.adaptive_min_samples = first;
+    };
+    EXPECT_EQ(idle(change).size(), is_idle ? 1u : 0u) << samples << " samples, " << first << " first";
   }
 }
 

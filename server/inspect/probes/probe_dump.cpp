@@ -38,12 +38,12 @@ void check_overwritable(const fs::path& folder) {
   std::error_code error;
   for (const std::string& name : list_folder(folder, error)) {
     if (is_dump_file(name)) continue;
-    throw UsageError("--probes: " + printable((folder / name).string()) +
+    throw UsageError("--probe-pictures: " + printable((folder / name).string()) +
                      " is no picture of probes and would be lost; move it away or choose another folder");
   }
   if (error)
-    throw UsageError("--probes: cannot look into " + printable(folder.string()) + ": " + error.message() +
-                     "; choose another folder");
+    throw UsageError("--probe-pictures: cannot look into " + printable(folder.string()) + ": " +
+                     error.message() + "; choose another folder");
 }
 
 // No frame is rendered: the smallest view will do.
@@ -134,8 +134,8 @@ std::vector<AtlasFiles> write_atlases(const ProbeReader& probes, const AtlasLayo
 }  // namespace
 
 std::unique_ptr<NewFolder> probe_folder(const ProbeDumpRequest& request) {
-  return std::make_unique<NewFolder>(
-      NewFolder::Request{request.folder, request.overwrite, "--probes", "out/probes", check_overwritable});
+  return std::make_unique<NewFolder>(NewFolder::Request{request.folder, request.overwrite, "--probe-pictures",
+                                                        "out/probes", check_overwritable});
 }
 
 std::optional<ProbeDump> dump_probes(const ProbeScene& from, const ProbeDumpRequest& request,

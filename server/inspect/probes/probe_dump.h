@@ -1,6 +1,6 @@
-// `herr inspect --probes DIR`: lets the probes of a scene gather light, and writes what they know as pictures
-// with an index, for people and other programs.
-// Before: inspect has found the input sound. After: DIR stands whole.
+// `herr inspect --probe-pictures DIR`: lets the probes of a scene gather light, and writes what they know as
+// pictures with an index, for people and other programs. Before: inspect has found the input sound. After:
+// DIR stands whole.
 #pragma once
 
 #include <cstdint>

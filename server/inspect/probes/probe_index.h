@@ -1,4 +1,4 @@
-// probes.json: how to read the pictures of `herr inspect --probes`, and what is known of each probe.
+// probes.json: how to read the pictures of `herr inspect --probe-pictures`, and what is known of each probe.
 #pragma once
 
 #include <string>

@@ -17,8 +17,8 @@ struct StudyBudget {
   std::vector<std::string> dropped;  // "combinations", "detail_error, N = 64: 3 settings", "1 of 3 frames"
 };
 
-// `seconds_of`: of one frame, for each of `settings`. Default, light samples and polar size are
-// never dropped.
+// `seconds_of`: of one frame, for each of `settings`. Default, light samples and polar size
+// stay in the plan, for as long as there is time to measure them.
 StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::vector<double>& seconds_of,
                         std::size_t frames, double seconds);
 

@@ -218,6 +218,7 @@ nlohmann::ordered_json study_json(const StudyRecord& record) {
   put_text(json, "default_settings", record.default_settings);
   json["aims"] = array_json(record.aims, aim_json);
   json["advice"] = array_json(record.advice, advice_json);
+  if (!record.no_advice.empty()) put_text(json, "no_advice", record.no_advice);
   json["frames"] = array_json(record.frames, study_frame_json);
   json["clip"] = array_json(record.clip, study_frame_json);
   json["references"] = array_json(record.references, reference_json);

@@ -112,6 +112,7 @@ std::string remarks_part(const StudyRecord& record) {
 
 std::string page_body(const StudyRecord& record) {
   return html_element("h1", "", "Error against time: " + html_text(record.session)) + "\n" +
+         (record.no_advice.empty() ? "" : html_element("p", "", html_text(record.no_advice)) + "\n") +
          head_facts(record) + page_section("aims", "Aims", aims_part(record)) +
          page_section("advice", "Recommendation", advice_part(record)) +
          page_section("overview", "Error against time", overview_part(record)) +

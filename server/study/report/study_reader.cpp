@@ -273,6 +273,7 @@ StudyRecord read_study(const nlohmann::json& document, const std::string& source
                      "default_settings",
                      "aims",
                      "advice",
+                     "no_advice",
                      "frames",
                      "clip",
                      "references",
@@ -292,6 +293,7 @@ StudyRecord read_study(const nlohmann::json& document, const std::string& source
   record.points = read_rows<StudyPoint>(object, "points", read_point);
   record.fits = read_rows<StudyFit>(object, "fits", read_fit);
   record.advice = read_rows<StudyAdvice>(object, "advice", read_advice);
+  if (object.has("no_advice")) record.no_advice = bounded_text(object, "no_advice");
   record.aims = read_rows<StudyAim>(object, "aims", read_aim);
   record.remarks = read_rows<StudyRemark>(object, "remarks", read_remark);
   record.left_out = read_study_lines(object, "left_out");

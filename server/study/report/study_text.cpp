@@ -49,8 +49,9 @@ std::string study_text(const StudyRecord& record) {
   std::vector<std::string> advice, remarks;
   for (const StudyAdvice& line : record.advice) advice.push_back(line.sentence);
   for (const StudyRemark& remark : record.remarks) remarks.push_back(remark.knob + ": " + remark.text);
-  std::string text = subject_lines(record) + text_list("Aims", aim_lines(record)) +
-                     text_list("Recommendation", advice) + text_section(front_table(record));
+  std::string text = record.no_advice.empty() ? "" : text_line(record.no_advice) + "\n";
+  text += subject_lines(record) + text_list("Aims", aim_lines(record)) + text_list("Recommendation", advice) +
+          text_section(front_table(record));
   for (const ReportTable& table : point_tables(record)) text += text_section(table);
   text += text_section(fit_table(record)) + text_section(reference_table(record)) +
           text_section(flicker_table(record));

@@ -78,7 +78,7 @@ TEST(PresetFlags, OtherFlagsOverrideAPresetWhereverTheyStand) {
       EXPECT_FALSE(got.probes.on);
       EXPECT_EQ(got.occlusion_rays, RenderSettings().occlusion_rays);
     }
-    if (command == "inspect") continue;  // its --probes names a folder
+    if (command == "inspect") continue;  // its --probes was a folder once, and is refused
     for (const Arguments& flags :
          {Arguments{"--probes", "--preset", "direct"}, {"--preset", "direct", "--probes"}}) {
       EXPECT_TRUE(settings(command, flags).probes.on);

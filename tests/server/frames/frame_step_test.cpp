@@ -100,6 +100,17 @@ class FrameStepTest : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+// The small session looks straight ahead, at 60 Hz of its display: 1000 / 60 ms.
+TEST_F(FrameStepTest, TellsTheGazeAndThePeriodOfAFrame) {
+  const auto opened = open();
+  FrameStep step(opened->options, opened->report, opened->session);
+  RenderedFrame frame;
+  step.prepare(opened->report.range.first + 1);
+  ASSERT_TRUE(step.render(frame));
+  EXPECT_NEAR(step.record().period_ms, 1000.0 / 60, 1e-9);
+  for (const glm::dvec3& gaze : step.record().gaze_in_head) EXPECT_EQ(gaze, glm::dvec3(0, 0, -1));
+}
+
 TEST_F(FrameStepTest, FramesAfterRewindingAreThoseOfAFreshReplay) {
   for (const bool probes : {false, true}) {
     options_.render.probes.on = probes;

@@ -13,8 +13,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <exception>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -134,21 +137,98 @@ TEST(ExrEncoder, APartSaysWhatItsValuesMean) {
   EXPECT_FALSE(Imf::hasWhiteLuminance(file.header(0))) << "nobody knows it";
 }
 
-// The README's table is the list that users look into.
-TEST(ExrEncoder, EveryAttributeOfOursStandsInTheReadme) {
+// One with a part of each kind: viewports of both eyes, and a camera outside, 50 x 7 pixels.
+std::vector<std::uint8_t> encoded_with_outside(Frame& frame) {
+  std::vector<PictureOutline> outlines = pictures_of_frame(frame.profile, {});
+  PictureOutline outside;
+  outside.name = "overview";
+  outside.kind = PictureKind::outside;
+  outside.width_px = 50;
+  outside.height_px = 7;
+  outside.tan_left = outside.tan_down = -0.5;
+  outside.tan_right = outside.tan_up = 0.5;
+  outlines.push_back(outside);
+  frame.pictures.push_back(random_picture(50, 7, 9));
+  std::vector<std::uint8_t> bytes;
+  encode_exr(pointers_to(frame.pictures), outlines, frame.sample, frame.metadata, one_after_another, bytes);
+  return bytes;
+}
+
+// The README's table is the list that users look into: it names what is written, all of it and nothing else.
+TEST(ExrEncoder, TheReadmesTableNamesTheAttributesThatAreWritten) {
+  Frame frame = test_frame();
+  frame.metadata.world_from_outside = Pose();
+  const std::vector<std::uint8_t> bytes = encoded_with_outside(frame);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  std::set<std::string> written;
+  for (int part = 0; part < file.parts(); ++part) {
+    for (auto attribute = file.header(part).begin(); attribute != file.header(part).end(); ++attribute) {
+      if (std::string(attribute.name()).starts_with("herr.")) written.insert(attribute.name());
+    }
+  }
+  std::istringstream readme(
+      content_of(std::filesystem::path(test::source_dir()) / "server/output/README.md"));
+  std::set<std::string> told;
+  for (std::string line; std::getline(readme, line);) {
+    if (!line.starts_with("| `herr.")) continue;
+    const std::string names = line.substr(0, line.find(" | "));
+    for (std::size_t at = names.find("`herr."); at != std::string::npos; at = names.find("`herr.", at + 1))
+      told.insert(names.substr(at + 1, names.find('`', at + 1) - at - 1));
+  }
+  EXPECT_EQ(told, written);
+  EXPECT_GE(written.size(), 25u);
+}
+
+// A head turned left by 90 degrees about +Y looks along -X; its right is forward x up = (-1, 0, 0) x (0, 1,
+// 0) = (0, 0, -1). The right eye lies 0.03 m to its right, so at z - 0.03; the recording stands 10 m along
+// +X.
+TEST(ExrEncoder, AnEyesPartSaysWhereInTheSceneItsCameraIs) {
+  Frame frame = test_frame();
+  frame.sample.head.world_from_head.orientation = {std::sqrt(0.5), 0, std::sqrt(0.5), 0};
+  frame.sample.head_from_eye[1].position = {0.03, 0, 0};
+  frame.metadata.world_from_session.position = {10, 0, 0};
+  const std::vector<std::uint8_t> bytes = encoded(frame);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  const Imf::Header& header = file.header(2);
+  const Imath::V3d at = header.typedAttribute<Imf::V3dAttribute>("herr.camera_position_m").value();
+  EXPECT_TRUE(at.equalWithAbsError({11, 1.5, -2.28}, 1e-12)) << at;
+  EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.world_from_session_position_m").value(),
+            Imath::V3d(10, 0, 0));
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.world_from_session_orientation_xyzw").value(),
+            "0 0 0 1");
+  // x to the right, y up, z into the picture.
+  const Imath::M44f matrix = Imf::worldToCamera(header);
+  const Imath::V3f eye(11, 1.5f, -2.28f);
+  EXPECT_TRUE(((eye + Imath::V3f(-2, 0.5f, 0)) * matrix).equalWithAbsError({0, 0.5f, 2}, 1e-5f));
+  EXPECT_TRUE(((eye + Imath::V3f(0, 0, -1)) * matrix).equalWithAbsError({1, 0, 0}, 1e-5f));
+}
+
+TEST(ExrEncoder, ThePartFromOutsideHasItsOwnCamera) {
+  Frame frame = test_frame();
+  frame.metadata.world_from_outside = Pose{{3, 4, 5}, {1, 0, 0, 0}};
+  const std::vector<std::uint8_t> bytes = encoded_with_outside(frame);
+  MemoryInput stream(bytes);
+  Imf::MultiPartInputFile file(stream);
+  const Imf::Header& header = file.header(4);
+  EXPECT_EQ(header.typedAttribute<Imf::V3dAttribute>("herr.camera_position_m").value(), Imath::V3d(3, 4, 5));
+  EXPECT_EQ(header.typedAttribute<Imf::StringAttribute>("herr.camera_orientation_xyzw").value(), "0 0 0 1");
+  // 6 m ahead of a camera that looks along -Z.
+  EXPECT_EQ(Imath::V3f(3, 4, -1) * Imf::worldToCamera(header), Imath::V3f(0, 0, 6));
+}
+
+// The display window is 40 x 40, a context viewport as large, its tangents -1 ... 1. A focus viewport has 32
+// x 18 pixels over the same tangents: the window is 40 * 2 / 32 = 2.5 wide and 40 * 2 / 18 = 4.444 high, its
+// left upper corner at (-1, 1), its middle at (-1 + 1.25, 1 - 2.222).
+TEST(ExrEncoder, TheScreenWindowIsWhatTheDisplayWindowCoversAtDistanceOne) {
   const std::vector<std::uint8_t> bytes = encoded(test_frame());
   MemoryInput stream(bytes);
   Imf::MultiPartInputFile file(stream);
-  const std::string readme =
-      content_of(std::filesystem::path(test::source_dir()) / "server/output/README.md");
-  int ours = 0;
-  for (auto attribute = file.header(0).begin(); attribute != file.header(0).end(); ++attribute) {
-    const std::string name = attribute.name();
-    if (!name.starts_with("herr.")) continue;
-    ++ours;
-    EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
-  }
-  EXPECT_GE(ours, 20);
+  EXPECT_EQ(file.header(0).screenWindowWidth(), 2.0f);
+  EXPECT_EQ(file.header(0).screenWindowCenter(), Imath::V2f(0, 0));
+  EXPECT_EQ(file.header(1).screenWindowWidth(), 2.5f);
+  EXPECT_TRUE(file.header(1).screenWindowCenter().equalWithAbsError({0.25f, -1.2222222f}, 1e-6f));
 }
 
 TEST(ExrEncoder, AFurtherViewIsAPartAndWhatNoEyeSeesNamesNone) {

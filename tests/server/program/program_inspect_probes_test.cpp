@@ -1,4 +1,5 @@
-// `herr inspect --probes` as its users run it: a folder that is whole or not there, the same bytes each time.
+// `herr inspect --probe-pictures` as its users run it: a folder that is whole or not there, the same bytes
+// each time.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -42,7 +43,7 @@ class InspectProbes : public ::testing::Test {
 };
 
 TEST_F(InspectProbes, WritesPicturesAndAnIndexOfASession) {
-  const Outcome got = herr("session --probes new/probes --probe-updates 3");
+  const Outcome got = herr("session --probe-pictures new/probes --probe-updates 3");
   ASSERT_EQ(got.exit_code, 0) << got.err;
   EXPECT_EQ(names_in("new/probes"),
             (std::vector<std::string>{"catchers_distance.exr", "catchers_distance.png",
@@ -71,8 +72,8 @@ TEST_F(InspectProbes, WritesPicturesAndAnIndexOfASession) {
 }
 
 TEST_F(InspectProbes, GivesTheSameBytesWithAnyNumberOfThreads) {
-  ASSERT_EQ(herr("scene/small.scene.json --probes one --probe-updates 4 --threads 1").exit_code, 0);
-  ASSERT_EQ(herr("scene/small.scene.json --probes two --probe-updates 4 --threads 3").exit_code, 0);
+  ASSERT_EQ(herr("scene/small.scene.json --probe-pictures one --probe-updates 4 --threads 1").exit_code, 0);
+  ASSERT_EQ(herr("scene/small.scene.json --probe-pictures two --probe-updates 4 --threads 3").exit_code, 0);
   ASSERT_FALSE(names_in("one").empty());
   ASSERT_EQ(names_in("one"), names_in("two"));
   for (const std::string& name : names_in("one"))
@@ -80,14 +81,14 @@ TEST_F(InspectProbes, GivesTheSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST_F(InspectProbes, ReplacesAnEarlierFolderOnlyWhenAskedAndNothingElse) {
-  ASSERT_EQ(herr("scene/small.scene.json --probes p --probe-updates 2").exit_code, 0);
+  ASSERT_EQ(herr("scene/small.scene.json --probe-pictures p --probe-updates 2").exit_code, 0);
   const std::string before = content_of(root() / "p/irradiance.exr");
-  EXPECT_EQ(herr("scene/small.scene.json --probes p").exit_code, 2);
+  EXPECT_EQ(herr("scene/small.scene.json --probe-pictures p").exit_code, 2);
   EXPECT_EQ(content_of(root() / "p/irradiance.exr"), before);
-  EXPECT_EQ(herr("scene/small.scene.json --probes p --overwrite --probe-updates 3").exit_code, 0);
+  EXPECT_EQ(herr("scene/small.scene.json --probe-pictures p --overwrite --probe-updates 3").exit_code, 0);
   EXPECT_NE(content_of(root() / "p/irradiance.exr"), before);
   write_text(root() / "p/thesis.txt", "years");
-  const Outcome got = herr("scene/small.scene.json --probes p --overwrite");
+  const Outcome got = herr("scene/small.scene.json --probe-pictures p --overwrite");
   EXPECT_EQ(got.exit_code, 2);
   EXPECT_NE(got.err.find("thesis.txt"), std::string::npos) << got.err;
   EXPECT_EQ(content_of(root() / "p/thesis.txt"), "years");
@@ -99,16 +100,27 @@ TEST_F(InspectProbes, BadInputWritesNothing) {
 "size": [0.1, 0.1, 0.1], "intensity_w_sr": [1, 1, 1]}]})");
   write_text(root() / "scene/broken.scene.json", "{");
   for (const char* what : {"scene/empty.scene.json", "scene/broken.scene.json", "nowhere"}) {
-    const Outcome got = herr(std::string(what) + " --probes deep/p");
+    const Outcome got = herr(std::string(what) + " --probe-pictures deep/p");
     EXPECT_EQ(got.exit_code, 3) << what << got.err;
     EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
     EXPECT_FALSE(fs::exists(root() / "deep")) << what;
   }
 }
 
+// Everywhere else --probes is a switch.
+TEST_F(InspectProbes, TheFormerNameOfTheFlagIsRefusedWithTheNewOne) {
+  for (const char* flags : {"--probes p", "--probes", "--probes=p"}) {
+    const Outcome got = herr(std::string("scene/small.scene.json ") + flags);
+    EXPECT_EQ(got.exit_code, 2) << flags;
+    EXPECT_EQ(got.err, "herr: --probes: is called --probe-pictures here; give --probe-pictures DIR\n")
+        << flags;
+  }
+}
+
 TEST_F(InspectProbes, RefusesWrongUsage) {
-  for (const char* flags : {"--probes ''", "--probes .", "--probes scene", "--probes p --probe-updates 0",
-                            "--probe-updates 3", "--overwrite", "--probes p --probe-rays 7"}) {
+  for (const char* flags : {"--probe-pictures ''", "--probe-pictures .", "--probe-pictures scene",
+                            "--probe-pictures p --probe-updates 0", "--probe-updates 3", "--overwrite",
+                            "--probe-pictures p --probe-rays 7"}) {
     const Outcome got = herr(std::string("scene/small.scene.json ") + flags);
     EXPECT_EQ(got.exit_code, 2) << flags << got.err;
     EXPECT_EQ(got.out, "") << flags;
@@ -118,8 +130,8 @@ TEST_F(InspectProbes, RefusesWrongUsage) {
 }
 
 TEST_F(InspectProbes, ASignalLeavesNothingBehind) {
-  ChildProgram herr(root(), {test::program_path(), "inspect", "scene/small.scene.json", "--probes", "deep/p",
-                             "--probe-updates", "100000"});
+  ChildProgram herr(root(), {test::program_path(), "inspect", "scene/small.scene.json", "--probe-pictures",
+                             "deep/p", "--probe-updates", "100000"});
   while (!fs::exists(root() / "deep") && herr.runs())
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   herr.send(SIGTERM);

@@ -136,19 +136,6 @@ TEST_F(Program, BadInputEndsWithThreeAndWritesNothing) {
   EXPECT_EQ(herr("replay nowhere --out o").exit_code, 3);
 }
 
-TEST_F(Program, OneBadSessionDoesNotStopTheOthers) {
-  fs::create_directories(root() / "empty");
-  const Outcome outcome = herr(
-      "replay empty walk --profile small.profile.json --preset direct --polar 128x64 --frames 2 --out o "
-      "--json");
-  EXPECT_EQ(outcome.exit_code, 3);
-  const auto json = nlohmann::json::parse(outcome.out);
-  ASSERT_EQ(json["sessions"].size(), 2u);
-  EXPECT_EQ(json["sessions"][0]["exit_code"], 3);
-  EXPECT_EQ(json["sessions"][1]["frames"]["rendered"], 2);
-  EXPECT_EQ(json["exit_code"], 3);
-}
-
 TEST_F(Program, ADiskThatRefusesEndsWithSeventyFiveAndLeavesNoHalfFiles) {
   // ulimit counts blocks of 512 bytes in dash and of 1024 in bash: 8 to 16 kB, less than one EXR of
   // 4 x 48 x 40 x 8 B = 61 kB of noise, more than any temporary file's first block.

@@ -45,6 +45,28 @@ TEST(OutputFolder, AFolderWithContentNeedsOverwrite) {
   EXPECT_NO_THROW(folder.check(EarlierResults::replace));
 }
 
+// A summary without frames is of a session that was refused before its first one; anybody else's is not.
+TEST(OutputFolder, OneWithTheSummaryOfARefusedSessionAloneIsFree) {
+  const TemporaryFolder root;
+  const fs::path out = root.path() / "out" / "walk";
+  const OutputFolder folder(root.path() / "out", root.path() / "walk");
+  EXPECT_TRUE(folder.is_free());
+  fs::create_directories(out);
+  EXPECT_TRUE(folder.is_free());
+  std::ofstream(out / "summary.json") << R"({"state": "failed", "error": "x"})";
+  EXPECT_TRUE(folder.is_free());
+  EXPECT_NO_THROW(folder.check(EarlierResults::refuse));
+  EXPECT_NO_THROW(folder.check(EarlierResults::resume));
+  std::ofstream(out / "summary.json") << R"({"state": "failed", "frames": {"rendered": 3}})";
+  EXPECT_FALSE(folder.is_free());
+  std::ofstream(out / "summary.json") << "x";
+  EXPECT_FALSE(folder.is_free());
+  std::ofstream(out / "summary.json") << R"({"state": "failed", "error": "x"})";
+  touch(out / "notes.txt");
+  EXPECT_FALSE(folder.is_free());
+  EXPECT_THROW(folder.check(EarlierResults::refuse), UsageError);
+}
+
 TEST(OutputFolder, AResumedReplayNeedsACheckpointWhereThereAreResults) {
   const TemporaryFolder root;
   const fs::path out = root.path() / "out" / "walk";

@@ -37,20 +37,29 @@ Told told_by(const ReplayOptions& options) {
           subject_json(report, options)["settings"].dump(), fingerprint_of(report, options, Scene())};
 }
 
-// Probes and a policy, so that no setting of theirs is without effect.
-ReplayOptions base_options() {
+// Probes, a policy and adaptive samples, so that no setting of theirs is without effect.
+ReplayOptions base_options(Foveation foveation) {
   ReplayOptions options;
+  options.render.foveation = foveation;
   options.render.probes.on = true;
+  options.render.light_samples = 64;
+  options.render.adaptive_min_samples = 8;
   options.policy.motion = true;
   return options;
 }
 
+// What means something only without foveation is changed beside none.
+ReplayOptions base_for(std::size_t row) {
+  ReplayOptions options = base_options(Foveation::log_polar);
+  return base_options(is_idle(settings_of(options)[row]) ? Foveation::off : Foveation::log_polar);
+}
+
 TEST(SettingsReport, EachSettingThatShapesPicturesIsToldEverywhere) {
-  ReplayOptions base = base_options();
-  const Told before = told_by(base);
+  ReplayOptions base;
   const std::size_t count = settings_of(base).size();
   for (std::size_t i = 0; i < count; ++i) {
-    ReplayOptions options = base_options();
+    ReplayOptions options = base_for(i);
+    const Told before = told_by(options);
     const std::vector<Setting> settings = settings_of(options);
     const Setting& setting = settings[i];
     set_text(setting, other_text(setting));
@@ -81,6 +90,7 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
       "polar 1576x768, light samples 1, occlusion rays 1, reflections, probes, camera, isa avx2, profile "
       "xr1");
   options.render.probes.on = false;
+  options.render.light_samples = 16;
   options.render.adaptive_min_samples = 4;
   options.render.occlusion_rays = 8;
   options.render.occlusion_radius_m = 0.5;
@@ -90,13 +100,29 @@ TEST(SettingsReport, TheHeaderTellsWhatDiffersFromTheDefaults) {
   options.target_ms = 20;
   EXPECT_EQ(
       settings_text(options, true),
-      "polar 1576x768, light samples 1, occlusion rays 8, reflections, no probes, no camera, first light "
+      "polar 1576x768, light samples 16, occlusion rays 8, reflections, no probes, no camera, first light "
       "samples 4, occlusion radius 0.5 m, no refraction, isa avx2, profile xr1, policy deadline, target "
       "20 ms");
   EXPECT_EQ(
       features_text(options.render, true),
       "occlusion rays 8, reflections, no probes, no camera, first light samples 4, occlusion radius 0.5 "
       "m, no refraction");
+}
+
+// What changes nothing beside the others is not told as if it did.
+TEST(SettingsReport, WhatIsIdleBesideTheOthersIsNotTold) {
+  ReplayOptions options;
+  options.profile = "xr1";
+  options.render.isa = Isa::avx2;
+  options.render.foveation = Foveation::off;
+  options.render.polar_acuity = true;
+  options.render.light_samples = 4;
+  options.render.adaptive_min_samples = 8;
+  options.render.probes.on = false;
+  options.render.probes.rays = 128;
+  EXPECT_EQ(settings_text(options, true),
+            "light samples 4, occlusion rays 1, reflections, no probes, camera, foveation off, isa avx2, "
+            "profile xr1");
 }
 
 TEST(SettingsReport, WhatMeansNothingIsNotTold) {

@@ -74,6 +74,9 @@ TEST_F(Serve, StatusAndLatencyAgreeWithTheSnapshot) {
   EXPECT_EQ(status["replay"]["progress"], 0.5);  // frame 59 of 0 ... 119
   EXPECT_EQ(status["run"]["frames"]["missed"], 75);
   EXPECT_EQ(status["run"]["frames"]["dropped"], 150);
+  for (const auto& [name, count] : status["run"]["frames"].items()) {
+    EXPECT_TRUE(status["definitions"][name].is_string()) << name;
+  }
   EXPECT_EQ(status["profile"]["viewports"].size(), 4u);
   // Ten a second for ten seconds: frames 51 ... 150.
   EXPECT_EQ(status["window"]["frames"]["rendered"], 100);
@@ -142,6 +145,8 @@ TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
   for (const json& frame : all["frames"]) {
     EXPECT_EQ(frame["sequence"], ++seen);
     EXPECT_EQ(frame["frame_ms"], static_cast<double>(seen));
+    EXPECT_EQ(frame["period_ms"], 16.5);
+    EXPECT_EQ(frame["gaze_in_head"]["right"], json({0.6, 0.0, -0.8}));
     EXPECT_EQ(frame["motion_to_photon_ms"].is_null(), seen % 2 == 1);
     EXPECT_EQ(frame["misregistration_arcmin"].is_null(), seen % 2 == 1);
     EXPECT_EQ(frame["polar_width"], 400);

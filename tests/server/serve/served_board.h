@@ -66,6 +66,8 @@ class Serve : public ::testing::Test {
       frame.finished_ns = now_ns_ - (count - i) * kSecondNs / 10;
       frame.record.frame = i;
       frame.record.times.frame_ms = static_cast<double>(i);
+      frame.record.period_ms = 16.5;
+      frame.record.gaze_in_head[1] = {0.6, 0.0, -0.8};
       frame.record.cpu_ms = 1.5 * static_cast<double>(i);
       frame.record.times[Stage::first_hits] = static_cast<double>(i);
       frame.record.missed = i % 2 == 0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -12,6 +13,8 @@
 #include "server/results/summary_json.h"
 #include "server/statistics/latency_table.h"
 #include "server/text/number_text.h"
+#include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
@@ -61,6 +64,28 @@ TEST(FramesCsv, EveryRowHasAsManyCellsAsTheHeader) {
   EXPECT_EQ(frames_csv_row(bare).back(), '\n');
 }
 
+// The README's table is the list that users look into: it names the columns, all of them and nothing else.
+TEST(FramesCsv, TheReadmesTableNamesTheColumns) {
+  std::istringstream readme(
+      content_of(std::filesystem::path(test::source_dir()) / "server/results/README.md"));
+  std::vector<std::string> told;
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    inside = inside ? line.starts_with("|") : line == "| column | what it holds |";
+    if (!inside) continue;
+    const std::string names = line.substr(0, line.find(" | "));
+    for (std::size_t at = names.find('`'); at != std::string::npos; at = names.find('`', at + 1)) {
+      const std::size_t end = names.find('`', at + 1);
+      told.push_back(names.substr(at + 1, end - at - 1));
+      at = end;
+    }
+  }
+  std::vector<std::string> columns = cells_of(frames_csv_header());
+  std::sort(told.begin(), told.end());
+  std::sort(columns.begin(), columns.end());
+  EXPECT_EQ(told, columns);
+}
+
 TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
   const auto names = cells_of(frames_csv_header());
   EXPECT_EQ(names[0], "frame");
@@ -78,7 +103,8 @@ TEST(FramesCsv, EveryColumnOfNumbersNamesItsUnitOrCounts) {
                        name == "light_beyond_feed" || name == "preemptions";
     const bool word =
         name.find("_source") != std::string::npos || name == "quality_reason" || name == "miss_cause";
-    EXPECT_TRUE(unit || count || word) << name;
+    const bool unit_vector = name.starts_with("gaze_left_") || name.starts_with("gaze_right_");
+    EXPECT_TRUE(unit || count || word || unit_vector) << name;
   }
 }
 
@@ -100,6 +126,8 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   record.camera_age_ms = 0.0;
   record.cpu_ms = 2.345678;
   record.gaze_source = {SampleSource::gliding, SampleSource::exact};
+  record.gaze_in_head[1] = {0.6, 0.0, -0.8};
+  record.period_ms = 11.111111;
   record.nonfinite_pictures = 3;
   record.repeated_ticks = 2;
   record.decision = {{16, 315, 128, 384}, QualityReason::grow_limited, 40.5, 48.25};
@@ -115,6 +143,8 @@ TEST(FramesCsv, ARowReadsBackAsTheSameRecord) {
   EXPECT_EQ(frames_csv_row(*read), row);
   EXPECT_EQ(read->nonfinite_pictures, 3);
   EXPECT_EQ(read->cause, MissCause::machine);
+  EXPECT_EQ(read->gaze_in_head[1], glm::dvec3(0.6, 0.0, -0.8));
+  EXPECT_EQ(cell(record, "gaze_right_z"), "-0.800000");
   EXPECT_EQ(read->preemptions, 17);
   EXPECT_EQ(read->clipped_pixels, 1234);
   EXPECT_FALSE(read->gaze_age_ms);

@@ -152,6 +152,7 @@ inline StudyRecord rich_record() {
 inline StudyRecord minimal_record() {
   StudyRecord record;
   record.session = "one";
+  record.no_advice = "1 of 94 settings measured: no recommendation; give --minutes 7 or more";
   record.frames = {{0, 0, 0, 0}};
   return record;
 }

@@ -42,6 +42,14 @@ TEST(StudyText, MissedAimsComeFirstAndWarningsLast) {
   }
 }
 
+TEST(StudyText, BeginsWithWhatIsTooLittleForAdvice) {
+  StudyRecord record = test::minimal_record();
+  record.no_advice = "2 of 94 settings measured: no recommendation; give --minutes 7 or more";
+  const std::string text = study_text(record);
+  EXPECT_EQ(text.find(record.no_advice + "\n"), 0u) << text;
+  EXPECT_EQ(text.find("Recommendation"), std::string::npos) << text;
+}
+
 TEST(StudyText, NumbersOfTheRichRecordAreWhole) {
   // Only words may be cut to make room; a number cut in half would be another number.
   const std::string text = study_text(test::rich_record());
