@@ -11,8 +11,8 @@
 namespace herr {
 namespace {
 
-// The picture itself is looked up below the first alpha: its lobe is 0.75 degrees wide at half its height.
-constexpr float kFirstAlpha = 0.01f;
+// Of roughness 0.05: half a texel of the finest level wide. Towards roughness 0 the picture itself is shown.
+constexpr float kFirstAlpha = 0.0025f;
 constexpr int kWidestPicture = 1024, kWidestLevel = 512, kNarrowestLevel = 32;
 // Texels of a level along what its lobe turns directions by; interpolation shows no corners.
 constexpr double kTexelsPerAlpha = 1.0 / 0.7;
@@ -22,6 +22,13 @@ constexpr float kAlphasOfSource = 2.0f;
 
 double alpha_of(int level) {
   return kFirstAlpha * std::pow(1.0 / kFirstAlpha, level / (kMostFilteredLevels - 1.0));
+}
+
+// Interpolation between texels widens what it shows by a quarter of a texel, as half vectors turn, along each
+// axis: the lobe is made that much narrower, and half as wide at least.
+double made_alpha(int level, int width) {
+  const double alpha2 = alpha_of(level) * alpha_of(level), texel = glm::two_pi<double>() / width;
+  return std::sqrt(std::max(alpha2 - 2 * (0.25 * texel) * (0.25 * texel), 0.25 * alpha2));
 }
 
 int power_of_two(double at_least, int least, int most) {
@@ -53,7 +60,7 @@ double lobe(double off, double alpha2) {
 }
 
 std::vector<Ring> rings_of(double alpha) {
-  constexpr double kWider = 1.35;
+  constexpr double kWider = 1.45;
   std::vector<Ring> rings;
   double inner = 0, outer = 0.5 * alpha;
   while (inner < glm::half_pi<double>()) {
@@ -62,7 +69,7 @@ std::vector<Ring> rings_of(double alpha) {
     const double mean = (lobe(inner, a2) + 4 * lobe(centre, a2) + lobe(outer, a2)) / 6;
     const double solid_angle = glm::two_pi<double>() * (std::cos(inner) - std::cos(outer));
     rings.push_back(
-        {inner == 0 ? outer * 0.7071 : centre, solid_angle, mean * solid_angle, inner == 0 ? 6 : 14});
+        {inner == 0 ? outer * 0.7071 : centre, solid_angle, mean * solid_angle, inner == 0 ? 6 : 12});
     inner = outer;
     outer *= kWider;
   }
@@ -205,7 +212,7 @@ void FilteredEnvironment::filter_levels(const std::vector<SkyPicture>& whole,
     const auto level = static_cast<std::size_t>(k);
     const std::vector<SkyPicture>& from = k < record_.first_without_sources ? whole : rest;
     const int width = record_.width[level], y = row - first_row[level];
-    const std::vector<Tap> taps = taps_of((y + 0.5) / record_.height[level], rings_of(alpha_of(k)),
+    const std::vector<Tap> taps = taps_of((y + 0.5) / record_.height[level], rings_of(made_alpha(k, width)),
                                           static_cast<int>(from.size()), from.front().width);
     for (int x = 0; x < width; ++x) {
       std::array<float, 4> sum{};

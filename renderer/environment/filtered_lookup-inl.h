@@ -15,6 +15,8 @@ struct FilteredLight {
   VF sources;  // share of the bright sources that is not in it
 };
 
+constexpr float kSharpestAlpha = 1e-3f;  // of roughness 0: the picture itself
+
 // Between levels, where alpha lies in octaves between theirs. `direction`: unit, `alpha`: above 0, both in
 // every lane.
 HWY_INLINE FilteredLight filtered_light(const FilteredRecord& from, const EnvironmentRecord& sharp,
@@ -40,7 +42,9 @@ HWY_INLINE FilteredLight filtered_light(const FilteredRecord& from, const Enviro
   if (hn::AllFalse(kF, narrow)) return out;
   const V3 seen =
       picture_texel(sharp.texels, hn::Zero(kI), hn::Set(kI, sharp.width), hn::Set(kI, sharp.height), place);
-  const V3 blurred = mul_add(hn::Mul(wider, wider), sub(out.radiance, seen), seen);
+  const float sharpest = kSharpestAlpha / from.first_alpha, per_range = 1.0f / (1.0f - sharpest * sharpest);
+  const VF tails = hn::Max(hn::MulAdd(hn::Mul(wider, wider), set(per_range), set(-sharpest * sharpest * per_range)), zero);
+  const V3 blurred = mul_add(tails, sub(out.radiance, seen), seen);
   out.radiance = select(narrow, blurred, out.radiance);
   return out;
 }

@@ -133,6 +133,9 @@ HWY_INLINE V3 sources_lit(const ShadingInputs& shading, const HitBatch& hits, in
   return sum;
 }
 
+// Probes interpolate what comes from an open sky to a twentieth of it: a smaller difference tells nothing.
+constexpr float kProbesTell = 0.0625f;
+
 // What highlights of hits [0, count) show of the environment picture, and of light from all sides: where
 // probes know of less light than the picture sends to the hit, evenly, the rest is hidden, and what they know
 // beyond it comes evenly from other surfaces.
@@ -161,8 +164,9 @@ HWY_NOINLINE inline void show_environment(const ShadingInputs& shading, HitBatch
     if (shading.probes != nullptr) {
       const V3 sent = environment_texel(shading.filtered.even, n), known = load3(hits.indirect, slot);
       const auto channel = [&](VF sky, VF share, VF all, VF here) HWY_ATTR {
-        const VF seen = hn::Min(hn::Div(here, hn::Max(all, set(1e-20f))), one);
-        return hn::MulAdd(share, hn::Max(hn::Sub(here, all), zero), hn::Mul(sky, seen));
+        const VF least = hn::Mul(all, set(1.0f - kProbesTell)), most = hn::Mul(all, set(1.0f + kProbesTell));
+        const VF seen = hn::Min(hn::Div(here, hn::Max(least, set(1e-20f))), one);
+        return hn::MulAdd(share, hn::Max(hn::Sub(here, most), zero), hn::Mul(sky, seen));
       };
       around = {channel(shine.x, albedo.x, sent.x, known.x), channel(shine.y, albedo.y, sent.y, known.y),
                 channel(shine.z, albedo.z, sent.z, known.z)};

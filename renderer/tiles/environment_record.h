@@ -13,7 +13,7 @@ struct EnvironmentRecord {
   float turn = 0;  // [0, 1)
 };
 
-inline constexpr int kMostFilteredLevels = 10;
+inline constexpr int kMostFilteredLevels = 12;
 inline constexpr int kMostBrightSources = 16;
 
 // A small part of the picture that outshines the rest: light from one direction.
@@ -25,7 +25,7 @@ struct BrightSource {
 
 // The picture as GGX highlights of growing width show it head on: level k, of alpha first_alpha times
 // ratio^k, is the mean over the lobe of (n = v = r). Narrower lobes lie between the picture itself and level
-// 0, and differ from the picture by their tails alone, which grow with alpha^2.
+// 0, by their tails, which grow with alpha^2.
 struct FilteredRecord {
   const float* texels = nullptr;  // of all levels, as EnvironmentRecord's; null: none was made
   int levels = 0;

@@ -17,8 +17,9 @@ namespace herr {
 namespace {
 
 constexpr double kRoughness[] = {0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1};
-constexpr int kColumns = 9, kWidth = 486, kHeight = 108;
-constexpr double kDistance = 14, kApart = 2, kRadius = 0.6;
+// Balls stand far enough apart to see little of one another.
+constexpr int kColumns = 9, kWidth = 1200, kHeight = 264;
+constexpr double kDistance = 35, kApart = 5, kRadius = 0.6;
 
 // A sky with clouds over uneven ground, four windows of light in it, and a sun of 8 degrees across, 60 times
 // as bright as the sky: a third of all light comes from it.
@@ -82,13 +83,13 @@ Scene scene_of(const std::vector<test::GlossBall>& balls) {
     scene.materials.push_back(material);
     scene.instances.push_back(instance);
   }
-  scene.probes.box = Bounds{{-9.5, -2.5, -kDistance - 2}, {9.5, 2.5, -kDistance + 2}};
+  scene.probes.box = Bounds{{-24, -7, -kDistance - 4}, {24, 7, -kDistance + 4}};
   return scene;
 }
 
 DisplayProfile chart_view() {
-  const double half_width = std::atan(9.0 / kDistance) * kDegreesPerRadian,
-               half_height = std::atan(2.0 / kDistance) * kDegreesPerRadian;
+  const double half_width = std::atan(22.5 / kDistance) * kDegreesPerRadian,
+               half_height = std::atan(5.0 / kDistance) * kDegreesPerRadian;
   return test::single_view(kWidth, kHeight, half_width, half_height);
 }
 

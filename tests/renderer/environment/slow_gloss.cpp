@@ -219,7 +219,7 @@ glm::dvec3 SlowGloss::arriving(const glm::dvec3& origin, const glm::dvec3& direc
                                int depth) const {
   const auto hit = nearest(origin, direction, 1e30);
   if (!hit) return picture ? picture->radiance(direction) : glm::dvec3{0.0};
-  if (depth == 2) return glm::dvec3{0.0};
+  if (depth == 3) return glm::dvec3{0.0};
   glm::dvec3 light = from_outside(*hit, seed, depth);
   if (lamp) light += from_lamp(*hit, seed, depth);
   return light;
@@ -229,7 +229,7 @@ glm::dvec3 SlowGloss::arriving(const glm::dvec3& origin, const glm::dvec3& direc
 // from all sides with F = 1 (Turquin 2019); below it scatters what it leaves of all light, in its strongest
 // channel.
 glm::dvec3 SlowGloss::from_outside(const Hit& hit, std::uint32_t seed, int depth) const {
-  const int each = depth == 0 ? samples : depth == 1 ? 4 : 1, for_table = depth == 0 ? 512 : 32;
+  const int each = depth == 0 ? samples : depth == 1 ? 3 : 1, for_table = depth == 0 ? 512 : 32;
   const Lobe& lobe = hit.lobe;
   double all = 0;
   glm::dvec3 reflected{0.0};

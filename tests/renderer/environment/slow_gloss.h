@@ -40,7 +40,7 @@ class SlowGloss {
   std::vector<GlossBall> balls;
   const PictureDirections* picture = nullptr;  // none: it is dark outside
   std::optional<AreaLight> lamp;               // a box
-  int samples = 256;                           // of each kind of direction at the first hit
+  int samples = 768;                           // of each kind of direction at the first hit
 
   // Radiance along a ray from the eye; `seed` tells its random numbers from those of others.
   glm::dvec3 radiance(const glm::dvec3& origin, const glm::dvec3& direction, std::uint32_t seed) const;
