@@ -37,11 +37,11 @@ Told told_by(const ReplayOptions& options) {
           subject_json(report, options)["settings"].dump(), fingerprint_of(report, options, Scene())};
 }
 
-// Probes and a policy, so that no setting of theirs is without effect.
+// Probes and both policies, so that no setting of theirs is without effect.
 ReplayOptions base_options() {
   ReplayOptions options;
   options.render.probes.on = true;
-  options.policy.motion = true;
+  options.policy = {true, true};
   return options;
 }
 
