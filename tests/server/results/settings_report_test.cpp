@@ -37,14 +37,14 @@ Told told_by(const ReplayOptions& options) {
           subject_json(report, options)["settings"].dump(), fingerprint_of(report, options, Scene())};
 }
 
-// Probes, a policy and adaptive samples, so that no setting of theirs is without effect.
+// Probes, both policies and adaptive samples, so that no setting of theirs is without effect.
 ReplayOptions base_options(Foveation foveation) {
   ReplayOptions options;
   options.render.foveation = foveation;
   options.render.probes.on = true;
   options.render.light_samples = 64;
   options.render.adaptive_min_samples = 8;
-  options.policy.motion = true;
+  options.policy = {true, true};
   return options;
 }
 
