@@ -96,9 +96,21 @@ HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
   }
 }
 
+// Further hits at edges lie in no blocks: for each what a sample nearby found counts.
+HWY_NOINLINE inline void borrow_occlusion(TileScratch& scratch, int packets) {
+  const EdgeSamples& samples = *scratch.edges;
+  for (int slot = 0; slot < packets * kLanes; slot += kLanes) {
+    const auto used = hn::RebindMask(kI, first_lanes(samples.anew_count - slot));
+    const VI cells = hn::IfThenElseZero(used, hn::Load(kI, &samples.anew_cell[slot]));
+    hn::Store(hn::GatherIndex(kF, samples.open.data(), cells), kF, &scratch.first.open[slot]);
+    hn::Store(hn::GatherIndex(kF, samples.open_without.data(), cells), kF, &scratch.first.open_without[slot]);
+  }
+}
+
 // Fills HitBatch::open and open_without of the first hits.
 HWY_NOINLINE inline void ambient_occlusion(const TileJob& job, int packets) {
   TileScratch& scratch = *job.scratch;
+  if (scratch.edges && scratch.edges->lights_anew) return borrow_occlusion(scratch, packets);
   HitBatch& hits = scratch.first;
   const int rays = job.shading->occlusion_rays;
   const float share = 1.0f / static_cast<float>(rays);
@@ -113,8 +125,7 @@ HWY_NOINLINE inline void ambient_occlusion(const TileJob& job, int packets) {
         [&](std::size_t hit, float passes) { hits.open[hit] -= share * (1.0f - passes); },
         [&](std::size_t hit, float passes) { hits.open_without[hit] -= share * (1.0f - passes); });
   }
-  const bool has_blocks = !scratch.edges || !scratch.edges->lights_unseen;
-  if (job.shading->occlusion_smoothing && has_blocks) smooth_occlusion(job, packets);
+  if (job.shading->occlusion_smoothing) smooth_occlusion(job, packets);
 }
 
 }  // namespace HWY_NAMESPACE

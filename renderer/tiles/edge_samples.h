@@ -16,8 +16,9 @@ inline constexpr int kMostEdgeLights = 31;
 struct alignas(64) EdgeSamples {
   static constexpr int kStride = kTileSide + 2;
   static constexpr std::int32_t kNone = -2, kMissed = -1;
-  // Bits of `marks`: a neighbour shows another surface; the same one, where lights are in the way of others.
-  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2;
+  // Bits of `marks`: a neighbour shows another surface; the same one, where another light is blocked; the
+  // same one, which looks much different there.
+  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2, kShadingEdge = 4;
 
   // Index of sample (column, row) of the tile in pictures, each in [-1, kTileSide].
   static constexpr int at(int column, int row) { return (row + 1) * kStride + column + 1; }
@@ -30,9 +31,10 @@ struct alignas(64) EdgeSamples {
   // Samples at edges: column and row in the tile, and what their rays have added up to.
   Lane<std::int32_t> column, row;
   Lane3 light_sum, ratio_sum;
-  // Rays that met what no neighbour shows: where they go, and (place << 16) + sample in the list above.
-  Lane<std::int32_t> unseen;
-  Lane3 unseen_direction;
+  // Rays whose hits are lit anew: where they go, (place << 16) + sample in the list above, and the cell of
+  // the sample nearby whose short rays count for them.
+  Lane<std::int32_t> anew, anew_cell;
+  Lane3 anew_direction;
   Lane<std::int32_t> blocked_at;  // `blocked` per hit, while the tile is lit
 
   Picture<std::int32_t> surface;  // number of the instance, or one of the above
@@ -41,12 +43,13 @@ struct alignas(64) EdgeSamples {
   Picture<std::int32_t> blocked;  // bit per light of one sample: something is in its way
   Picture<std::int32_t> kind;     // HitKind
   Picture<std::int32_t> marks;
-  Picture3 light, ratio;  // the texel
+  Picture<float> open, open_without;  // as HitBatch::open
+  Picture3 light, ratio;              // the texel
 
-  int count = 0, unseen_count = 0;
-  bool notes = false;          // the tile's samples are in work, their first layer
-  bool lights_unseen = false;  // the rays that met what no neighbour shows are; they lie in no blocks
-  // Where the tile's packets lie: those of unseen surfaces take their places.
+  int count = 0, anew_count = 0;
+  bool notes = false;        // the tile's samples are in work, their first layer
+  bool lights_anew = false;  // the list of hits that are lit anew is
+  // Where the tile's packets lie: those of hits that are lit anew take their places.
   std::array<std::int32_t, kTileRays / 4> packet_x, packet_y;
   int packets = 0;
 };

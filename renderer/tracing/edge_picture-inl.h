@@ -110,7 +110,7 @@ HWY_NOINLINE inline void begin_edges(const TileJob& job, int packets) {
   std::copy_n(scratch.packet_x.begin(), packets, samples.packet_x.begin());
   std::copy_n(scratch.packet_y.begin(), packets, samples.packet_y.begin());
   samples.packets = packets;
-  samples.count = samples.unseen_count = 0;
+  samples.count = samples.anew_count = 0;
   samples.notes = true;
 }
 
@@ -132,6 +132,22 @@ HWY_NOINLINE inline void note_surfaces(const TileJob& job, int p) {
   to_picture(load3(hits.position, slot), samples.position, column, row);
   to_picture(load3(hits.geometric_normal, slot), samples.normal, column, row);
   to_picture(load(&hits.offset[slot]), samples.offset, column, row);
+}
+
+// The first layer is lit: remembers which lights are blocked, and what short rays found.
+HWY_NOINLINE inline void note_light(const TileJob& job) {
+  EdgeSamples& samples = *job.scratch->edges;
+  const HitBatch& hits = job.scratch->first;
+  for (int p = 0; p < samples.packets; ++p) {
+    const int column = samples.packet_x[static_cast<std::size_t>(p)] - job.x0,
+              row = samples.packet_y[static_cast<std::size_t>(p)] - job.y0;
+    const auto slot = static_cast<std::size_t>(p * kLanes);
+    to_picture(&samples.blocked_at[slot], samples.blocked, column, row);
+    if (!job.shading->plan->occlusion) continue;
+    to_picture(&hits.open[slot], samples.open, column, row);
+    to_picture(&hits.open_without[slot], samples.open_without, column, row);
+  }
+  samples.notes = false;
 }
 
 }  // namespace HWY_NAMESPACE

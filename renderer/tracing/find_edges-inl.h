@@ -12,11 +12,16 @@ namespace HWY_NAMESPACE {
 
 // Samples look different where a channel of their light differs by more than this share of both channels' sum
 // and of a dark level, of white; or where the feed that they keep does.
-constexpr float kLeastContrast = 1.0f / 24, kDarkLevel = 1.0f / 16, kLeastRatioStep = 1.0f / 32;
+struct Contrast {
+  float share, dark, ratio_step;
+};
+constexpr Contrast kEdgeContrast{1.0f / 24, 1.0f / 16, 1.0f / 32};
+// From which on samples of one surface are taken to stand for no more than themselves.
+constexpr Contrast kShadingContrast{1.0f / 5, 1.0f / 5, 1.0f / 5};
 
-HWY_INLINE MF look_different(const EdgeSamples& samples, int a, int b, float white) {
+HWY_INLINE MF look_different(const EdgeSamples& samples, int a, int b, float white, const Contrast& least) {
   const auto at_a = static_cast<std::size_t>(a), at_b = static_cast<std::size_t>(b);
-  const VF dark = set(kDarkLevel * white), share = set(kLeastContrast);
+  const VF dark = set(least.dark * white), share = set(least.share);
   const auto differs = [&](const EdgeSamples::Picture<float>& p) HWY_ATTR {
     const VF x = loadu(&p[at_a]), y = loadu(&p[at_b]);
     return hn::Gt(hn::Abs(hn::Sub(x, y)), hn::Mul(share, hn::Add(dark, hn::Add(x, y))));
@@ -24,7 +29,7 @@ HWY_INLINE MF look_different(const EdgeSamples& samples, int a, int b, float whi
   const VF ratio_step = hn::Sub(loadu(&samples.ratio.y[at_a]), loadu(&samples.ratio.y[at_b]));
   const MF light =
       hn::Or(differs(samples.light.x), hn::Or(differs(samples.light.y), differs(samples.light.z)));
-  return hn::Or(light, hn::Gt(hn::Abs(ratio_step), set(kLeastRatioStep)));
+  return hn::Or(light, hn::Gt(hn::Abs(ratio_step), set(least.ratio_step)));
 }
 
 HWY_INLINE void mark(EdgeSamples& samples, int first, VI marks) {
@@ -41,23 +46,27 @@ HWY_INLINE void mark_edges(EdgeSamples& samples, const SeenSurface& at_a, int a,
            blocked_b = hn::LoadU(kI, &samples.blocked[static_cast<std::size_t>(b)]);
   const MF one = on_one_surface(at_a, at_b);
   const MF shadow = hn::And(one, hn::RebindMask(kF, hn::Ne(blocked_a, blocked_b)));
-  MF edges = hn::And(known, hn::Or(hn::Not(one), shadow));
-  if (hn::AllFalse(kF, edges)) return;
-  edges = hn::And(edges, look_different(samples, a, b, white));
-  if (hn::AllFalse(kF, edges)) return;
-  const VI marks = hn::IfThenElse(hn::RebindMask(kI, shadow), hn::Set(kI, EdgeSamples::kShadowEdge),
-                                  hn::Set(kI, EdgeSamples::kSurfaceEdge));
-  const VI found = hn::IfThenElseZero(hn::RebindMask(kI, edges), marks);
+  const MF lit = hn::And(known, look_different(samples, a, b, white, kEdgeContrast));
+  if (hn::AllFalse(kF, lit)) return;
+  const MF shading =
+      hn::And(hn::And(lit, hn::AndNot(shadow, one)), look_different(samples, a, b, white, kShadingContrast));
+  const auto marked = [](MF where, std::int32_t as)
+                          HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(kI, where), hn::Set(kI, as)); };
+  const VI found = hn::Or(marked(hn::AndNot(one, lit), EdgeSamples::kSurfaceEdge),
+                          hn::Or(marked(hn::And(shadow, lit), EdgeSamples::kShadowEdge),
+                                 marked(shading, EdgeSamples::kShadingEdge)));
   mark(samples, a, found);
   mark(samples, b, found);
 }
 
 // Marks samples (column, row) of the tile whose neighbours in another tile, (columns, rows) away, show
-// another surface.
+// another surface, and those beside them along the border.
 template <SurfaceDetail kDetail>
 HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int columns, int rows, MF lanes) {
   EdgeSamples& samples = *job.scratch->edges;
   const RayGrid& grid = *job.grid;
+  column = hn::IfThenElseZero(hn::RebindMask(kI, lanes), column);
+  row = hn::IfThenElseZero(hn::RebindMask(kI, lanes), row);
   const VI cells = cells_at(column, row);
   const SeenSurface own = seen_at(samples, cells);
   lanes = hn::And(lanes, hn::RebindMask(kF, hn::Ne(own.surface, hn::Set(kI, EdgeSamples::kNone))));
@@ -76,21 +85,30 @@ HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int column
   alignas(64) std::int32_t marks[kMaxLanes], at[kMaxLanes];
   hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, other), hn::Set(kI, EdgeSamples::kSurfaceEdge)), kI, marks);
   hn::Store(cells, kI, at);
-  for (int i = 0; i < kLanes; ++i) samples.marks[static_cast<std::size_t>(at[i])] |= marks[i];
+  const int along = columns == 0 ? 1 : EdgeSamples::kStride;
+  for (int i = 0; i < kLanes; ++i) {
+    if (marks[i] == 0) continue;
+    for (const int step : {-along, 0, along}) {
+      const auto cell = static_cast<std::size_t>(at[i] + step);
+      if (samples.kind[cell] != static_cast<std::int32_t>(HitKind::none)) samples.marks[cell] |= marks[i];
+    }
+  }
 }
 
-// The four sides of the tile. Beyond the innermost and the outermost column there is nothing to see.
+// The four sides of the tile, every other sample of each. Beyond the innermost and the outermost column there
+// is nothing to see.
 template <SurfaceDetail kDetail>
 HWY_INLINE void look_around(const TileJob& job, int columns, int rows) {
-  const auto lanes_of = [](int start, int length) HWY_ATTR { return first_lanes(length - start); };
-  for (int start = 0; start < columns; start += kLanes) {
-    const VI column = hn::Add(hn::Iota(kI, 0), hn::Set(kI, start));
-    look_outside<kDetail>(job, column, hn::Zero(kI), 0, -1, lanes_of(start, columns));
-    look_outside<kDetail>(job, column, hn::Set(kI, rows - 1), 0, 1, lanes_of(start, columns));
+  const VI step = hn::Add(hn::Iota(kI, 0), hn::Iota(kI, 0));
+  for (int start = 0; start < columns; start += 2 * kLanes) {
+    const VI column = hn::Add(step, hn::Set(kI, start));
+    const MF lanes = first_lanes((columns - start + 1) / 2);
+    look_outside<kDetail>(job, column, hn::Zero(kI), 0, -1, lanes);
+    look_outside<kDetail>(job, column, hn::Set(kI, rows - 1), 0, 1, lanes);
   }
-  for (int start = 0; start < rows; start += kLanes) {
-    const VI row = hn::Add(hn::Iota(kI, 0), hn::Set(kI, start));
-    const MF lanes = lanes_of(start, rows);
+  for (int start = 0; start < rows; start += 2 * kLanes) {
+    const VI row = hn::Add(step, hn::Set(kI, start));
+    const MF lanes = first_lanes((rows - start + 1) / 2);
     if (job.x0 > 0) look_outside<kDetail>(job, hn::Zero(kI), row, -1, 0, lanes);
     if (job.x0 + columns >= job.grid->sink.width) continue;
     look_outside<kDetail>(job, hn::Set(kI, columns - 1), row, 1, 0, lanes);

@@ -1,7 +1,8 @@
 // Stage: samples at edges become the mean over their own ray and a few further ones. What those meet has
-// mostly been lit by a sample nearby, and takes its texel; surfaces that none of them shows, thin things, are
-// lit as samples are. Before: the tile is lit. After: its texels are stored.
-// Source of coverage apart from shading: Akeley, "RealityEngine Graphics", 1993.
+// mostly been lit by a sample nearby, and takes its texel; surfaces that none of them shows, thin things, and
+// those that look much different from one sample to the next are lit anew, as samples are. Before: the tile
+// is lit. After: its texels are stored. Source of coverage apart from shading: Akeley, "RealityEngine
+// Graphics", 1993.
 #pragma once
 
 #include "renderer/tracing/alpha_layers-inl.h"
@@ -16,7 +17,7 @@ namespace HWY_NAMESPACE {
 template <SurfaceDetail kDetail, Lobe kLobe>
 void light_packets(const TileJob& job, int packets, RayKind kind);
 
-// The texels of the tile's packets, and which lights are blocked there.
+// Remembers the texels of the tile's packets.
 HWY_NOINLINE inline void note_texels(const TileJob& job) {
   EdgeSamples& samples = *job.scratch->edges;
   for (int p = 0; p < samples.packets; ++p) {
@@ -26,7 +27,6 @@ HWY_NOINLINE inline void note_texels(const TileJob& job) {
     resolve_packet(job, p, at);
     to_picture(at.texel.light, samples.light, column, row);
     to_picture(at.texel.ratio, samples.ratio, column, row);
-    to_picture(&samples.blocked_at[static_cast<std::size_t>(p * kLanes)], samples.blocked, column, row);
   }
 }
 
@@ -43,15 +43,17 @@ HWY_NOINLINE inline void store_noted(const TileJob& job) {
   }
 }
 
-// Adds rays that met what no sample shows to the list.
-HWY_INLINE void push_unseen(EdgeSamples& samples, const V3& direction, int start, int k, MF lanes) {
-  const auto at = static_cast<std::size_t>(samples.unseen_count);
-  hn::StoreU(hn::Compress(direction.x, lanes), kF, &samples.unseen_direction.x[at]);
-  hn::StoreU(hn::Compress(direction.y, lanes), kF, &samples.unseen_direction.y[at]);
-  hn::StoreU(hn::Compress(direction.z, lanes), kF, &samples.unseen_direction.z[at]);
+// Adds rays to the list of those whose hits are lit anew; `cells`: of samples nearby.
+HWY_INLINE void push_anew(EdgeSamples& samples, const V3& direction, VI cells, int start, int k, MF lanes) {
+  const auto at = static_cast<std::size_t>(samples.anew_count);
+  const auto whole = hn::RebindMask(kI, lanes);
+  hn::StoreU(hn::Compress(direction.x, lanes), kF, &samples.anew_direction.x[at]);
+  hn::StoreU(hn::Compress(direction.y, lanes), kF, &samples.anew_direction.y[at]);
+  hn::StoreU(hn::Compress(direction.z, lanes), kF, &samples.anew_direction.z[at]);
   const VI code = hn::Add(hn::Iota(kI, 0), hn::Set(kI, start + (k << 16)));
-  hn::StoreU(hn::Compress(code, hn::RebindMask(kI, lanes)), kI, &samples.unseen[at]);
-  samples.unseen_count += static_cast<int>(hn::CountTrue(kF, lanes));
+  hn::StoreU(hn::Compress(code, whole), kI, &samples.anew[at]);
+  hn::StoreU(hn::Compress(cells, whole), kI, &samples.anew_cell[at]);
+  samples.anew_count += static_cast<int>(hn::CountTrue(kF, lanes));
 }
 
 // The further rays of samples [start, start + kLanes) of the list.
@@ -68,12 +70,14 @@ HWY_NOINLINE void trace_edge_group(const TileJob& job, int start) {
     const SeenSurface met = trace_to_surface<kDetail>(job, direction, chance, group.spread, lanes);
     // What cannot be traced counts as the sample itself.
     VI found = group.cell;
-    MF open = lanes;
-    find_sample(job, group, k, met, nullptr, open, found);
-    look_into_shadows(job, group, k, met, hn::AndNot(open, lanes), found);
-    push_unseen(samples, direction, start, k, open);
+    MF unseen = lanes;
+    find_sample(job, group, k, met, nullptr, unseen, found);
+    const VI mark = hn::And(gather(samples.marks, found), hn::Set(kI, EdgeSamples::kShadingEdge));
+    const MF anew = hn::Or(unseen, hn::And(lanes, hn::RebindMask(kF, hn::Ne(mark, hn::Zero(kI)))));
+    look_into_shadows(job, group, k, met, hn::AndNot(anew, lanes), found);
+    push_anew(samples, direction, found, start, k, anew);
     const V3 more_light = gather(samples.light, found), more_ratio = gather(samples.ratio, found);
-    const VF counts = hn::IfThenZeroElse(open, set(1.0f));
+    const VF counts = hn::IfThenZeroElse(anew, set(1.0f));
     light = mul_add(counts, more_light, light);
     ratio = mul_add(counts, more_ratio, ratio);
   }
@@ -81,22 +85,22 @@ HWY_NOINLINE void trace_edge_group(const TileJob& job, int start) {
   store3(ratio, samples.ratio_sum, start);
 }
 
-// Makes packets of the rays that met what no sample shows; returns how many.
-HWY_NOINLINE inline int queue_unseen(const TileJob& job) {
+// Makes packets of the rays whose hits are lit anew; returns how many.
+HWY_NOINLINE inline int queue_anew(const TileJob& job) {
   TileScratch& scratch = *job.scratch;
   EdgeSamples& samples = *scratch.edges;
   HitBatch& hits = scratch.first;
-  const int packets = (samples.unseen_count + kLanes - 1) / kLanes;
+  const int packets = (samples.anew_count + kLanes - 1) / kLanes;
   const V3 origin = set3(job.grid->origin);
   for (int p = 0; p < packets; ++p) {
     const int slot = p * kLanes;
-    const MF used = first_lanes(samples.unseen_count - slot);
-    const VI code = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::Load(kI, &samples.unseen[slot]));
+    const MF used = first_lanes(samples.anew_count - slot);
+    const VI code = hn::IfThenElseZero(hn::RebindMask(kI, used), hn::Load(kI, &samples.anew[slot]));
     const VI sample = hn::And(code, hn::Set(kI, 0xffff));
     const VI column = hn::GatherIndex(kI, samples.column.data(), sample),
              row = hn::GatherIndex(kI, samples.row.data(), sample);
     const VI x = hn::Add(column, hn::Set(kI, job.x0)), y = hn::Add(row, hn::Set(kI, job.y0));
-    const V3 direction = load3(samples.unseen_direction, slot);
+    const V3 direction = load3(samples.anew_direction, slot);
     RayHit& packet = packets_of(scratch)[p];
     set_rays(packet, origin, direction);
     const VU place = hn::BitCast(kU, hn::ShiftRight<16>(code));
@@ -114,7 +118,7 @@ HWY_NOINLINE inline int queue_unseen(const TileJob& job) {
               kI, block);
     for (int i = 0; i < kLanes; ++i)
       hits.block[static_cast<std::size_t>(slot + i)] = static_cast<std::uint8_t>(block[i]);
-    // Short rays share a direction by packet: that of the first ray's block.
+    // Debug colours alone ask where packets lie: near enough.
     scratch.packet_x[static_cast<std::size_t>(p)] = hn::GetLane(x) & ~3;
     scratch.packet_y[static_cast<std::size_t>(p)] = hn::GetLane(y) & ~3;
     job.counters->rays[RayKind::edge] += static_cast<std::int64_t>(hn::CountTrue(kF, used));
@@ -122,16 +126,16 @@ HWY_NOINLINE inline int queue_unseen(const TileJob& job) {
   return packets;
 }
 
-// Lights what no sample shows, and adds it to the samples whose rays met it.
+// Lights these hits, and adds them to the samples whose rays they are.
 template <SurfaceDetail kDetail, Lobe kLobe>
-HWY_NOINLINE void light_unseen(const TileJob& job) {
+HWY_NOINLINE void light_anew(const TileJob& job) {
   EdgeSamples& samples = *job.scratch->edges;
-  if (samples.unseen_count == 0) return;
-  const int packets = queue_unseen(job);
+  if (samples.anew_count == 0) return;
+  const int packets = queue_anew(job);
   job.cycles->lap(Stage::edges);
-  samples.lights_unseen = true;
+  samples.lights_anew = true;
   light_packets<kDetail, kLobe>(job, packets, RayKind::edge);
-  samples.lights_unseen = false;
+  samples.lights_anew = false;
   for (int p = 0; p < packets; ++p) {
     ResolvedPacket at;
     resolve_packet(job, p, at);
@@ -139,10 +143,10 @@ HWY_NOINLINE void light_unseen(const TileJob& job) {
     const VF channels[6] = {at.texel.light.x, at.texel.light.y, at.texel.light.z,
                             at.texel.ratio.x, at.texel.ratio.y, at.texel.ratio.z};
     for (int c = 0; c < 6; ++c) hn::Store(channels[c], kF, values[c]);
-    const int rays = std::min(kLanes, samples.unseen_count - p * kLanes);
+    const int rays = std::min(kLanes, samples.anew_count - p * kLanes);
     for (int i = 0; i < rays; ++i) {
       const auto sample =
-          static_cast<std::size_t>(samples.unseen[static_cast<std::size_t>(p * kLanes + i)] & 0xffff);
+          static_cast<std::size_t>(samples.anew[static_cast<std::size_t>(p * kLanes + i)] & 0xffff);
       samples.light_sum.x[sample] += values[0][i];
       samples.light_sum.y[sample] += values[1][i];
       samples.light_sum.z[sample] += values[2][i];
@@ -151,7 +155,7 @@ HWY_NOINLINE void light_unseen(const TileJob& job) {
       samples.ratio_sum.z[sample] += values[5][i];
     }
   }
-  samples.unseen_count = 0;
+  samples.anew_count = 0;
   job.cycles->lap(Stage::resolve);
 }
 
@@ -181,10 +185,10 @@ HWY_NOINLINE void smooth_edges(const TileJob& job) {
   find_edges<kDetail>(job);
   const int most = job.grid->edge_places->count() * kLanes;
   for (int start = 0; start < samples.count; start += kLanes) {
-    if (samples.unseen_count + most > kTileRays) light_unseen<kDetail, kLobe>(job);
+    if (samples.anew_count + most > kTileRays) light_anew<kDetail, kLobe>(job);
     trace_edge_group<kDetail>(job, start);
   }
-  light_unseen<kDetail, kLobe>(job);
+  light_anew<kDetail, kLobe>(job);
   take_means(job);
   job.cycles->lap(Stage::edges);
   store_noted(job);

@@ -85,7 +85,7 @@ HWY_NOINLINE void light_packets(const TileJob& job, int packets, RayKind kind) {
   if (blends) begin_layers(job, packets);
   for (int layer = 1; layer <= kMostLayers; ++layer) {
     trace_layer<kDetail, kLobe>(job, packets, layer == 1 ? kind : RayKind::behind);
-    if (job.scratch->edges) job.scratch->edges->notes = false;
+    if (job.scratch->edges && job.scratch->edges->notes) note_light(job);
     if (!blends) return;
     const bool more = add_layer(job, packets, layer == kMostLayers);
     job.cycles->lap(Stage::resolve);
