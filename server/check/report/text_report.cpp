@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kNameWidth = 26;
+constexpr int kNameWidth = 26, kBoundsWidth = 23;  // "-100.0 % ... +1000.0 %" and a space
 
 std::string limit_text(double limit) {
   return "+" + fixed_text(100 * limit, limit < 0.01 ? 1 : 0) + " %";
@@ -25,17 +25,18 @@ std::string ms_text(const std::optional<double>& ms) {
 
 std::string time_rows(const CheckReport& report) {
   std::string text = left_aligned("frame time, calibrated", kNameWidth) + right_aligned("change", 9) +
-                     right_aligned("bounds", 20) + right_aligned("p", 11) + right_aligned("limit", 8) +
-                     "  verdict\n";
+                     right_aligned("bounds", kBoundsWidth) + right_aligned("p", 11) +
+                     right_aligned("limit", 8) + "  verdict\n";
   for (const CheckedTime& time : report.times) {
     const bool known = time.verdict != Verdict::not_comparable;
-    text += left_aligned(time.title, kNameWidth) +
-            right_aligned(known ? change_text(time.shift.estimate) : "", 9) +
-            right_aligned(
-                known ? change_text(time.shift.lower) + " ... " + change_text(time.shift.upper) : "", 20) +
-            right_aligned(known ? p_text(time.shift.p) : "", 11) +
-            right_aligned(time.decides ? limit_text(time.rule.limit) : "", 8) + "  " +
-            (time.decides ? name_of(time.verdict) : "told only") + "\n";
+    text +=
+        left_aligned(time.title, kNameWidth) +
+        right_aligned(known ? change_text(time.shift.estimate) : "", 9) +
+        right_aligned(known ? change_text(time.shift.lower) + " ... " + change_text(time.shift.upper) : "",
+                      kBoundsWidth) +
+        right_aligned(known ? p_text(time.shift.p) : "", 11) +
+        right_aligned(time.decides ? limit_text(time.rule.limit) : "", 8) + "  " +
+        (time.decides ? name_of(time.verdict) : "told only") + "\n";
   }
   return text;
 }

@@ -144,6 +144,12 @@ TEST(CheckReport, SaysWhatDiffersAndWhyItEndedEarlyInEveryForm) {
       nlohmann::json::parse(check_json(report_of(Verdict::ok, Verdict::ok)).dump())["ended_early"].is_null());
 }
 
+TEST(CheckReport, KeepsItsColumnsApartWhereBoundsAreWide) {
+  CheckReport report = report_of(Verdict::noisy, Verdict::ok);
+  report.times.front().shift = {0.02, std::log(1.62), std::log(1.257), std::log(2.224)};
+  EXPECT_EQ(count_of(check_text(report), "+62.0 %   +25.7 % ... +122.4 %"), 1u) << check_text(report);
+}
+
 TEST(CheckReport, SaysThatTheKernelDoesNotTellOfAHypervisor) {
   const Noise noise{0.01, std::nan("")};
   EXPECT_EQ(noise_text(noise), "the kernel does not say what a hypervisor took of the CPU time");
