@@ -294,11 +294,12 @@ class StudyRateProgram : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Four seconds hold nine frames at 2 Hz, of which four warm up: the session is gone through again and again. 500 ms are
-// enough for any of these settings.
+// Four seconds hold nine frames at 2 Hz, of which four warm up: the session is gone through again and again.
+// 500 ms are enough for any of these settings.
 TEST_F(StudyRateProgram, GivesALineThatHoldsTheRateWhenPasted) {
-  const Outcome outcome = run(
-      "study walk --hz 2 --profile small.profile.json --polar 64x32 --light-samples 3 --threads 1 --no-probes --json");
+  const Outcome outcome =
+      run("study walk --hz 2 --profile small.profile.json --polar 64x32 --light-samples 3 --threads 1 "
+          "--no-probes --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["hz"], 2);
@@ -320,11 +321,13 @@ TEST_F(StudyRateProgram, GivesALineThatHoldsTheRateWhenPasted) {
   EXPECT_LE(summary["latency"]["frame"]["p95"].get<double>(), 500);
 }
 
-// The smallest has 9,600 samples of both eyes; those that hit something send 64 short rays each: far more than 1 ms.
+// The smallest has 9,600 samples of both eyes; those that hit something send 64 short rays each: far more
+// than 1 ms.
 TEST_F(StudyRateProgram, EndsWithOneWhereNoSettingHoldsTheRate) {
-  const Outcome outcome = run(
-      "study walk --hz 1000 --profile small.profile.json --polar 400x384 --light-samples 1 --occlusion-rays 64 "
-      "--threads 1");
+  const Outcome outcome =
+      run("study walk --hz 1000 --profile small.profile.json --polar 400x384 --light-samples 1 "
+          "--occlusion-rays 64 "
+          "--threads 1");
   EXPECT_NE(outcome.out.find("holds that with no setting"), std::string::npos) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("The stage that prevents it is occlusion, "), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("herr replay"), std::string::npos);
