@@ -43,7 +43,8 @@ HWY_INLINE FilteredLight filtered_light(const FilteredRecord& from, const Enviro
   const V3 seen =
       picture_texel(sharp.texels, hn::Zero(kI), hn::Set(kI, sharp.width), hn::Set(kI, sharp.height), place);
   const float sharpest = kSharpestAlpha / from.first_alpha, per_range = 1.0f / (1.0f - sharpest * sharpest);
-  const VF tails = hn::Max(hn::MulAdd(hn::Mul(wider, wider), set(per_range), set(-sharpest * sharpest * per_range)), zero);
+  const VF tails =
+      hn::Max(hn::MulAdd(hn::Mul(wider, wider), set(per_range), set(-sharpest * sharpest * per_range)), zero);
   const V3 blurred = mul_add(tails, sub(out.radiance, seen), seen);
   out.radiance = select(narrow, blurred, out.radiance);
   return out;

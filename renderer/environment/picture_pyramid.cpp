@@ -86,10 +86,40 @@ SkyPicture halved(const SkyPicture& picture) {
   return out;
 }
 
+namespace {
+
+// Each texel of a row: the mean over as many of its neighbours as lie side by side within its height.
+void round_off_poles(SkyPicture& picture) {
+  std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(picture.width) + 1);
+  for (int y = 0; y < picture.height; ++y) {
+    const double sine = std::sin((y + 0.5) / picture.height * glm::pi<double>());
+    const int reach = std::min(static_cast<int>(std::lround(0.5 / sine - 0.5)), (picture.width - 1) / 2);
+    if (reach < 1) continue;
+    std::array<float, 4>* row =
+        picture.texels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width);
+    for (int x = 0; x < picture.width; ++x) {
+      const auto at = static_cast<std::size_t>(x);
+      for (std::size_t c = 0; c < 3; ++c) sums[at + 1][c] = sums[at][c] + double{row[x][c]};
+    }
+    const auto before = [&](int x, std::size_t c) {  // sum up to x, round the circle
+      const int turns = x < 0 ? -1 : x / picture.width;
+      return turns * sums.back()[c] + sums[static_cast<std::size_t>(x - turns * picture.width)][c];
+    };
+    for (int x = 0; x < picture.width; ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        row[x][c] = static_cast<float>((before(x + reach + 1, c) - before(x - reach, c)) / (2 * reach + 1));
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<SkyPicture> pyramid_of(SkyPicture picture) {
   std::vector<SkyPicture> levels;
   levels.push_back(std::move(picture));
   while (levels.back().width > 4) levels.push_back(halved(levels.back()));
+  for (SkyPicture& level : levels) round_off_poles(level);
   return levels;
 }
 

@@ -32,7 +32,8 @@ using ParallelFor = std::function<void(int count, const std::function<void(int)>
 SkyPicture resampled(const EnvironmentImage& picture, int width, const ParallelFor& parallel);
 // Half as wide and high, by solid angle. The width is a power of two from 4 on.
 SkyPicture halved(const SkyPicture& picture);
-// From `picture` down to 4 x 2 texels.
+// From `picture` down to 4 x 2 texels; rows are blurred along themselves so that a texel is nowhere narrower
+// than high: near a pole many share one direction.
 std::vector<SkyPicture> pyramid_of(SkyPicture picture);
 
 }  // namespace herr

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/vec3.hpp>
 
 #include "renderer/environment/bright_sources.h"
 #include "renderer/environment/filtered_environment.h"
@@ -152,8 +153,10 @@ TEST(FilteredEnvironmentTest, EvenLightIsThatOfTheCosine) {
   const EnvironmentRecord even = filtered.record(0).even;
   for (const glm::dvec3& d : kDirections) {
     const double mean = mean_over(picture, [&](const glm::dvec3& l) { return glm::dot(d, l); });
-    // A texel is 11 degrees wide, over which the cosine bends by (0.2 rad)^2 / 8.
-    EXPECT_NEAR(bilinear(even.texels, even.width, even.height, d), mean, 0.01 * mean) << d.x << ", " << d.y;
+    // A texel is 11 degrees wide, over which the cosine bends by (0.2 rad)^2 / 8; a pole takes the row beside
+    // it, 5.6 degrees off, where a cosine differs by up to 0.1 of the patch's share of the light, a third.
+    const double most = std::abs(d.y) == 1 ? 0.04 : 0.01;
+    EXPECT_NEAR(bilinear(even.texels, even.width, even.height, d), mean, most * mean) << d.x << ", " << d.y;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <glm/ext/vector_double3.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/vec3.hpp>
 #include <utility>
 
 namespace herr {
