@@ -9,6 +9,7 @@
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 
@@ -23,9 +24,9 @@ std::string cpu_name() {
 
 std::string subject_text(const BenchSubject& subject, const std::string& settings) {
   return printable(subject.session) + ", " + printable(subject.scene) + " (" +
-         std::to_string(subject.triangles) + " triangles), " + printable(subject.profile.name) + ", " +
-         settings + "\n" + subject.cpu_name + ", " + std::to_string(subject.settings.threads) + " threads, " +
-         name_of(subject.settings.isa);
+         counted(subject.triangles, "triangle", "triangles") + "), " + printable(subject.profile.name) +
+         ", " + settings + "\n" + subject.cpu_name + ", " +
+         counted(subject.settings.threads, "thread", "threads") + ", " + name_of(subject.settings.isa);
 }
 
 void add_subject(const BenchSubject& subject, const std::string& settings, nlohmann::ordered_json& json) {

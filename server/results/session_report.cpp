@@ -2,6 +2,7 @@
 
 #include "server/settings/quality_target.h"
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 
@@ -11,8 +12,8 @@ std::string floor_warning(const SessionReport& report, const ReplayOptions& opti
   if (frames == 0) return {};
   return "the target of " + fixed_text(quality_target_ms(options, report.range), 2) +
          " ms was out of reach in " + std::to_string(frames) + " of " +
-         std::to_string(report.statistics.frames) +
-         " frames with the least quality allowed; give a lower --polar-floor, fewer pixels (--profile) or a "
+         counted(report.statistics.frames, "frame", "frames") +
+         " with the least quality allowed; give a lower --polar-floor, fewer pixels (--profile) or a "
          "higher --target-ms";
 }
 

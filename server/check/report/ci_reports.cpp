@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -133,7 +134,8 @@ std::string check_markdown(const CheckReport& report) {
   std::string text = "### herr check: " + cell(report.session) + "\n\n**" + cell(headline(report)) + "**\n\n";
   if (!report.candidate.empty()) {
     text += cell(report.candidate) + " against " + cell(report.baseline) + "; " + cell(report.settings) +
-            "; " + std::to_string(report.runs) + " runs of " + std::to_string(report.frames) + " frames.\n\n";
+            "; " + counted(report.runs, "run", "runs") + " of " + counted(report.frames, "frame", "frames") +
+            ".\n\n";
   }
   const std::vector<Finding> findings = findings_of(report);
   if (findings.empty()) return text;
