@@ -23,6 +23,9 @@ constexpr std::array kRows{
         "Samples of real surfaces where virtual light is more than the feed carries: its rest is added "
         "by the surface's stated colour.",
         &FrameCounters::light_beyond_feed},
+    CounterRow{"object_samples", "samples",
+               "Samples whose first hit is a virtual object: 0 where none is in view.",
+               &FrameCounters::object_samples},
     CounterRow{"commits", "scenes", "Embree scenes committed.", &FrameCounters::commits},
     CounterRow{"instances_moved", "instances", "Instances that stand elsewhere than in the frame before.",
                &FrameCounters::instances_moved},

@@ -25,7 +25,8 @@ struct FrameCounters {
   // Samples of real surfaces on which virtual lights add more than four times the feed shows, or where no
   // real light is known: there the surface's stated colour carries the rest.
   std::int64_t light_beyond_feed = 0;
-  std::int64_t commits = 0;  // Embree scenes committed
+  std::int64_t object_samples = 0;  // of samples, those whose first hit is a virtual object, no catcher
+  std::int64_t commits = 0;         // Embree scenes committed
   std::int64_t instances_moved = 0, instances_spawned = 0, instances_removed = 0;
   std::int64_t instances_restyled = 0;  // another material, or another mesh
   std::int64_t meshes_refitted = 0, meshes_rebuilt = 0;

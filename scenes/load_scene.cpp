@@ -128,10 +128,6 @@ bool is_scene_document(const std::filesystem::path& file) {
   return lower_case_extension(file) == ".json";
 }
 
-std::string no_lights_warning(const std::filesystem::path& file) {
-  return printable(file.string()) + ": no lights: only the ambient term and emission light it";
-}
-
 Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, DefaultLight light,
                  std::span<const std::filesystem::path> asset_roots) {
   check_asset_roots(asset_roots);
@@ -139,8 +135,6 @@ Scene load_scene(const std::filesystem::path& file, TexturePixels pixels, Defaul
   Scene scene;
   if (extension == ".json") {
     scene = read_scene_document(file, pixels, asset_roots);
-    if (light == DefaultLight::above && scene.lights.empty())
-      scene.warnings.push_back(no_lights_warning(file));
     warn_of_virtual_light_alone(file, scene);
   } else if (extension == ".gltf" || extension == ".glb") {
     scene = load_bare_gltf(file, pixels, light);

@@ -20,9 +20,6 @@ enum class DefaultLight : std::uint8_t {
 // Whether load_scene takes the file for a scene document, by its name; else it is a bare model.
 bool is_scene_document(const std::filesystem::path& file);
 
-// What is said of a scene document without lights.
-std::string no_lights_warning(const std::filesystem::path& file);
-
 // Reads a *.scene.json, or a bare .gltf, .glb or .vox. What a document names lies below its own folder or
 // below one of `asset_roots`, folders all of them; to a bare model they are nothing, as a warning says.
 // Throws InputError.

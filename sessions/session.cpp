@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "sessions/check/session_check.h"
 #include "sessions/files/input_error.h"
 #include "sessions/format/session_header.h"
+#include "sessions/inspect/attitude_findings.h"
 #include "sessions/streams/camera_sampler.h"
 #include "sessions/streams/event_stream.h"
 #include "sessions/streams/gaze_sampler.h"
@@ -17,6 +20,18 @@ namespace {
 
 RowStream<PoseRow> open_poses(const SessionFiles& files, bool keep_going) {
   return {files.pose(), pose_layout(), parse_pose_row, {keep_going, {}}};
+}
+
+// A head that is upside down, as `herr inspect` says it: most likely its axes or the order of its quaternion
+// are others.
+std::vector<std::string> attitude_warnings(const AttitudeMeter& head,
+                                           const std::filesystem::path& pose_file) {
+  FindingList findings;
+  judge_attitude(head, pose_file, findings);
+  std::vector<std::string> warnings;
+  for (const Finding& finding : findings.sorted())
+    if (finding.severity == Severity::warning) warnings.push_back(finding.text());
+  return warnings;
 }
 
 }  // namespace
@@ -80,13 +95,17 @@ Session Session::open(const std::filesystem::path& folder, const SessionOptions&
   state->options = options;
   ParsedSessionHeader parsed = read_session_header(state->files.header());
   state->header = parsed.header;
-  CheckedSession checked = check_session(state->files, state->header, options);
+  AttitudeMeter attitude;
+  CheckedSession checked = check_session(state->files, state->header, options,
+                                         [&attitude](const PoseRow& row) { attitude.add(row); });
   const SessionSpan span =
       replayable_span(state->files.header(), parsed, checked.first_pose_ns, checked.last_pose_ns);
   state->start_ns = span.start_ns;
   state->end_ns = span.end_ns;
   state->findings = std::move(checked.findings);
   for (const InputError& warning : parsed.warnings) add_warning(state->findings, warning.what());
+  for (const std::string& warning : attitude_warnings(attitude, state->files.pose()))
+    add_warning(state->findings, warning);
   state->open_samplers(checked);
   return Session(std::move(state));
 }

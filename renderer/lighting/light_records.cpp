@@ -115,8 +115,8 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
     const auto strata = strata_for(light.size, record.samples);
     std::copy(strata.begin(), strata.end(), record.strata);
     // The half vector turns by half of what the light's direction does. Others than one lie anywhere in their
-    // strata. One lies in the middle, and its highlight is to send half of its light as near to its own middle
-    // as a square lamp's: GGX does within alpha, a square within sqrt(2 / pi) of half its edge.
+    // strata. One lies in the middle, and its highlight is to send half of its light as near to its own
+    // middle as a square lamp's: GGX does within alpha, a square within sqrt(2 / pi) of half its edge.
     const float across = record.samples == 1 ? 0.25f * std::sqrt(2.0f * std::numbers::inv_pi_v<float>) : 0.5f;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const float stratum = record.size[axis] / static_cast<float>(strata[axis]);

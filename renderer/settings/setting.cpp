@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/text/plain_values.h"
 
 namespace herr {
@@ -223,8 +223,9 @@ const Setting& setting_named(const std::vector<Setting>& settings, const std::st
     if (setting.name == name) return setting;
     names.push_back(setting.name);
   }
-  throw std::invalid_argument("'" + printable(name) + "' is no setting; did you mean " +
-                              nearest_name(name, names) + "?");
+  const std::string nearest = nearest_name(name, names);
+  throw std::invalid_argument("'" + printable(name) + "' is no setting" +
+                              (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
 }
 
 NumberSetting whole_or_zero(int& value, double lowest, double highest) {

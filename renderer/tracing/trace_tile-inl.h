@@ -44,6 +44,10 @@ HWY_NOINLINE void trace_layer(const TileJob& job, int packet_count, RayKind kind
     if (sparse && hn::AllFalse(kF, traced)) continue;
     const VI wanted = hn::Load(kI, &scratch.first.kind[p * kLanes]);
     surface_seen<kDetail>(job, p, traced);
+    if (kind == RayKind::primary) {
+      const MF object = hn::And(traced, of_kind(scratch.first, p * kLanes, HitKind::object));
+      job.counters->object_samples += static_cast<std::int64_t>(hn::CountTrue(kF, object));
+    }
     const VI kind_of_hit = hn::Load(kI, &scratch.first.kind[p * kLanes]);
     hn::Store(hn::IfThenElse(hn::RebindMask(kI, traced), kind_of_hit, wanted), kI,
               &scratch.first.kind[p * kLanes]);

@@ -6,7 +6,7 @@
 #include "scenes/gltf/file/gltf_limits.h"
 #include "scenes/model/transform_checks.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 
 namespace herr {
 namespace {
@@ -29,7 +29,8 @@ ChangeProblem unknown(const char* kind, const std::string& name,
   for (const auto& [other, index] : known) names.push_back(other);
   ChangeProblem problem{std::string("names ") + kind + " \"" + printable(name) + "\", which is not there",
                         "name one that is"};
-  if (!names.empty()) problem.remedy += "; the nearest is \"" + printable(nearest_name(name, names)) + "\"";
+  if (const std::string nearest = nearest_name(name, names); !nearest.empty())
+    problem.remedy += "; the nearest is \"" + printable(nearest) + "\"";
   return problem;
 }
 

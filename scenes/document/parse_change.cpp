@@ -7,6 +7,7 @@
 #include "scenes/document/document_limits.h"
 #include "scenes/document/scene_document_parts.h"
 #include "sessions/files/input_error.h"
+#include "sessions/files/nearest_name.h"
 
 namespace herr {
 namespace {
@@ -21,9 +22,10 @@ ChangeKind parse_kind(const JsonObject& object) {
     if (op == name_of(kind)) return kind;
     known.emplace_back(name_of(kind));
   }
+  const std::string nearest = nearest_name(op, known);
   object.fail("op", "is \"" + printable(op) + "\"",
-              "write spawn, remove, move, set_light, set_material or replace_mesh; the nearest is " +
-                  nearest_name(op, known));
+              "write spawn, remove, move, set_light, set_material or replace_mesh" +
+                  (nearest.empty() ? "" : "; the nearest is " + nearest));
 }
 
 LightChange parse_light_change(const JsonObject& object) {

@@ -1,6 +1,7 @@
 #include "scenes/document/scene_document.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <utility>
 
@@ -48,6 +49,18 @@ std::uint32_t changed_material(std::uint32_t original, const MaterialOverride& c
   return entry->second;
 }
 
+// A name without an ending may be a model; one of another format is none.
+void refuse_other_formats(const JsonObject& entry) {
+  const std::filesystem::path file = entry.text("file");
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension.empty() || extension == ".gltf" || extension == ".glb") return;
+  entry.fail("file", "names " + printable(file.string()) + ", which is not of a format that can be shown",
+             extension == ".vox" ? "move the entry to \"voxels\""
+                                 : "name a .gltf or .glb file (convert other models to .glb first)");
+}
+
 void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   entry.allow_only({"file", "name", "translation", "rotation_xyzw", "scale", "catcher", "material",
                     "detail_levels", "present", "animation", "path", "virtual_lights"});
@@ -58,6 +71,7 @@ void append_entry(const JsonObject& entry, LoadedFiles& loaded, Scene& scene) {
   const MaterialOverride change =
       changes ? parse_material_override(entry.object("material")) : MaterialOverride{};
 
+  refuse_other_formats(entry);
   const std::filesystem::path file = named_file(entry, "file", loaded.asset_roots);
   const PlaybackRequest playback =
       entry.has("animation") ? parse_playback(entry.object("animation")) : PlaybackRequest{};
@@ -142,10 +156,10 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
                           std::span<const std::filesystem::path> asset_roots) {
   const JsonDocument document(file);
   const JsonObject root = document.root();
+  root.require_version(1);  // first: in a newer version any other field may have a new meaning
   root.allow_only({"format_version", "name", "gltf", "shapes", "voxels", "catchers", "room_scan", "lights",
                    "ambient", "environment", "environment_map", "world_from_session", "probes", "timeline",
                    "exposure_ev", "auto_exposure"});
-  root.integer("format_version", 1, 1);
   Scene scene;
   scene.files.push_back(file);
   scene.name = root.text("name");

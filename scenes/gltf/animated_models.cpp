@@ -9,7 +9,7 @@
 #include "scenes/gltf/file/accessor_reader.h"
 #include "scenes/gltf/vertex_tangents.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 
 namespace herr {
 namespace {
@@ -66,10 +66,11 @@ int chosen_clip(const GltfModel& model, const PlaybackRequest& request) {
       names.push_back(model.animations[static_cast<std::size_t>(i)].name);
       if (names.back() == *request.name) return i;
     }
+    const std::string nearest = nearest_name(*request.name, names);
     throw InputError(model.file, 0, "has no animation \"" + printable(*request.name) + "\"",
-                     names.empty()
-                         ? "leave \"animation\" out"
-                         : "the nearest is \"" + printable(nearest_name(*request.name, names)) + "\"");
+                     names.empty()     ? "leave \"animation\" out"
+                     : nearest.empty() ? "its first is \"" + printable(names.front()) + "\""
+                                       : "the nearest is \"" + printable(nearest) + "\"");
   }
   const int number = request.number.value_or(0);
   if (number < count) return number;

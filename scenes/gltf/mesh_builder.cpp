@@ -7,6 +7,7 @@
 #include "scenes/gltf/file/accessor_reader.h"
 #include "scenes/gltf/file/gltf_limits.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -238,15 +239,15 @@ BuiltMesh build_mesh(const GltfModel& model, const GltfPrimitive& primitive,
   }
   const std::int64_t repaired = repair_normals(mesh);
   if (repaired > 0) {
-    built.warnings.push_back(std::to_string(repaired) +
-                             " normals of length zero are taken from their triangles");
+    built.warnings.push_back(counted(repaired, "normal of length zero is taken from its triangles",
+                                     "normals of length zero are taken from their triangles"));
   }
   if (with_tangents && primitive.tangent >= 0) {
     std::int64_t unusable = 0;
     mesh.tangents = read_tangents(model, primitive.tangent, count, old_index, mesh.normals, budget, unusable);
     if (unusable > 0) {
-      built.warnings.push_back(std::to_string(unusable) +
-                               " tangents of length zero or along their normals: all are made anew");
+      built.warnings.push_back(counted(unusable, "tangent", "tangents") +
+                               " of length zero or along their normals: all are made anew");
       mesh.tangents = {};
     }
   }

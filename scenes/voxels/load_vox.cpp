@@ -10,6 +10,7 @@
 #include "scenes/voxels/voxel_limits.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -129,14 +130,18 @@ std::vector<Instance> append_vox(const std::filesystem::path& file, Scene& scene
     instances.push_back(instance);
   }
   if (instances.empty()) warn(scene, file, "shows nothing: it has no voxel that is not hidden");
-  if (show.hidden > 0) warn(scene, file, std::to_string(show.hidden) + " hidden models are left out");
+  if (show.hidden > 0)
+    warn(scene, file, counted(show.hidden, "hidden model is left out", "hidden models are left out"));
   if (show.animated > 0) {
-    warn(scene, file, std::to_string(show.animated) + " nodes move or change; their first frame is shown");
+    warn(scene, file,
+         counted(static_cast<std::int64_t>(show.animated), "node moves or changes; its first frame is shown",
+                 "nodes move or change; their first frame is shown"));
   }
   if (grids.left_out() > 0) {
     warn(scene, file,
-         std::to_string(grids.left_out()) +
-             " materials are drawn as matte: the scene sets gloss and emission");
+         counted(static_cast<std::int64_t>(grids.left_out()),
+                 "material is drawn as matte: the scene sets gloss and emission",
+                 "materials are drawn as matte: the scene sets gloss and emission"));
   }
   return instances;
 }

@@ -52,7 +52,7 @@ RawGrid append_raw_grid(const std::filesystem::path& header, Scene& scene) {
   const JsonDocument document(header);
   const JsonObject root = document.root();
   root.allow_only({"format_version", "counts", "voxel_size_m", "data"});
-  root.integer("format_version", 1, 1);
+  root.require_version(1);
   const glm::ivec3 counts = counts_of(root);
   RawGrid made;
   made.voxel_size_m = root.number("voxel_size_m", kMinVoxel_m, kMaxVoxel_m);

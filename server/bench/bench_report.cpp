@@ -12,6 +12,7 @@
 #include "server/statistics/load_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -210,8 +211,8 @@ Json bench_json(const BenchResult& result, const BenchSubject& subject) {
 
 std::string bench_table(const BenchResult& result, const BenchSubject& subject) {
   return subject_text(subject, settings_text(subject.settings, subject.session_has_camera)) + ", " +
-         std::to_string(result.frames) + " frames\n\n" + merit_rows(result) + "\n" + ray_rows(result) + "\n" +
-         stage_rows(result) + "\n" + counter_rows_text(result) + "\n" +
+         counted(result.frames, "frame", "frames") + "\n\n" + merit_rows(result) + "\n" + ray_rows(result) +
+         "\n" + stage_rows(result) + "\n" + counter_rows_text(result) + "\n" +
          cpu_text(result.cpu_ms, result.frame_ms, subject.load.cores) + "\n" + memory_text(subject);
 }
 

@@ -10,6 +10,7 @@
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 
@@ -24,9 +25,9 @@ std::string cpu_name() {
 
 std::string subject_text(const BenchSubject& subject, const std::string& settings) {
   return printable(subject.session) + ", " + printable(subject.scene) + " (" +
-         std::to_string(subject.triangles) + " triangles), " +
+         counted(subject.triangles, "triangle", "triangles") + "), " +
          profile_words(printable(subject.profile.name), subject.profile_scale) + ", " + settings + "\n" +
-         subject.cpu_name + ", " + std::to_string(subject.settings.threads) + " threads, " +
+         subject.cpu_name + ", " + counted(subject.settings.threads, "thread", "threads") + ", " +
          name_of(subject.settings.isa);
 }
 

@@ -13,6 +13,7 @@
 #include "server/results/summary_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -181,8 +182,8 @@ std::string left_out_table(const LeftOutResult& result, const BenchSubject& subj
   std::string text =
       subject_text(subject, settings_text(subject.settings, subject.session_has_camera)) + "\nframe " +
       fixed_text(result.frame_ms, 1) + " ms; what it would take more, medians of " +
-      std::to_string(result.instants) + " instants, of each the fastest of " +
-      std::to_string(result.repeats) + " frames\n\n" + left_aligned("left out", kLeftOutWidth) +
+      counted(result.instants, "instant", "instants") + ", of each the fastest of " +
+      counted(result.repeats, "frame", "frames") + "\n\n" + left_aligned("left out", kLeftOutWidth) +
       right_aligned("time", kTimeWidth + kShareWidth) + right_aligned("memory", kMemoryWidth) + "  because\n";
   for (const LeftOut& entry : result.entries) text += row(entry);
   text += row(result.everything) + row(result.control);

@@ -18,6 +18,7 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -119,7 +120,8 @@ void judge_times(const Baseline& baseline, const Runs& runs, CheckReport& report
   } else if (count < design.runs) {
     median.reason = "too few runs to tell, it takes " + std::to_string(design.runs);
   } else if (baseline.runs.size() < static_cast<std::size_t>(design.stored_runs)) {
-    median.reason = "the baseline holds " + std::to_string(baseline.runs.size()) + " runs, not " +
+    median.reason = "the baseline holds " +
+                    counted(static_cast<std::int64_t>(baseline.runs.size()), "run", "runs") + ", not " +
                     std::to_string(design.stored_runs);
   } else if (judgement.verdict == Verdict::inconclusive) {
     median.reason = open_text(median.shift);
@@ -153,8 +155,8 @@ void save_baseline(const CheckOptions& options, const TimeLimit& limit, CheckRep
   write_whole_file(options.save, baseline_text({first.program, runs.frames(), first.fingerprint, runs.values,
                                                 counter_ranges(runs.measured)}));
   report.verdict = Verdict::ok;
-  report.reason =
-      std::to_string(runs.measured.size()) + " runs stored in " + printable(options.save.string());
+  report.reason = counted(static_cast<std::int64_t>(runs.measured.size()), "run", "runs") + " stored in " +
+                  printable(options.save.string());
 }
 
 void check_baseline(const CheckOptions& options, const TimeLimit& limit, CheckReport& report) {

@@ -18,6 +18,7 @@
 #include "server/settings/option_checks.h"
 #include "server/settings/run_settings.h"
 #include "server/synth/synth_command.h"
+#include "sessions/files/input_error.h"
 
 namespace herr {
 namespace {
@@ -101,7 +102,7 @@ void check_bench_flags(const CLI::App& app, BenchOptions& options) {
 }
 
 void add_inspect(CLI::App& app, InspectOptions& options) {
-  app.add_option("PATH", options.path, "session folder, or a scene: .scene.json, .gltf, .glb")
+  app.add_option("PATH", options.path, "session folder, or a scene: .scene.json, .gltf, .glb, .vox")
       ->required()
       ->type_name("");
   add_scene_flags(app, options.scene, options.asset_roots);
@@ -135,6 +136,28 @@ std::vector<std::string> long_flags(const CLI::App& app) {
   return names;
 }
 
+// A flag before the command, which has only --help and --version there.
+void refuse_early_flag(const std::vector<std::string>& arguments, const std::string& command) {
+  if (arguments.empty() || !arguments.front().starts_with("-") || arguments.front() == "--") return;
+  const std::string flag = printable(arguments.front().substr(0, arguments.front().find('=')));
+  if (command.empty())
+    throw UsageError(flag +
+                     ": flags go after a command, and there is none; 'herr --help' lists the commands");
+  throw UsageError(flag + ": flags go after the command: 'herr " + command + " " + flag + " ...'; 'herr " +
+                   command + " --help' lists all");
+}
+
+// What the parser says of a line that it cannot take: "--frames: its value (N) is missing".
+std::string parser_message(const CLI::ParseError& error) {
+  std::string message = one_line(error.what());
+  constexpr std::string_view kRequired = ": 1 required ", kMissing = " missing";
+  const std::size_t at = message.find(kRequired);
+  if (at == std::string::npos || !message.ends_with(kMissing)) return message;
+  const std::size_t from = at + kRequired.size();
+  const std::string value = message.substr(from, message.size() - kMissing.size() - from);
+  return message.substr(0, at) + ": its value (" + value + ") is missing";
+}
+
 // What the line says that no command understands.
 [[noreturn]] void refuse_extras(const CLI::App& app, const CLI::App* command, const CLI::Error& error) {
   const CLI::App& place = command != nullptr ? *command : app;
@@ -144,6 +167,9 @@ std::vector<std::string> long_flags(const CLI::App& app) {
   for (const std::string& extra : extras) {
     if (extra.starts_with("-")) throw UsageError(unknown_flag_message(extra, long_flags(place), name));
   }
+  if (command == nullptr && !extras.empty() && extras.front() == "help")
+    throw UsageError(
+        "'help' is no command; 'herr --help' lists the commands, 'herr COMMAND --help' its flags");
   if (!extras.empty()) {
     std::vector<std::string> commands;
     for (const CLI::App* known : app.get_subcommands({})) commands.push_back(known->get_name());
@@ -231,6 +257,16 @@ std::string help_text(const Parser& parser, const std::vector<std::string>& argu
   return parser.app.help();
 }
 
+// The first word that is a command; empty: none is.
+std::string command_named(const Parser& parser, const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    for (const CLI::App* command : parser.commands()) {
+      if (argument == command->get_name()) return argument;
+    }
+  }
+  return "";
+}
+
 void check_required(const ReplayOptions& options) {
   for (const std::filesystem::path& session : options.sessions) non_empty("SESSION", session.native());
 }
@@ -260,12 +296,15 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   // Help and version never fail, whatever else the line says.
   if (has(arguments, "--help") || has(arguments, "-h")) return ShowText{help_text(*parser, arguments)};
   if (has(arguments, "--version")) return ShowText{std::string(program_with_version()) + "\n"};
+  const std::string named = command_named(*parser, arguments);
+  refuse_early_flag(arguments, named);
   try {
     parser->app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ExtrasError& error) {
     refuse_extras(parser->app, parser->chosen(), error);
   } catch (const CLI::ParseError& error) {
-    throw UsageError(one_line(error.what()) + "; 'herr --help' shows the usage");
+    throw UsageError(parser_message(error) + "; 'herr" + (named.empty() ? "" : " " + named) +
+                     " --help' shows the usage");
   }
   if (parser->replay_command->parsed()) {
     check_replay_options(parser->replay);

@@ -1,6 +1,8 @@
 #include "server/convert/check_report.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "server/process/exit_code.h"
@@ -9,6 +11,7 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/check/proposal.h"
+#include "sessions/import/presets/gaze_beside.h"
 
 namespace herr {
 namespace {
@@ -96,10 +99,30 @@ std::string json_of(const Proposal& proposal, const std::string& line) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// With the gaze that lies beside the head, where one does; `gaze` is that file then.
+Proposal proposal_of(const FormatRequest& request, std::optional<std::filesystem::path>& gaze) {
+  Proposal alone = propose_format(request);
+  FormatRequest with = request;
+  with.preset = alone.preset;
+  with.variant = alone.variant;
+  with.still = alone.still;
+  with.files.gaze = alone.preset.empty() ? std::nullopt : gaze_beside(with);
+  if (!with.files.gaze) return alone;
+  with.preset = request.preset;
+  with.variant = request.variant;
+  with.still = request.still;
+  Proposal both = propose_format(with);
+  if (both.certainty == Proposal::Certainty::cannot_tell) return alone;
+  gaze = with.files.gaze;
+  both.reasons.push_back("The gaze lies beside the head, in " + printable(gaze->filename().string()) + ".");
+  return both;
+}
+
 }  // namespace
 
-int run_format_check(const ConvertOptions& options, const FormatRequest& request) {
-  const Proposal proposal = propose_format(request);
+int run_format_check(const ConvertOptions& asked, const FormatRequest& request) {
+  ConvertOptions options = asked;
+  const Proposal proposal = proposal_of(request, options.gaze);
   const bool write = !options.write_map.empty() && !proposal.map_json.empty();
   if (write) write_whole_file(options.write_map, proposal.map_json);
   const std::string line = command_line(options, proposal);

@@ -1,6 +1,7 @@
 #include "server/convert/convert_command.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "sessions/import/import_rows.h"
 #include "sessions/import/presets/built_in_maps.h"
 #include "sessions/import/presets/choose_format.h"
+#include "sessions/import/presets/gaze_beside.h"
 #include "sessions/import/presets/recording_folder.h"
 #include "sessions/inspect/plausibility.h"
 #include "sessions/inspect/stream_summary.h"
@@ -153,7 +155,9 @@ StreamSummary summary_of(const ImportedStream& stream) {
   return summary;
 }
 
-void judge(const PlausibilityMeter& meter, const ConvertOptions& options, ConvertReport& report) {
+// `gaze`: a file of it that lies beside the head's and was not named.
+void judge(const PlausibilityMeter& meter, const ConvertOptions& options, const std::optional<fs::path>& gaze,
+           ConvertReport& report) {
   report.head_words = meter.words();
   report.gaze_words = meter.gaze_words();
   FindingList findings;
@@ -165,7 +169,14 @@ void judge(const PlausibilityMeter& meter, const ConvertOptions& options, Conver
   if (report.rows.has_gaze)
     judge_offset(summary_of(report.rows.poses), summary_of(report.rows.gaze), findings);
   for (const Finding& finding : findings.sorted()) report.warnings.push_back(finding.text());
-  if (!report.rows.has_gaze) report.warnings.push_back("no gaze was recorded: the eyes look straight ahead");
+  if (report.rows.has_gaze) return;
+  if (gaze)
+    report.warnings.push_back(
+        printable(poses.filename().string()) + " holds no gaze, but " + printable(gaze->string()) +
+        " lies beside it: give --gaze with that file to take it (without, the eyes look "
+        "straight ahead)");
+  else
+    report.warnings.push_back("no gaze was recorded: the eyes look straight ahead");
 }
 
 void finish_header(const ConvertReport& report, const ChosenFormat& format, SessionHeader& header) {
@@ -212,7 +223,10 @@ int convert(const ConvertOptions& options) {
   if (report.still.head) meter.expect_still_head();
   if (report.still.gaze) meter.expect_still_gaze();
   report.rows = import_into(recorder, meter, request);
-  judge(meter, options, report);
+  const std::optional<fs::path> beside = report.rows.has_gaze ? std::nullopt : gaze_beside(recording.format);
+  judge(meter, options, beside, report);
+  // A recording of the head alone: the session says so, and nobody looks for its gaze.
+  if (!report.rows.has_gaze && !beside) report.still.gaze = true;
   for (std::size_t i = 0; i < feeds.size(); ++i) {
     header.cameras.push_back(feeds[i].camera);
     report.feeds.push_back(write_feed(options.feed, i, feeds[i], report.rows, recorder, stop_on_signal));

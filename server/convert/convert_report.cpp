@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -24,7 +26,7 @@ std::string shown(const std::filesystem::path& path) {
 }
 
 struct CountedRemark {
-  std::string key, sentence;
+  std::string key, sentence;  // the sentence begins with the count
   std::int64_t count = 0;
   std::string lines;  // " (lines 14, 30)", or empty
 };
@@ -39,46 +41,59 @@ std::string named_lines(const RowFateCounts& fates, std::size_t fate) {
   return (known == 1 ? " (line " : " (lines ") + text + ")";
 }
 
+// "3 rows left out: not readable".
+std::string fate_words(std::size_t fate, std::int64_t count) {
+  constexpr std::string_view kRows = "rows";  // all sentences begin so
+  return counted(count, "row", "rows") + std::string(row_fate_texts()[fate].sentence.substr(kRows.size()));
+}
+
 // Counts that are not 0, by what they mean.
 std::vector<CountedRemark> remarks_of(const ImportedStream& stream) {
   std::vector<CountedRemark> found;
   for (std::size_t i = 0; i < kRowFates; ++i) {
     if (stream.fates.rows[i] == 0) continue;
     const bool lost_gaze = stream.lost_rows_stay && static_cast<RowFate>(i) == RowFate::lost_tracking;
+    const std::int64_t count = stream.fates.rows[i];
     found.push_back({std::string(row_fate_texts()[i].key),
-                     lost_gaze ? "rows without gaze (blinks, lost pupils), written as not valid"
-                               : std::string(row_fate_texts()[i].sentence),
-                     stream.fates.rows[i], lost_gaze ? "" : named_lines(stream.fates, i)});
+                     lost_gaze ? counted(count, "row", "rows") +
+                                     " without gaze (blinks, lost pupils), written as not valid"
+                               : fate_words(i, count),
+                     count, lost_gaze ? "" : named_lines(stream.fates, i)});
+    if (!lost_gaze && static_cast<RowFate>(i) == RowFate::lost_tracking && !stream.first_absent.empty())
+      found.back().lines += (count > 1 ? "; in the first, " : "; ") + stream.first_absent;
   }
-  const auto add = [&](std::string key, std::string sentence, std::int64_t count) {
-    if (count > 0) found.push_back({std::move(key), std::move(sentence), count, ""});
+  const auto add = [&](std::string key, const std::string& one, const std::string& many, std::int64_t count) {
+    if (count > 0) found.push_back({std::move(key), counted(count, one, many), count, ""});
   };
-  add("one_eye_rows", "rows with one eye only", stream.one_eye_rows);
-  add("repeated_values", "rows repeat the one before", stream.repeated_values);
-  add("sorted_rows", "rows came late and were put where they belong", stream.sorted_rows);
-  add("normalised_rows", "rows normalised: the length was off by more than rounding",
-      stream.reading.normalised);
-  add("repeated_headers", "lines of words (headers, units) were passed over", stream.source.repeated_headers);
-  add("ragged_rows", "rows have more or fewer fields than the header names", stream.source.ragged_rows);
-  add("blank_lines", "blank lines", stream.source.blank_lines);
+  add("one_eye_rows", "row with one eye only", "rows with one eye only", stream.one_eye_rows);
+  add("repeated_values", "row repeats the one before", "rows repeat the one before", stream.repeated_values);
+  add("sorted_rows", "row came late and was put where it belongs",
+      "rows came late and were put where they belong", stream.sorted_rows);
+  add("normalised_rows", "row normalised: the length was off by more than rounding",
+      "rows normalised: the length was off by more than rounding", stream.reading.normalised);
+  add("repeated_headers", "line of words (headers, units) was passed over",
+      "lines of words (headers, units) were passed over", stream.source.repeated_headers);
+  add("ragged_rows", "row has more or fewer fields than the header names",
+      "rows have more or fewer fields than the header names", stream.source.ragged_rows);
+  add("blank_lines", "blank line", "blank lines", stream.source.blank_lines);
   return found;
 }
 
 std::string stream_text(const std::string& name, const ImportedStream& stream) {
   const double seconds = static_cast<double>(stream.last_ns - stream.first_ns) * kSecondsPerNs;
   std::string text =
-      name + ": " + std::to_string(stream.rows) + " rows over " + fixed_text(seconds, 2) + " s";
+      name + ": " + counted(stream.rows, "row", "rows") + " over " + fixed_text(seconds, 2) + " s";
   if (stream.rows > 1) text += ", " + fixed_text(stream.rate_hz(), 1) + " Hz";
   if (!stream.file.empty()) text += "  (" + shown(stream.file) + ")";
   text += "\n";
   if (const std::int64_t hitches = stream.intervals.hitches(); hitches > 0) {
-    text += "  " + std::to_string(hitches) + " intervals of more than 1.5 times the usual one, the widest " +
+    text += "  " + counted(hitches, "interval", "intervals") +
+            " of more than 1.5 times the usual one, the widest " +
             fixed_text(static_cast<double>(stream.intervals.widest_ns()) * 1e-6, 1) + " ms";
     const std::int64_t line = stream.intervals.widest_line();
     text += line > 0 ? " before line " + std::to_string(line) + "\n" : "\n";
   }
-  for (const CountedRemark& remark : remarks_of(stream))
-    text += "  " + std::to_string(remark.count) + " " + remark.sentence + remark.lines + "\n";
+  for (const CountedRemark& remark : remarks_of(stream)) text += "  " + remark.sentence + remark.lines + "\n";
   for (const std::string& remark : stream.remarks) text += "  " + remark + "\n";
   return text;
 }
@@ -106,9 +121,9 @@ Json stream_json(const ImportedStream& stream) {
 }
 
 std::string feed_text(std::size_t camera, const FeedReport& feed) {
-  std::string text = "cam" + std::to_string(camera) + ": " + std::to_string(feed.frames) + " frames from " +
-                     std::to_string(feed.pictures) + " pictures; stamps: " + feed.stamps + "  (" +
-                     shown(feed.folder) + ")\n";
+  std::string text = "cam" + std::to_string(camera) + ": " + counted(feed.frames, "frame", "frames") +
+                     " from " + counted(feed.pictures, "picture", "pictures") + "; stamps: " + feed.stamps +
+                     "  (" + shown(feed.folder) + ")\n";
   for (const std::string& remark : feed.remarks) text += "  " + remark + "\n";
   return text;
 }
@@ -166,8 +181,7 @@ std::string loss_sentence(const ImportedStream& stream) {
     lost += stream.lost(fate);
     ++causes;
     clock_causes += fate == RowFate::other_clock || fate == RowFate::repeated_stamp ? 1 : 0;
-    words += (words.empty() ? "" : "; ") + std::to_string(stream.fates.rows[i]) + " " +
-             std::string(row_fate_texts()[i].sentence) + named_lines(stream.fates, i);
+    words += (words.empty() ? "" : "; ") + fate_words(i, stream.fates.rows[i]) + named_lines(stream.fates, i);
   }
   if (causes == 1 && clock_causes == 1 && !stream.remarks.empty())
     return shown(stream.file) + ": " + stream.remarks.front();
@@ -229,7 +243,10 @@ std::string convert_text(const ConvertReport& report) {
   const std::vector<std::string>& rows = report.rows.warnings;  // one a row
   for (std::size_t i = 0; i < std::min(rows.size(), kShownRows); ++i) text += "note: " + rows[i] + "\n";
   if (rows.size() > kShownRows)
-    text += "note: " + std::to_string(rows.size() - kShownRows) + " more such lines stand in --json\n";
+    text += "note: " +
+            counted(static_cast<std::int64_t>(rows.size() - kShownRows), "more such line stands",
+                    "more such lines stand") +
+            " in --json\n";
   for (const std::string& sentence : report.warnings) text += "note: " + sentence + "\n";
   return text;
 }

@@ -1,13 +1,16 @@
 #include "server/frames/opened_session.h"
 
 #include <string>
+#include <utility>
 
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
+#include "server/frames/picture_warnings.h"
 #include "server/process/exit_code.h"
 #include "server/results/memory_parts.h"
 #include "server/settings/view_file.h"
 #include "sessions/files/input_error.h"
+#include "sessions/text/fixed_text.h"
 
 namespace herr {
 namespace {
@@ -70,8 +73,9 @@ void open_inputs(const ReplayOptions& options, SessionReport& report, OpenedSess
   report.range = frames_to_replay(session.start_ns(), session.end_ns(), display_hz,
                                   {options.start_s, options.duration_s, options.frames});
   if (report.range.count == 0) {
+    const double seconds = static_cast<double>(session.end_ns() - session.start_ns()) * kSecondsPerNs;
     throw UsageError("--start, --duration: no frame of " + printable(report.name) +
-                     " lies in that span; choose one within the session");
+                     " lies in that span; the session lasts " + fixed_text(seconds, 2) + " s");
   }
   open_scene(options, report, opened);
 }
@@ -84,9 +88,9 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
     open_recording(options, report, opened);  // from its start again
   }
   report.plan = opened.renderer->plan();
-  if (const std::string glow = glow_without_light(opened.scene, report.plan); !glow.empty()) {
-    opened.scene.warnings.push_back(printable(report.scene_file.string()) + ": " + glow);
-  }
+  for (std::string& warning :
+       picture_warnings(opened.scene, report.scene_file, report.plan, opened.renderer->settings()))
+    opened.scene.warnings.push_back(std::move(warning));
   report.memory = memory_parts(*opened.renderer, opened.scene, {});
   report.load = process_load();
   report.settings = opened.renderer->settings();

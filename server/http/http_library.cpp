@@ -107,6 +107,9 @@ HttpResponse refusal_of(int status) {
   HttpResponse response;
   response.status = status;
   response.body = std::to_string(status) + " " + status_text(status) + "\n";
+  if (status == 421)
+    response.body +=
+        "The server does not go by the name in the Host header: start it with --allowed-host NAME\n";
   if (status == 401) {
     response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"herr\"");
     // For browsers, which ask for a password and know no bearers: any name, the token as the password.

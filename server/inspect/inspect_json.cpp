@@ -113,6 +113,8 @@ Json head_json(const SessionInspection& session) {
             {"turned_deg", head.turned_deg()},
             {"lower_m", vector_json(head.lower_m())},
             {"upper_m", vector_json(head.upper_m())},
+            {"median_m", vector_json(head.median().place_m())},
+            {"median_forward", vector_json(head.median().forward())},
             {"worst_quaternion_norm_error", head.worst_norm_error()}};
   if (session.span) {
     json["turn_over_time"] = plot_json(head.turn_profile(), *session.span);

@@ -4,10 +4,12 @@
 #include <utility>
 
 #include "scenes/load_scene.h"
+#include "server/frames/picture_warnings.h"
 #include "server/inspect/event_findings.h"
 #include "server/process/exit_code.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -22,12 +24,14 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
     report.plan = plan_frame(scene, options.render, session_has_camera);
     for (const std::string& warning : scene.warnings)
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));
-    if (const std::string glow = glow_without_light(scene, *report.plan); !glow.empty())
-      report.findings.add(Severity::warning, InputError(report.scene_file, 0, glow, "switch probes on"));
+    for (const std::string& warning :
+         picture_warnings(scene, report.scene_file, *report.plan, options.render, report.session.has_value()))
+      report.findings.add(Severity::warning, InputError("", 0, warning, ""));
     if (report.scene->degenerate_triangles > 0)
       report.findings.add(Severity::note, InputError(report.scene_file, 0,
-                                                     std::to_string(report.scene->degenerate_triangles) +
-                                                         " triangles have no area: no ray can hit them",
+                                                     counted(report.scene->degenerate_triangles,
+                                                             "triangle has no area: no ray can hit it",
+                                                             "triangles have no area: no ray can hit them"),
                                                      "leave them out when the model is exported again"));
     const bool has_events = report.session && report.session->event_rows > 0 && report.session->span;
     if (has_events) {

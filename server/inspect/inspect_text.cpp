@@ -68,7 +68,8 @@ std::string inspect_text(const InspectReport& report) {
   if (report.session) text += session_text(report);
   if (report.scene) text += scene_text(report);
   text += plan_text(report);
-  if (report.acuity) text += acuity_text(*report.acuity);
+  // Of what cannot be rendered it would only push the error out of sight.
+  if (report.acuity && report.sound()) text += acuity_text(*report.acuity);
   if (!report.acuity_plot.empty())
     text += "the plot as a picture: " + printable(report.acuity_plot.string()) + "\n\n";
   text += mirrors_text(report);

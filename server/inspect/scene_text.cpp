@@ -43,7 +43,7 @@ std::string grids_text(const SceneFacts& scene) {
     const GridFacts& grid = scene.grids[i];
     text += named_line("", printable(grid.name) + ": " + std::to_string(grid.counts.x) + " x " +
                                std::to_string(grid.counts.y) + " x " + std::to_string(grid.counts.z) + ", " +
-                               std::to_string(grid.voxels) + " voxels, " + megabytes(grid.bytes));
+                               counted(grid.voxels, "voxel", "voxels") + ", " + megabytes(grid.bytes));
   }
   if (scene.grids.size() > kObjectsShown)
     text += named_line("", "and " + std::to_string(scene.grids.size() - kObjectsShown) + " more");
@@ -66,7 +66,7 @@ std::string scene_text(const InspectReport& report) {
                                       counted(scene.catchers, "catcher", "catchers") + "; " +
                                       std::to_string(scene.degenerate_triangles) + " without area");
   text +=
-      named_line("stored", std::to_string(scene.stored_triangles) + " triangles in " +
+      named_line("stored", counted(scene.stored_triangles, "triangle", "triangles") + " in " +
                                counted(scene.meshes, "mesh", "meshes") + ", " +
                                megabytes(scene.geometry_bytes) + " (acceleration structures come on top)");
   text += grids_text(scene);
@@ -74,7 +74,9 @@ std::string scene_text(const InspectReport& report) {
     text += named_line("shapes", counted(scene.spheres, "sphere", "spheres") + ", " +
                                      counted(scene.boxes, "box", "boxes") + ", met analytically");
   text += named_line("materials", std::to_string(scene.materials) + ", " + std::to_string(scene.mirrors) +
-                                      " reflect, " + std::to_string(scene.emitters) + " emit light");
+                                      (scene.mirrors == 1 ? " reflects, " : " reflect, ") +
+                                      std::to_string(scene.emitters) +
+                                      (scene.emitters == 1 ? " emits light" : " emit light"));
   text += named_line("textures", std::to_string(scene.textures) + ", " +
                                      fixed_text(static_cast<double>(scene.texture_pixels) * 1e-6, 2) +
                                      " Mpx, " + megabytes(scene.texture_bytes));

@@ -143,19 +143,31 @@ std::string offsets_text(const SessionInspection& session, const std::vector<con
   return text + "drift -: too small to tell, or so large that one stream started or stopped alone\n";
 }
 
+std::string vector_text(const glm::dvec3& v) {
+  return "(" + fixed_text(v.x, 2) + ", " + fixed_text(v.y, 2) + ", " + fixed_text(v.z, 2) + ")";
+}
+
+// Where the head is, to place a scene before it.
+std::string place_text(const HeadMeter& head) {
+  if (head.median().rows() == 0) return "";
+  return "\nhead: stands at " + vector_text(head.median().place_m()) + " m and looks along " +
+         vector_text(head.median().forward()) +
+         " in the median,\n      in the session's axes (x right, y up, z back), before world_from_session\n";
+}
+
 std::string motion_text(const SessionInspection& session) {
   const HeadMeter& head = session.head;
-  if (head.turn_deg_s().count() == 0) return "";
+  if (head.turn_deg_s().count() == 0) return place_text(head);
   const LinearHistogram &turn = head.turn_deg_s(), &move = head.move_m_s();
   const glm::dvec3 box = head.upper_m() - head.lower_m();
-  std::string text = "\nhead: turns at " + fixed_text(turn.quantile(0.5), 0) + " deg/s (p50), " +
-                     fixed_text(turn.quantile(0.95), 0) + " (p95), " + fixed_text(turn.max(), 0) +
-                     " (max)\n      moves at " + fixed_text(move.quantile(0.5), 2) + " m/s (p50), " +
-                     fixed_text(move.quantile(0.95), 2) + " (p95), " + fixed_text(move.max(), 2) +
-                     " (max)\n      " + fixed_text(head.path_m(), 2) + " m of way within " +
-                     fixed_text(box.x, 2) + " x " + fixed_text(box.y, 2) + " x " + fixed_text(box.z, 2) +
-                     " m, " + fixed_text(head.turned_deg(), 0) + " degrees of turns\n      " +
-                     session.plausibility.words() + "\n";
+  std::string text =
+      place_text(head) + "      turns at " + fixed_text(turn.quantile(0.5), 0) + " deg/s (p50), " +
+      fixed_text(turn.quantile(0.95), 0) + " (p95), " + fixed_text(turn.max(), 0) +
+      " (max)\n      moves at " + fixed_text(move.quantile(0.5), 2) + " m/s (p50), " +
+      fixed_text(move.quantile(0.95), 2) + " (p95), " + fixed_text(move.max(), 2) + " (max)\n      " +
+      fixed_text(head.path_m(), 2) + " m of way within " + fixed_text(box.x, 2) + " x " +
+      fixed_text(box.y, 2) + " x " + fixed_text(box.z, 2) + " m, " + fixed_text(head.turned_deg(), 0) +
+      " degrees of turns\n      " + session.plausibility.words() + "\n";
   const GazeMeter& eyes = session.eyes;
   if (eyes.rows() == 0) return text;
   const LinearHistogram& off = eyes.eccentricity_deg();

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "scenes/changes/bounding_sphere.h"
 #include "scenes/changes/world.h"
 #include "scenes/load_scene.h"
+#include "server/frames/picture_warnings.h"
 #include "server/look/look_encoding.h"
 #include "server/look/look_files.h"
 #include "server/look/look_light.h"
@@ -49,12 +52,14 @@ void load(const LookOptions& options, Subject& subject) {
   Scene& scene = subject.scene;
   scene = load_scene(options.path, TexturePixels::decoded, DefaultLight::none, options.asset_roots);
   subject.studio = needs_studio(scene, !is_scene_document(options.path));
-  if (!subject.studio && scene.lights.empty()) scene.warnings.push_back(no_lights_warning(options.path));
   if (!options.environment.empty()) {
     add_environment(options, subject.studio, scene);
   } else if (subject.studio) {
     light_studio(options.from.azimuth_deg, scene);
   }
+  for (std::string& warning :
+       picture_warnings(scene, options.path, plan_frame(scene, options.render, false), options.render))
+    scene.warnings.push_back(std::move(warning));
   for (const std::string& warning : scene.warnings) print_message("warning: " + warning);
   subject.world.emplace(scene);
   subject.world->advance(options.time_s);

@@ -6,6 +6,7 @@
 #include "server/results/summary_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -32,7 +33,7 @@ std::string look_text(const LookReport& report) {
          shortest_text(report.from.azimuth_deg) + "," + shortest_text(report.from.elevation_deg) + " at " +
          significant(report.distance_m) + " m over " + shortest_text(report.fov_deg) + " degrees, exposure " +
          ev_text(report.exposure.ev) + " EV" + (report.exposure.automatic ? " (automatic)" : "") + ", " +
-         report.light + ", " + std::to_string(report.triangles) + " triangles\n";
+         report.light + ", " + counted(report.triangles, "triangle", "triangles") + "\n";
 }
 
 std::string look_json(const LookReport& report) {

@@ -20,6 +20,7 @@
 #include "server/text/number_text.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -47,11 +48,14 @@ void check_folders(const ReplayOptions& options) {
 void show_messages(const SessionReport& report) {
   if (!report.remark.empty()) print_message("warning: " + report.remark);
   if (report.nothing_to_do) {
-    print_message(printable(report.name) + ": nothing to do, all " + std::to_string(report.kept_frames) +
-                  " frames are there");
+    print_message(printable(report.name) + ": nothing to do, " +
+                  (report.kept_frames == 1
+                       ? "the one frame is there"
+                       : "all " + std::to_string(report.kept_frames) + " frames are there"));
   } else if (report.kept_frames > 0) {
     print_message(printable(report.name) + ": " + std::to_string(report.kept_frames) + " of " +
-                  std::to_string(report.range.count) + " frames were there");
+                  counted(report.range.count, "frame", "frames") +
+                  (report.kept_frames == 1 ? " was there" : " were there"));
   }
   for (std::size_t i = 0; i < report.warnings.size(); ++i) {
     if (i == kMostWarningsShown) {
@@ -108,21 +112,24 @@ std::string clipped_text(const SessionReport& report) {
     pixels += static_cast<double>(picture.width_px) * picture.height_px;
   const double share =
       static_cast<double>(clipped) / (pixels * static_cast<double>(report.statistics.frames));
-  return "clipped: " + std::to_string(clipped) + " pixels of the PNG files, " + fixed_text(100 * share, 2) +
-         " %, are brighter than white or below 0; --exposure moves white, --format png,exr keeps values "
+  return "clipped: " + counted(clipped, "pixel", "pixels") + " of the PNG files, " +
+         fixed_text(100 * share, 2) + " %, " + (clipped == 1 ? "is" : "are") +
+         " brighter than white or below 0; --exposure moves white, --format png,exr keeps values "
          "too\n";
 }
 
 // The heading and table of one session, and where its files are.
 std::string report_text(const SessionReport& report, const ReplayOptions& options) {
   const RunStatistics& statistics = report.statistics;
-  std::string text = printable(report.name) + ": " + std::to_string(statistics.frames) + " frames";
+  std::string text = printable(report.name) + ": " +
+                     (report.state == ReplayState::done ? counted(statistics.frames, "frame", "frames")
+                                                        : std::to_string(statistics.frames));
   if (report.state != ReplayState::done) {
-    text += std::string(" of ") + std::to_string(report.range.count) + " (" + name_of(report.state) + ")";
+    text += " of " + counted(report.range.count, "frame", "frames") + " (" + name_of(report.state) + ")";
   }
   text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
           fixed_text(report.range.period_ms(), 2) + " ms" + machine_text(statistics) + "; " +
-          std::to_string(report.settings.threads) + " threads, " + name_of(report.settings.isa) + ", " +
+          counted(report.settings.threads, "thread", "threads") + ", " + name_of(report.settings.isa) + ", " +
           "scene " + printable(report.scene_name) + ", " + headline_text(options, report);
   if (const std::string done = policy_text(statistics, options.policy); !done.empty()) text += "; " + done;
   text += "\n\n";
@@ -155,7 +162,7 @@ std::string total_text(const std::vector<SessionReport>& reports, std::size_t as
   }
   if (total.frames == 0) return {};
   std::string text = done == asked ? "\nall " : "\n" + std::to_string(done) + " of ";
-  text += std::to_string(asked) + " sessions: " + std::to_string(frames_done) + " frames";
+  text += std::to_string(asked) + " sessions: " + counted(frames_done, "frame", "frames");
   if (total.frames > frames_done) {
     text += ", and " + std::to_string(total.frames - frames_done) + " of sessions that ended early";
   }

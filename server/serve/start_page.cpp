@@ -15,6 +15,7 @@
 #include "server/serve/serve_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -163,13 +164,13 @@ std::string heading(const ServeSnapshot& snapshot, const ReplayOptions& options)
   if (!snapshot.subject) return html + "</p>\n<p>The session is being opened.</p>\n";
   const SessionReport& subject = *snapshot.subject;
   html += "</p>\n<p>Session <b>" + shown(subject.name) + "</b>, scene <b>" + shown(subject.scene_name) +
-          "</b> (" + std::to_string(subject.scene_triangles) + " triangles), display <b>" +
+          "</b> (" + counted(subject.scene_triangles, "triangle", "triangles") + "), display <b>" +
           shown(subject.profile.name) + "</b>, clock " + name_of(options.clock) + ", display period " +
           fixed_text(subject.range.period_ms(), 2) + " ms.<br>\nFrame " + std::to_string(snapshot.frame) +
           " of " + std::to_string(subject.range.first) + " … " +
           std::to_string(subject.range.first + subject.range.count - 1) + ", lap " +
-          std::to_string(snapshot.lap + 1) + ". " + std::to_string(subject.settings.threads) + " threads, " +
-          name_of(subject.settings.isa) + ", " + shown(headline_text(options, subject)) + ".</p>\n";
+          std::to_string(snapshot.lap + 1) + ". " + counted(subject.settings.threads, "thread", "threads") +
+          ", " + name_of(subject.settings.isa) + ", " + shown(headline_text(options, subject)) + ".</p>\n";
   for (const std::string& warning : subject.warnings) {
     html += "<p class=\"warning\">" + shown(warning) + "</p>\n";
   }

@@ -3,13 +3,23 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {
+
+// What is no flag of a command, but a field of a file that it reads.
+struct FieldElsewhere {
+  const char* command;
+  const char* flag;
+  const char* message;
+};
+constexpr FieldElsewhere kFieldsElsewhere[]{
+    {"herr convert", "--vergence",
+     "is no flag but a field of a column map: write \"vergence_m\" there and give --map FILE ('herr convert "
+     "--preset NAME --show-map' prints one to begin with)"}};
 
 [[noreturn]] void refuse(const std::string& flag, const std::string& text, const std::string& wanted) {
   throw UsageError(flag + ": '" + printable(text) + "' is not " + wanted);
@@ -37,13 +47,7 @@ double parse_real_number(const std::string& flag, const std::string& text, doubl
 }
 
 double parse_signed_number(const std::string& flag, const std::string& text, double highest) {
-  const bool minus = text.starts_with('-');
-  try {
-    const double size = real_number_from(minus ? text.substr(1) : text, 0, highest);
-    return minus ? -size : size;
-  } catch (const std::invalid_argument&) {
-    refuse(flag, text, "a number from -" + shortest_text(highest) + " to " + shortest_text(highest));
-  }
+  return parse_real_number(flag, text, -highest, highest);
 }
 
 SizeValue parse_size(const std::string& flag, const std::string& text, int highest) {
@@ -62,15 +66,7 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& text, double 
   std::size_t begin = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const bool negative = part.starts_with('-');
-    try {
-      const double size = real_number_from(part.substr(negative ? 1 : 0), 0, highest);
-      point[axis] = negative ? -size : size;
-    } catch (const std::invalid_argument&) {
-      const std::string limit = plain_number_text(highest);
-      refuse(flag, part, "a number from -" + limit + " to " + limit + "; write X,Y,Z as 0,1.5,-3.7");
-    }
+    point[axis] = parse_signed_number(flag, text.substr(begin, end - begin), highest);
     begin = end + 1;
   }
   return point;
@@ -84,8 +80,12 @@ std::size_t parse_word(const std::string& flag, const std::string& text,
 std::string unknown_flag_message(const std::string& flag, const std::vector<std::string>& known,
                                  const std::string& command) {
   const std::string name = flag.substr(0, flag.find('='));
+  for (const FieldElsewhere& field : kFieldsElsewhere) {
+    if (name == field.flag && command == field.command) return printable(name) + ": " + field.message;
+  }
   std::string message = printable(name) + ": unknown flag";
-  if (!known.empty()) message += "; did you mean " + nearest_name(name, known) + "?";
+  if (const std::string nearest = nearest_name(name, known); !nearest.empty())
+    message += "; did you mean " + nearest + "?";
   return message + " ('" + command + " --help' lists all)";
 }
 

@@ -20,6 +20,7 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -52,7 +53,8 @@ int run_study(const StudyOptions& options) {
   const FolderLock lock = folder.prepare(options.overwrite, options.resume);
   StudyRun run(options, subject, std::move(sweeps), folder, started_ns);
   if (!run.measure()) {
-    print_message("stopped after " + std::to_string(run.rows().size()) + " rows; go on with --resume");
+    print_message("stopped after " + counted(static_cast<std::int64_t>(run.rows().size()), "row", "rows") +
+                  "; go on with --resume");
     return kExitSignalBase + stop_signal();
   }
   const StudyRecord record = record_of(options, subject, run);

@@ -5,6 +5,7 @@
 
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -20,8 +21,8 @@ std::string name_of(GazeKind kind) {
 }
 
 std::string rows_text(const std::string& stream, const SynthCounts& counts, double hz) {
-  std::string text = stream + ": " + std::to_string(counts.rows) + " rows at " + shortest_text(hz) + " Hz";
-  if (counts.hitches > 0) text += ", " + std::to_string(counts.hitches) + " hitches";
+  std::string text = stream + ": " + counted(counts.rows, "row", "rows") + " at " + shortest_text(hz) + " Hz";
+  if (counts.hitches > 0) text += ", " + counted(counts.hitches, "hitch", "hitches");
   return text;
 }
 
@@ -38,12 +39,13 @@ std::string synth_motion_text(const SynthOptions& options) {
 }
 
 std::string synth_text(const SynthOptions& options, const SynthReport& report) {
-  std::string text =
-      "session: " + printable(report.out.string()) + ", " + shortest_text(options.duration_s) + " s, " +
-      synth_motion_text(options) + "\n" + rows_text("poses", report.poses, options.pose_hz) + "\n" +
-      rows_text("gaze", report.gaze, options.gaze_hz) + ", " + std::to_string(report.gaze.saccades) +
-      " saccades, " + std::to_string(report.gaze.blinks) + " blinks (" +
-      std::to_string(report.gaze.lost_rows) + " rows not valid)\n";
+  std::string text = "session: " + printable(report.out.string()) + ", " + shortest_text(options.duration_s) +
+                     " s, " + synth_motion_text(options) + "\n" +
+                     rows_text("poses", report.poses, options.pose_hz) + "\n" +
+                     rows_text("gaze", report.gaze, options.gaze_hz) + ", " +
+                     counted(report.gaze.saccades, "saccade", "saccades") + ", " +
+                     counted(report.gaze.blinks, "blink", "blinks") + " (" +
+                     counted(report.gaze.lost_rows, "row", "rows") + " not valid)\n";
   if (report.camera.rows > 0) text += rows_text("camera", report.camera, options.camera_hz) + "\n";
   for (const std::string& warning : report.findings.warnings) text += "warning: " + warning + "\n";
   return text;

@@ -1,7 +1,10 @@
 #include "sessions/check/session_check.h"
 
 #include <algorithm>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
@@ -32,6 +35,22 @@ void check_overlap(const std::filesystem::path& file, const StreamCensus& census
                    "stamp all streams by one clock");
 }
 
+// "one of the sessions in it: a, b": a folder of sessions is easily taken for one.
+std::string sessions_below(const std::filesystem::path& folder) {
+  constexpr std::size_t kMostNamed = 5;
+  std::vector<std::string> names;
+  std::error_code unreadable;  // what cannot be listed has nothing to name
+  for (const std::string& name : list_folder(folder, unreadable)) {
+    if (path_exists(folder / name / "session.json")) names.push_back(name);
+  }
+  if (names.empty()) return "a session folder; a recording is made a session by 'herr convert'";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
+    text += (i == 0 ? "" : ", ") + printable(names[i]);
+  if (names.size() > kMostNamed) text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+  return (names.size() == 1 ? "the session in it: " : "one of the sessions in it: ") + text;
+}
+
 // One walk through the streams of a session.
 class SessionPass {
  public:
@@ -40,12 +59,15 @@ class SessionPass {
 
   VisitedSession run(const SessionHeader& header) {
     judged([&] {
+      if (!is_there(files_.pose()))
+        throw InputError(files_.pose(), 0, "does not exist, and a session needs the poses of the head",
+                         "copy it there, or make the session anew with 'herr convert'");
       RowStream<PoseRow> poses(files_.pose(), pose_layout(), parse_pose_row, telling(FaultKind::row));
       const auto tell = [&](const PoseRow& row) { visitor_.pose(row, poses.rows()); };
       visited_.poses = read_rows(poses, true, tell);
     });
     visitor_.poses_done();
-    visit_gaze();
+    visit_gaze(header);
     for (std::size_t i = 0; i < header.cameras.size(); ++i)
       judged([&] { visit_camera(i, header.cameras[i].model); });
     for (std::size_t i = header.cameras.size(); i < 2; ++i)
@@ -110,10 +132,15 @@ class SessionPass {
     return census;
   }
 
-  void visit_gaze() {
+  void visit_gaze(const SessionHeader& header) {
     visited_.has_gaze = is_there(files_.gaze());
     if (!visited_.has_gaze) {
-      tell(FaultKind::remark, InputError(files_.gaze(), 0, "does not exist", "the eyes look straight ahead"));
+      // A conversion of poses alone says so; then there is nothing to look for.
+      const bool stated = header.conversion.still_gaze;
+      tell(stated ? FaultKind::stated : FaultKind::remark,
+           InputError(files_.gaze(), 0,
+                      stated ? "no gaze was recorded, as session.json says" : "does not exist",
+                      "the eyes look straight ahead"));
       return;
     }
     judged([&] {
@@ -148,7 +175,9 @@ class SessionPass {
 // Replay's answers to faults: stop, or skip and count.
 class ReplayVisitor : public SessionVisitor {
  public:
-  ReplayVisitor(bool keep_going, SessionFindings& findings) : keep_going_(keep_going), findings_(findings) {}
+  ReplayVisitor(bool keep_going, SessionFindings& findings,
+                const std::function<void(const PoseRow&)>& each_pose)
+      : keep_going_(keep_going), findings_(findings), each_pose_(each_pose) {}
 
   void fault(FaultKind kind, const InputError& error) override {
     switch (kind) {
@@ -161,13 +190,18 @@ class ReplayVisitor : public SessionVisitor {
       case FaultKind::cut_off:
         findings_.truncated = true;
         break;
+      case FaultKind::stated:
+        return;
       case FaultKind::gap:
       case FaultKind::remark:
         break;
     }
     add_warning(findings_, error.what());
   }
-  void pose(const PoseRow& /*row*/, const CsvRows& /*rows*/) override { ++findings_.pose_rows; }
+  void pose(const PoseRow& row, const CsvRows& /*rows*/) override {
+    ++findings_.pose_rows;
+    if (each_pose_) each_pose_(row);
+  }
   void gaze(const GazeRow& /*row*/, const CsvRows& /*rows*/) override { ++findings_.gaze_rows; }
   void camera(std::size_t index, const CameraRow& /*row*/, const CsvRows& /*rows*/) override {
     ++findings_.camera_rows[index];
@@ -182,6 +216,7 @@ class ReplayVisitor : public SessionVisitor {
 
   bool keep_going_;
   SessionFindings& findings_;
+  const std::function<void(const PoseRow&)>& each_pose_;
 };
 
 }  // namespace
@@ -194,9 +229,12 @@ void check_session_folder(const std::filesystem::path& folder) {
     throw InputError(folder, 0, "cannot be examined: " + facts.error.message(),
                      "check the path and its permissions");
   if (facts.kind != FileKind::folder)
-    throw InputError(folder, 0, "is not a folder", "name the folder that holds session.json");
+    throw InputError(folder, 0, "is not a folder",
+                     "name the folder that holds session.json; a recording is made a session by 'herr "
+                     "convert'");
   if (!path_exists(folder / "session.json"))
-    throw InputError(folder, 0, "holds no session.json: it is not a session", "name a session folder");
+    throw InputError(folder, 0, "holds no session.json: it is not a session",
+                     "name " + sessions_below(folder));
 }
 
 void add_warning(SessionFindings& findings, const std::string& warning) {
@@ -232,9 +270,10 @@ SessionSpan replayable_span(const std::filesystem::path& session_json, const Par
 }
 
 CheckedSession check_session(const SessionFiles& files, const SessionHeader& header,
-                             const SessionOptions& options) {
+                             const SessionOptions& options,
+                             const std::function<void(const PoseRow&)>& each_pose) {
   CheckedSession checked;
-  ReplayVisitor visitor(options.keep_going, checked.findings);
+  ReplayVisitor visitor(options.keep_going, checked.findings, each_pose);
   const VisitedSession visited = visit_session(files, header, options.strict, visitor);
   checked.first_pose_ns = visited.poses->first_ns();
   checked.last_pose_ns = visited.poses->last_ns();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "sessions/check/session_findings.h"
@@ -62,9 +63,10 @@ struct CheckedSession {
 };
 
 // The pass as replay needs it: throws the first fault, or counts what can be skipped
-// where the options say so.
+// where the options say so. `each_pose` (may be empty) is told of each good row of the poses.
 CheckedSession check_session(const SessionFiles& files, const SessionHeader& header,
-                             const SessionOptions& options);
+                             const SessionOptions& options,
+                             const std::function<void(const PoseRow&)>& each_pose = {});
 
 // A camera's rows with their images checked as they are read; `policy` as for RowStream.
 RowStream<CameraRow> open_camera_rows(const SessionFiles& files, std::size_t i, const CameraModel& model,

@@ -16,7 +16,8 @@ enum class FaultKind {
   stream,   // a stream cannot be used as a whole
   cut_off,  // the file ends within its last line, which is dropped
   gap,      // legal: samples are more than a second apart
-  remark    // legal, but not what one would expect
+  remark,   // legal, but not what one would expect
+  stated    // legal, and the header says so itself
 };
 
 class SessionVisitor {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sessions/files/input_error.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
@@ -74,9 +75,7 @@ void JsonObject::allow_only(std::initializer_list<const char*> keys) const {
   for (const auto& [key, value] : value_->items()) {
     bool found = false;
     for (const std::string& name : known) found = found || name == key;
-    if (!found)
-      fail(printable(key).c_str(), "is not known",
-           known.empty() ? "remove it" : "did you mean '" + nearest_name(key, known) + "'?");
+    if (!found) fail(printable(key).c_str(), "is not known", key_remedy(key, known));
   }
 }
 
@@ -123,6 +122,17 @@ std::int64_t JsonObject::integer(const char* key, std::int64_t lowest, std::int6
 std::int64_t JsonObject::integer_or(const char* key, std::int64_t lowest, std::int64_t highest,
                                     std::int64_t fallback) const {
   return has(key) ? integer(key, lowest, highest) : fallback;
+}
+
+void JsonObject::require_version(std::int64_t version) const {
+  constexpr const char* kKey = "format_version";
+  const json& found = value(kKey);
+  if (found.is_number_integer() && found == version) return;
+  const std::string wanted = std::to_string(version);
+  if (!found.is_number())
+    fail(kKey, std::string("is ") + described(found) + ", not a number", "write " + wanted);
+  fail(kKey, "is " + shown_number(found.get<double>()) + ", and this program reads version " + wanted,
+       "use a newer herr, or write " + wanted);
 }
 
 bool JsonObject::boolean_or(const char* key, bool fallback) const {

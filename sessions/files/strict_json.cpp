@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
 #include "sessions/files/input_error.h"
@@ -156,30 +155,6 @@ json parse_json_text(std::string_view text, const std::filesystem::path& file, s
 
 json parse_json_file(const std::filesystem::path& file, const JsonLimits& limits) {
   return parse_json_text(read_whole_file(file, limits.max_bytes), file, 1, limits);
-}
-
-std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known) {
-  // Levenshtein's distance, one row at a time. Keys may be megabytes long; the names that matter are short.
-  const std::string_view word = unknown.substr(0, 256);
-  std::string nearest;
-  std::size_t least = static_cast<std::size_t>(-1);
-  for (const std::string& name : known) {
-    std::vector<std::size_t> row(name.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < word.size(); ++i) {
-      std::size_t diagonal = std::exchange(row[0], i + 1);
-      for (std::size_t j = 0; j < name.size(); ++j) {
-        const std::size_t replaced = diagonal + (word[i] == name[j] ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-      }
-    }
-    if (row.back() < least) {
-      least = row.back();
-      nearest = name;
-    }
-  }
-  return nearest;
 }
 
 }  // namespace herr

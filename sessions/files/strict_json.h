@@ -26,9 +26,6 @@ nlohmann::json parse_json_file(const std::filesystem::path& file, const JsonLimi
 nlohmann::json parse_json_text(std::string_view text, const std::filesystem::path& file,
                                std::int64_t first_line, const JsonLimits& limits = {});
 
-// The known name nearest to `unknown` by edit distance.
-std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known);
-
 // The shortest text that reads back as the same number: two that differ look different in a message.
 std::string shown_number(double value);
 
@@ -50,6 +47,8 @@ class JsonObject {
   std::int64_t integer(const char* key, std::int64_t lowest, std::int64_t highest) const;
   std::int64_t integer_or(const char* key, std::int64_t lowest, std::int64_t highest,
                           std::int64_t fallback) const;
+  // "format_version": throws unless it is the one version that is read.
+  void require_version(std::int64_t version) const;
   bool boolean_or(const char* key, bool fallback) const;
   std::string text(const char* key) const;
   std::string text_or(const char* key, const std::string& fallback) const;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sessions/files/input_error.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
@@ -25,7 +26,8 @@ CameraModelKind parse_kind(const JsonObject& entry) {
   if (word == "fisheye624") return CameraModelKind::fisheye624;
   const std::string nearest = nearest_name(word, {"pinhole", "kb4", "fisheye624"});
   entry.fail("model", "is '" + printable(word) + "'",
-             "did you mean '" + nearest + "'? Known: pinhole, kb4, fisheye624");
+             (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") +
+                 std::string("Known: pinhole, kb4, fisheye624"));
 }
 
 void parse_distortion(const JsonObject& entry, CameraModel& model) {

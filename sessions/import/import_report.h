@@ -24,6 +24,8 @@ struct ImportedStream {
   IntervalCensus intervals;
 
   RowFateCounts fates;
+  std::string
+      first_absent;  // poses: "px is 'nan'" of the first row without tracking; empty: a filter says so
   std::vector<std::string> remarks;  // what the clock did: whole sentences
   std::int64_t sorted_rows = 0;      // put where they belong
   std::int64_t one_eye_rows = 0;     // gaze of one eye only

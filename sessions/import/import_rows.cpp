@@ -129,6 +129,8 @@ class RowsImport {
     const auto read = [&](PoseRow& row) {
       const auto pose = reader.read(cursor.rows(), stream.reading);
       if (!pose) {
+        if (stream.fates[RowFate::lost_tracking] == 0)
+          stream.first_absent = reader.absent_column(cursor.rows());
         cursor.leave_out(RowFate::lost_tracking, cursor.line());
         return false;
       }

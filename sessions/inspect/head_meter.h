@@ -7,6 +7,7 @@
 
 #include "sessions/inspect/findings.h"
 #include "sessions/inspect/meters/linear_histogram.h"
+#include "sessions/inspect/meters/median_pose.h"
 #include "sessions/inspect/time_profile.h"
 #include "sessions/streams/stream_rows.h"
 
@@ -29,12 +30,14 @@ class HeadMeter {
   double turned_deg() const { return turned_deg_; }
   const glm::dvec3& lower_m() const { return lower_m_; }  // box of all positions
   const glm::dvec3& upper_m() const { return upper_m_; }
+  const MedianPose& median() const { return median_; }
   double worst_norm_error() const { return worst_norm_error_; }
 
  private:
   void measure(const PoseRow& from, const PoseRow& to, std::int64_t line);
 
   std::optional<PoseRow> window_start_;
+  MedianPose median_;
   LinearHistogram turn_deg_s_{1, 3000}, move_m_s_{0.01, 3000};
   TimeProfile turn_profile_, move_profile_;
   double path_m_ = 0, turned_deg_ = 0, worst_norm_error_ = 0;

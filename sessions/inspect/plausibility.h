@@ -74,7 +74,6 @@ class PlausibilityMeter {
              FindingList& findings) const;
 
  private:
-  void judge_attitude(const std::filesystem::path& file, FindingList& findings) const;
   void judge_speed(const std::filesystem::path& file, FindingList& findings) const;
   void judge_stillness(const std::filesystem::path& file, FindingList& findings) const;
   void judge_eyes(const std::filesystem::path& file, FindingList& findings) const;

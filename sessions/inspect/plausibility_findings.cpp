@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sessions/inspect/attitude_findings.h"
 #include "sessions/inspect/number_words.h"
 #include "sessions/inspect/plausibility.h"
 #include "sessions/inspect/plausibility_words.h"
@@ -11,16 +12,9 @@ namespace herr {
 namespace {
 
 constexpr double kMostRows = 0.5;
-// People look down at what they do for minutes, but hardly ever up for half of the time.
-constexpr double kHighestLookDeg = 40;
 // A person's eyes rest in the head while it turns only where something turns along with the head.
 constexpr std::int64_t kFewestTurns = 50;
 constexpr double kAlwaysResting = 0.9;
-constexpr double kWalksBackwards = 0.2, kLongWayM = 5;
-
-const std::string kCorrectAxes =
-    "convert again with another --variant, or with --map: the map of --show-map, its head_axes or world_axes "
-    "corrected";
 
 void tell(Severity severity, const std::filesystem::path& file, const std::string& problem,
           const std::string& remedy, FindingList& findings) {
@@ -32,7 +26,7 @@ void tell(Severity severity, const std::filesystem::path& file, const std::strin
 void PlausibilityMeter::judge(const std::filesystem::path& pose_file, const std::filesystem::path& gaze_file,
                               FindingList& findings) const {
   if (attitude_.rows() >= kFewestRows) {
-    judge_attitude(pose_file, findings);
+    herr::judge_attitude(attitude_, pose_file, findings);
     judge_speed(pose_file, findings);
     judge_stillness(pose_file, findings);
   }
@@ -41,26 +35,6 @@ void PlausibilityMeter::judge(const std::filesystem::path& pose_file, const std:
     judge_countering(gaze_file, findings);
   }
   judge_steadiness(pose_file, gaze_file, findings);
-}
-
-void PlausibilityMeter::judge_attitude(const std::filesystem::path& file, FindingList& findings) const {
-  const bool skyward = attitude_.median_pitch_deg() > kHighestLookDeg;
-  if (attitude_.level_share() < kMostRows || skyward) {
-    const bool looks_away =
-        skyward || attitude_.looks_up_share() >= kMostRows || attitude_.looks_down_share() >= kMostRows;
-    const std::string what =
-        looks_away ? "the head looks " + where_it_looks(attitude_)
-        : attitude_.upside_share() >= kMostRows || attitude_.side_share() >= kMostRows
-            ? "the head is " + which_way_is_up(attitude_)
-            : "the head is upright in " + percents(attitude_.level_share()) + " of the rows only";
-    tell(Severity::warning, file, what + "; " + likely_wrong_axis(attitude_), kCorrectAxes, findings);
-  }
-  const double forwards_m = attitude_.way_forwards_m(), backwards_m = attitude_.way_backwards_m();
-  if (forwards_m + backwards_m >= kLongWayM && forwards_m < kWalksBackwards * (forwards_m + backwards_m))
-    tell(Severity::note, file,
-         "the head goes backwards over " + percents(backwards_m / (forwards_m + backwards_m)) + " of " +
-             fixed_text(forwards_m + backwards_m, 1) + " m of way",
-         "if nobody walked backwards, forward and back are exchanged, or the handedness is wrong", findings);
 }
 
 void PlausibilityMeter::judge_speed(const std::filesystem::path& file, FindingList& findings) const {

@@ -40,6 +40,8 @@ class InspectingVisitor : public SessionVisitor {
         break;
       case FaultKind::gap:
         return;  // judge_stream tells of all gaps
+      case FaultKind::stated:
+        return inspection_.findings.add(Severity::note, error);
       case FaultKind::remark:
         if (!inspection_.header) return;  // nobody knows what should be there
         break;

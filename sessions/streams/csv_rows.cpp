@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/format/session_header.h"
 #include "sessions/streams/field_text.h"
 
@@ -56,6 +56,11 @@ void CsvRows::read_header(const CsvLayout& layout) {
   if (line_.too_long) fail("the header line is longer than 8192 bytes", expected);
   split(line_.text);
   fields_expected_ = fields_.size();
+  for (const char other : {';', '\t'}) {
+    if (columns_.size() > 1 && fields_expected_ == 1 && line_.text.find(other) != std::string_view::npos)
+      fail(std::string("the fields are separated by ") + (other == ';' ? "';'" : "tabs"),
+           "write commas: " + expected);
+  }
   const std::vector<std::string> found(fields_.begin(), fields_.end());
   std::vector<std::string> unknown;
   for (const std::string& name : found)

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/text/letters.h"
 
 namespace herr {
@@ -32,29 +32,38 @@ bool is_plain_real(std::string_view text) {
   throw std::invalid_argument("'" + printable(text) + "' is not " + wanted);
 }
 
+// A number well written, but for its size.
+[[noreturn]] void refuse_size(const std::string& text, const std::string& lowest,
+                              const std::string& highest) {
+  throw std::invalid_argument("'" + printable(text) + "' is out of range: " + lowest + " to " + highest);
+}
+
+std::string_view without_minus(std::string_view text) {
+  return text.substr(text.starts_with('-') ? 1 : 0);
+}
+
 }  // namespace
 
 std::int64_t whole_number_from(const std::string& text, std::int64_t lowest, std::int64_t highest) {
   std::int64_t value = 0;
+  const std::string from = std::to_string(lowest), to = std::to_string(highest);
+  if (!is_plain_whole(without_minus(text)))
+    refuse(text, "a whole number from " + from + " to " + to + "; write plain decimal digits");
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole_text = error == std::errc() && end == text.data() + text.size();
-  if (!is_plain_whole(text) || !whole_text || value < lowest || value > highest) {
-    refuse(text, "a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest) +
-                     "; write plain decimal digits");
-  }
+  if (error != std::errc() || value < lowest || value > highest || text.starts_with('-'))
+    refuse_size(text, from, to);
   return value;
 }
 
 double real_number_from(const std::string& text, double lowest, double highest) {
   double value = 0;
+  const std::string from = plain_number_text(lowest), to = plain_number_text(highest);
+  if (!is_plain_real(without_minus(text)))
+    refuse(text, "a number from " + from + " to " + to + "; write it as 12 or 1.5");
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole_text = error == std::errc() && end == text.data() + text.size();
-  const std::size_t sign = lowest < 0 && text.starts_with('-') ? 1 : 0;
-  if (!is_plain_real(text.substr(sign)) || !whole_text || !std::isfinite(value) || value < lowest ||
-      value > highest) {
-    refuse(text, "a number from " + plain_number_text(lowest) + " to " + plain_number_text(highest) +
-                     "; write it as 12 or 1.5");
-  }
+  if (error != std::errc() || !std::isfinite(value) || value < lowest || value > highest)
+    refuse_size(text, from, to);
+  if (lowest >= 0 && text.starts_with('-')) refuse_size(text, from, to);
   return value;
 }
 
@@ -63,7 +72,8 @@ std::size_t word_from(const std::string& text, const std::vector<std::string>& w
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  refuse(text, "one of " + all + "; did you mean " + nearest_name(text, words) + "?");
+  const std::string nearest = nearest_name(text, words);
+  refuse(text, "one of " + all + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
 }
 
 std::string plain_number_text(double value) {

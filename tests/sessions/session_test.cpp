@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "tests/sessions/recorded_folder.h"
 
@@ -21,14 +25,66 @@ TEST(OpeningASession, SaysWhatIsWrongWithTheFolder) {
   EXPECT_INPUT_ERROR(Session::open(folder / "absent"), "there is no such session folder");
   folder.write("file", "x");
   EXPECT_INPUT_ERROR(Session::open(folder / "file"), "is not a folder");
+  EXPECT_INPUT_ERROR(Session::open(folder / "file"), "a recording is made a session by 'herr convert'");
   EXPECT_INPUT_ERROR(Session::open(folder.path()), "holds no session.json");
   folder.write("session.json", test::header_json());
-  EXPECT_INPUT_ERROR(Session::open(folder.path()), "pose/data.csv: cannot be opened: No such file");
+  EXPECT_INPUT_ERROR(Session::open(folder.path()),
+                     "pose/data.csv: does not exist, and a session needs the poses of the head");
   std::filesystem::create_directories(folder / "pose/data.csv");
   EXPECT_INPUT_ERROR(Session::open(folder.path()), "is a folder, not a file");
   std::filesystem::remove(folder / "pose/data.csv");
   ASSERT_EQ(::mkfifo((folder / "pose/data.csv").c_str(), 0600), 0);
   EXPECT_INPUT_ERROR(Session::open(folder.path()), "is not a regular file");
+}
+
+TEST(OpeningASession, AFolderOfSessionsNamesThem) {
+  const RecordedFolder folder;
+  folder.write("walk/session.json", test::header_json());
+  EXPECT_INPUT_ERROR(Session::open(folder.path()), "name the session in it: walk");
+  folder.write("desk/session.json", test::header_json());
+  EXPECT_INPUT_ERROR(Session::open(folder.path()), "name one of the sessions in it: desk, walk");
+  for (const char* name : {"a", "b", "c", "d"}) folder.write(std::string(name) + "/session.json", "{}");
+  EXPECT_INPUT_ERROR(Session::open(folder.path()), "a, b, c, d, desk and 1 more");
+}
+
+// Rows of the same orientation, as the file has it.
+std::string poses_that_look(const std::string& quaternion, int rows) {
+  std::string text = test::kPoseHeader;
+  for (int i = 0; i < rows; ++i) text += std::to_string(i * 10 * kMs) + ",0,1.6,0," + quaternion + "\n";
+  return text;
+}
+
+TEST(OpeningASession, AHeadThatIsUpsideDownIsAWarning) {
+  const RecordedFolder folder;
+  folder.write("session.json", test::header_json());
+  // Half a turn about z, as where w is written first: up points down.
+  folder.write("pose/data.csv", poses_that_look("0,0,1,0", 30));
+  const auto warnings = [&] { return Session::open(folder.path()).findings().warnings; };
+  const auto tells = [](const std::vector<std::string>& lines) {
+    return std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("the head is upside down in 100 % of the rows") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(tells(warnings()), 1);
+  folder.write("pose/data.csv", poses_that_look("0,0,0,1", 30));
+  EXPECT_EQ(tells(warnings()), 0);
+  folder.write("pose/data.csv", poses_that_look("0,0,1,0", 10));
+  EXPECT_EQ(tells(warnings()), 0) << "ten rows say too little";
+}
+
+TEST(OpeningASession, GazeThatTheHeaderSaysWasNotRecordedIsNoWarning) {
+  const RecordedFolder folder;
+  write_good_session(folder);
+  std::filesystem::remove_all(folder / "gaze");
+  const auto told = [&] {
+    const std::vector<std::string> lines = Session::open(folder.path()).findings().warnings;
+    return std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("gaze/data.csv") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(told(), 1);
+  folder.write("session.json", test::header_json("\"conversion\": {\"still\": [\"gaze\"]}"));
+  EXPECT_EQ(told(), 0);
 }
 
 TEST(OpeningASession, NarrowsTheSpanAsTheHeaderSays) {

@@ -23,8 +23,8 @@ class TimeLimit {
   explicit TimeLimit(double seconds);
 
   double seconds_left() const;  // infinite where there is no limit, negative after it
-  // Will another turn end in time, if it takes as long as the middle one of the earlier turns? Where there are
-  // none, whether any time is left.
+  // Will another turn end in time, if it takes as long as the middle one of the earlier turns? Where there
+  // are none, whether any time is left.
   bool has_room_for_another(std::span<const double> earlier_seconds) const;
 
  private:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -136,7 +137,8 @@ std::string check_markdown(const CheckReport& report) {
   std::string text = "### herr check: " + cell(report.session) + "\n\n**" + cell(headline(report)) + "**\n\n";
   if (!report.candidate.empty()) {
     text += cell(report.candidate) + " against " + cell(report.baseline) + "; " + cell(report.settings) +
-            "; " + std::to_string(report.runs) + " runs of " + std::to_string(report.frames) + " frames.\n\n";
+            "; " + counted(report.runs, "run", "runs") + " of " + counted(report.frames, "frame", "frames") +
+            ".\n\n";
   }
   for (const AllowedDifference& part : differences_by_part(report)) {
     text += "Differs, as allowed: " + cell(part.part + ": " + part.text) + ".\n\n";

@@ -7,6 +7,7 @@
 #include "server/check/statistics/pair_design.h"
 #include "server/process/version.h"
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -74,8 +75,8 @@ std::string check_text(const CheckReport& report) {
   if (!report.candidate.empty()) {
     const bool stored = report.baseline_runs == 0;  // nothing to compare with
     text += report.session + ": " + report.candidate + (stored ? "" : " against " + report.baseline) + "\n" +
-            report.settings + "\n" + std::to_string(report.runs) + " runs of " +
-            std::to_string(report.frames) + " frames" +
+            report.settings + "\n" + counted(report.runs, "run", "runs") + " of " +
+            counted(report.frames, "frame", "frames") +
             (stored ? "" : " against " + std::to_string(report.baseline_runs)) + "\n";
     for (const AllowedDifference& part : differences_by_part(report)) {
       text += "differs, as allowed: " + part.part + ": " + part.text + "\n";

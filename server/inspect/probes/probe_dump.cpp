@@ -15,6 +15,7 @@
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -165,12 +166,13 @@ std::optional<ProbeDump> dump_probes(const ProbeScene& from, const ProbeDumpRequ
 }
 
 std::string probe_dump_text(const ProbeDump& dump) {
-  std::string text = "probes in " + printable(dump.folder.string()) + "\n  " + std::to_string(dump.probes) +
-                     " probes: " + std::to_string(dump.active) + " active, " + std::to_string(dump.dark) +
-                     " dark, " + std::to_string(dump.far) + " far from every surface; " +
-                     std::to_string(dump.relocated) + " relocated\n  after " + std::to_string(dump.updates) +
-                     " updates at " + shortest_text(dump.display_hz) + " Hz of " + std::to_string(dump.rays) +
-                     " rays each, lights held; variability " + fixed_text(dump.variability, 4) + "\n";
+  std::string text = "probes in " + printable(dump.folder.string()) + "\n  " +
+                     counted(dump.probes, "probe", "probes") + ": " + std::to_string(dump.active) +
+                     " active, " + std::to_string(dump.dark) + " dark, " + std::to_string(dump.far) +
+                     " far from every surface; " + std::to_string(dump.relocated) + " relocated\n  after " +
+                     counted(dump.updates, "update", "updates") + " at " + shortest_text(dump.display_hz) +
+                     " Hz of " + counted(dump.rays, "ray", "rays") + " each, lights held; variability " +
+                     fixed_text(dump.variability, 4) + "\n";
   for (const ProbeDump::File& file : dump.files) {
     text += "  " + left_aligned(file.name, 26) + left_aligned(file.what, 24);
     if (file.width_px > 0) text += std::to_string(file.width_px) + "x" + std::to_string(file.height_px);

@@ -11,7 +11,7 @@
 #include "server/process/exit_code.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 
 namespace herr {
 namespace {
@@ -385,8 +385,7 @@ void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps) {
   }
   for (const std::string& name : only) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw UsageError("--only: '" + printable(name) + "' is no sweep; did you mean '" +
-                     nearest_name(name, known) + "'?");
+    throw UsageError("--only: '" + printable(name) + "' is no sweep; " + key_remedy(name, known));
   }
   const auto is_other = [&](const std::string& name) {
     return name != "default" && std::find(only.begin(), only.end(), name) == only.end();

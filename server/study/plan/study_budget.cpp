@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "server/study/plan/knobs.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -51,7 +52,7 @@ StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::ve
         ++count;
       }
       budget.dropped.push_back(knob + (soft ? ", " + base_name(kSoftSamples) : std::string()) + ": " +
-                               std::to_string(count) + " settings");
+                               counted(static_cast<std::int64_t>(count), "setting", "settings"));
     }
   }
   while (needed() > seconds * kShareOfKnobs && budget.frames > 1) --budget.frames;

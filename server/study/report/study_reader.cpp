@@ -7,6 +7,7 @@
 #include "server/study/report/study_json.h"
 #include "server/text/base64.h"
 #include "sessions/files/input_error.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/files/strict_json.h"
 
 namespace herr {
@@ -64,7 +65,7 @@ std::size_t place_of(const Rows& rows, const std::string& name, const JsonObject
   for (const auto& row : rows) known.emplace_back(row.name);
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) {
-    object.fail(key, "is not known: " + printable(name), "did you mean '" + nearest_name(name, known) + "'?");
+    object.fail(key, "is not known: " + printable(name), key_remedy(name, known));
   }
   return static_cast<std::size_t>(found - known.begin());
 }

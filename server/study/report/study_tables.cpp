@@ -8,6 +8,7 @@
 #include "server/study/report/figure_text.h"
 #include "server/study/report/report_facts.h"
 #include "server/study/report/study_plots.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -74,11 +75,11 @@ void drop_empty_columns(ReportTable& table) {
 std::vector<std::pair<std::string, std::string>> study_facts(const StudyRecord& record) {
   ReportFacts facts;
   facts.add_head(record);
-  facts.add(
-      "Measured",
-      {std::to_string(record.points.size()) + " settings on " + std::to_string(record.frames.size()) +
-       (record.frames.size() == 1 ? " frame" : " frames") + ", in " + fixed_figure(record.minutes_taken, 1) +
-       " of " + fixed_figure(record.minutes_allowed, 1) + " minutes"});
+  facts.add("Measured",
+            {counted(static_cast<std::int64_t>(record.points.size()), "setting", "settings") + " on " +
+             counted(static_cast<std::int64_t>(record.frames.size()), "frame", "frames") + ", in " +
+             fixed_figure(record.minutes_taken, 1) + " of " + fixed_figure(record.minutes_allowed, 1) +
+             " minutes"});
   facts.add("Default", {record.default_settings});
   facts.add("Program", {record.program});
   return facts.take();

@@ -5,7 +5,7 @@
 
 #include "server/process/exit_code.h"
 #include "sessions/files/input_error.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 
 namespace herr {
 namespace {
@@ -37,8 +37,8 @@ std::vector<RelationGroup> wanted_groups(const std::vector<std::string>& only) {
   for (const RelationGroup& group : relation_groups()) known.emplace_back(group.name);
   for (const std::string& name : only) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw UsageError("--only: '" + printable(name) + "' is no group of relations; did you mean '" +
-                     nearest_name(name, known) + "'?");
+    throw UsageError("--only: '" + printable(name) + "' is no group of relations; " +
+                     key_remedy(name, known));
   }
   std::vector<RelationGroup> groups;
   for (const RelationGroup& group : relation_groups()) {

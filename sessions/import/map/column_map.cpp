@@ -15,7 +15,7 @@ ColumnMap parse_map(const nlohmann::json& document, const std::filesystem::path&
   const JsonObject root(document, file, "");
   root.allow_only(
       {"format_version", "name", "note", "head", "gaze", "camera", "layouts", "vergence_m", "otherwise"});
-  root.integer("format_version", 1, 1);
+  root.require_version(1);
   ColumnMap map;
   map.name = root.text("name");
   map.note = root.text_or("note", "");

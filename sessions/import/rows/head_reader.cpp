@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "sessions/files/input_error.h"
 #include "sessions/import/rows/time_reader.h"
 
 namespace herr {
@@ -17,6 +18,9 @@ HeadReader::HeadReader(RowSource& rows, const HeadColumns& columns)
       rotation_(rows, columns),
       position_(rows, columns.position),
       gravity_(rows, columns.gravity) {
+  add_columns(columns.position, told_);
+  if (columns.rotation_kind != RotationKind::fixed) add_columns(columns.rotation, told_);
+  for (const ColumnRef& column : told_) told_places_.push_back(rows.place(column));
   const Pose& body_from_head = columns.body_from_head;
   const AxisDirections& axes = columns.head_axes;
   if (body_from_head.position != glm::dvec3(0) || body_from_head.orientation != glm::dquat(1, 0, 0, 0))
@@ -32,6 +36,17 @@ std::optional<Pose> HeadReader::read(const RowSource& rows, ReadingCounts& count
   if (!(glm::dot(recorded.position, recorded.position) < kMaxPositionM * kMaxPositionM))
     rows.fail("the position is 1e9 m or more from the origin", "check the unit of the map");
   return to_ours(recorded);
+}
+
+std::string HeadReader::absent_column(const RowSource& rows) const {
+  for (std::size_t i = 0; i < told_.size(); ++i) {
+    if (!rows.absent(told_places_[i])) continue;
+    const std::string text(rows.text(told_places_[i]));
+    const std::string name =
+        told_[i].name.empty() ? "column " + std::to_string(told_[i].number) : printable(told_[i].name);
+    return name + (text.empty() ? " is empty" : " is '" + printable(text) + "'");
+  }
+  return {};
 }
 
 Pose HeadReader::to_ours(const Pose& recorded) const {

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sessions/format/pose.h"
@@ -23,6 +24,8 @@ class HeadReader {
   // In our axes; none where tracking was lost: the row's filter says so, or its numbers are absent.
   // Throws InputError that names line and column.
   std::optional<Pose> read(const RowSource& rows, ReadingCounts& counts) const;
+  // Of a row without a pose, the first column that holds no number: "px is 'nan'". Empty: all hold one.
+  std::string absent_column(const RowSource& rows) const;
   // Gravity of the row in our axes, where the map names it; none where it is absent or zero.
   std::optional<glm::dvec3> gravity(const RowSource& rows) const;
 
@@ -33,6 +36,8 @@ class HeadReader {
   FilterReader valid_;
   RotationReader rotation_;
   Places position_, gravity_;
+  std::vector<ColumnRef> told_;  // of position and rotation, with their places
+  std::vector<std::size_t> told_places_;
   std::optional<Pose> head_in_body_;  // body_from_head in our axes, where the body is not the head itself
 };
 

@@ -11,7 +11,7 @@ constexpr std::array<RowFateText, kRowFates> kTexts{{
      true},
     {"backward_stamp", "rows left out: the stamp goes backwards (--sort puts late ones in place)", true},
     {"repeated_stamp", "rows left out: the stamp repeats the one before", true},
-    {"bad", "rows left out: they cannot be read", true},
+    {"bad", "rows left out: not readable", true},
     {"thinned", "rows left out: a second camera's stamp beside the first one's", false},
 }};
 

@@ -4,7 +4,7 @@
 
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
-#include "sessions/files/strict_json.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/import/tables/number_text.h"
 #include "sessions/import/tables/xml_cutter.h"
 #include "sessions/streams/field_text.h"

@@ -141,7 +141,7 @@ TEST(GltfMeshes, NormalsAreMadeUnitAndThoseOfLengthZeroComeFromTheirTriangle) {
   EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
   EXPECT_EQ(mesh.normals[1], glm::vec3(0, 0.6f, 0.8f));
   EXPECT_EQ(mesh.normals[2], glm::vec3(0, 0, 1));
-  EXPECT_TRUE(any_contains(scene.warnings, "1 normals of length zero"));
+  EXPECT_TRUE(any_contains(scene.warnings, "1 normal of length zero"));
 }
 
 TEST(GltfMeshes, DegenerateTrianglesAreKeptWithUnitNormals) {

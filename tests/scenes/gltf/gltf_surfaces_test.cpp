@@ -271,7 +271,7 @@ TEST(GltfSurfaces, TangentsThatSayNoDirectionAreAllMadeAnew) {
     add_attribute(folder, document, "TANGENT", tangents);
     const Scene scene = load_scene(write_model(folder, document));
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_TRUE(contains(scene.warnings[0], "1 tangents of length zero or along their normals"));
+    EXPECT_TRUE(contains(scene.warnings[0], "1 tangent of length zero or along their normals"));
     for (const glm::vec4& tangent : scene.meshes.at(0).tangents)
       EXPECT_LT(glm::distance(tangent, glm::vec4(1, 0, 0, 1)), 1e-6f);
   }

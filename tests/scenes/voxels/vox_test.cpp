@@ -129,7 +129,7 @@ TEST(Vox, GlassCoversByWhatItDoesNotLetThrough) {
   const Loaded vox = load(vox_bytes(vox_model(2, 1, 1, {{0, 0, 0, 1}, {1, 0, 0, 2}}) + materials));
   EXPECT_EQ(vox.scene.voxel_grids[0].at({0, 0, 0}) >> 24, 65u);
   EXPECT_EQ(vox.scene.voxel_grids[0].at({1, 0, 0}) >> 24, 255u);
-  EXPECT_TRUE(any_contains(vox.scene.warnings, "1 materials are drawn as matte"));
+  EXPECT_TRUE(any_contains(vox.scene.warnings, "1 material is drawn as matte"));
 }
 
 TEST(Vox, AFileWithoutVoxelsShowsNothingWithAWarning) {

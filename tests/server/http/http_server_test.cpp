@@ -79,6 +79,10 @@ TEST_F(Http, HeadHasTheHeadersOfGetAndNoBody) {
   const Reply refused = ask(server->port(), request_text("/", "HEAD", "Host: evil.example\r\n"));
   EXPECT_EQ(refused.status, 421);
   EXPECT_EQ(refused.body, "");
+  const Reply told = ask(server->port(), request_text("/", "GET", "Host: evil.example\r\n"));
+  EXPECT_EQ(told.status, 421);
+  EXPECT_NE(told.body.find("start it with --allowed-host NAME"), std::string::npos) << told.body;
+  EXPECT_EQ(told.body.find("evil.example"), std::string::npos) << "what was asked for is not echoed";
 }
 
 TEST_F(Http, RefusesWritingMethodsAndSaysWhichAreThere) {

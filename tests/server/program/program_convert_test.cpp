@@ -169,7 +169,7 @@ TEST_F(ConvertProgram, LeavesBadRowsOutWhenToldToAndSaysSo) {
                    std::string_view("1.0 0 0 0 0 0 0 1\n1.1 0 0 O 0 0 0 1\n1.2 0 0 0 0 0 0 1\n"));
   const Outcome got = convert("bad.txt s --preset tum --keep-going");
   EXPECT_EQ(got.exit_code, 5);
-  EXPECT_NE(got.out.find("1 rows left out: they cannot be read (line 2)"), std::string::npos) << got.out;
+  EXPECT_NE(got.out.find("1 row left out: not readable (line 2)"), std::string::npos) << got.out;
   EXPECT_NE(got.err.find("bad.txt: 1 of 3 rows are not in the session"), std::string::npos) << got.err;
   EXPECT_EQ(std::count(got.err.begin(), got.err.end(), '\n'), 1) << got.err;
   EXPECT_EQ(Session::open(root() / "s").findings().pose_rows, 2);
@@ -182,7 +182,7 @@ TEST_F(ConvertProgram, ATwentiethOfBadRowsIsSaidAndNoPartialResult) {
   const Outcome got = convert("bad.txt s --preset tum --keep-going");
   EXPECT_EQ(got.exit_code, 0) << got.err;
   EXPECT_EQ(got.err, "");
-  EXPECT_NE(got.out.find("1 rows left out: they cannot be read (line 1)"), std::string::npos) << got.out;
+  EXPECT_NE(got.out.find("1 row left out: not readable (line 1)"), std::string::npos) << got.out;
 }
 
 TEST_F(ConvertProgram, InspectTellsWhatAConversionLeftOut) {
@@ -190,7 +190,7 @@ TEST_F(ConvertProgram, InspectTellsWhatAConversionLeftOut) {
                    std::string_view("1.0 0 0 0 0 0 0 1\n1.1 0 0 O 0 0 0 1\n1.2 0 0 0 0 0 0 1\n"));
   ASSERT_EQ(convert("bad.txt s --preset tum --keep-going").exit_code, 5);
   const Outcome text = run_program(root(), "inspect s");
-  EXPECT_NE(text.out.find("left out    pose: 1 of 3: rows left out: they cannot be read"), std::string::npos)
+  EXPECT_NE(text.out.find("left out    pose: 1 of 3: rows left out: not readable"), std::string::npos)
       << text.out;
   const auto json = nlohmann::json::parse(run_program(root(), "inspect s --json").out);
   const auto& part = json["session"]["conversion"]["left_out"][0];
@@ -259,6 +259,62 @@ TEST_F(ConvertProgram, PrintsMapsThatItReadsBack) {
   ASSERT_EQ(shown.exit_code, 0) << shown.err;
   write_whole_file(root() / "bad.txt", shown.out);
   EXPECT_EQ(convert("walk.txt s --map bad.txt").exit_code, 0);
+}
+
+// A head whose file holds poses alone, in the columns of the preset jov2023; `gaze`: the rows beside it.
+void write_split_recording(const fs::path& folder, bool gaze) {
+  std::string head = "time,head_pos_x,head_pos_y,head_pos_z,head_rot_x,head_rot_y,head_rot_z\n", eyes;
+  eyes = "time,dir_x,dir_y,dir_z,pupil_l,pupil_r\n";
+  for (int i = 0; i < 60; ++i) {
+    const std::string t = std::to_string(1 + 0.011 * i);
+    head += t + ",0.1,1.6," + std::to_string(0.001 * i) + "," + std::to_string(0.1 * i) + ",5,0\n";
+    eyes += t + "," + std::to_string(0.001 * i) + ",0.02,0.99,3,3\n";
+  }
+  write_whole_file(folder / "walk_head.csv", head);
+  if (gaze) write_whole_file(folder / "walk_gaze.csv", eyes);
+}
+
+TEST_F(ConvertProgram, GazeThatLiesBesideTheHeadIsNamedAndProposed) {
+  write_split_recording(root(), true);
+  const Outcome alone = convert("walk_head.csv s");
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_NE(alone.out.find("walk_head.csv holds no gaze, but walk_gaze.csv lies beside it: give --gaze"),
+            std::string::npos)
+      << alone.out;
+  EXPECT_EQ(alone.out.find("no gaze was recorded"), std::string::npos) << alone.out;
+  EXPECT_EQ(content_of(root() / "s/session.json").find("\"still\""), std::string::npos)
+      << "nobody knows that it was not recorded";
+  const Outcome check = convert("--check walk_head.csv");
+  EXPECT_NE(
+      check.out.find("recommended: herr convert walk_head.csv OUT --gaze walk_gaze.csv --preset jov2023"),
+      std::string::npos)
+      << check.out;
+  EXPECT_NE(check.out.find("The gaze lies beside the head, in walk_gaze.csv."), std::string::npos)
+      << check.out;
+}
+
+TEST_F(ConvertProgram, AHeadAloneSaysThatNoGazeWasRecorded) {
+  write_split_recording(root(), false);
+  const Outcome got = convert("walk_head.csv s");
+  EXPECT_NE(got.out.find("no gaze was recorded"), std::string::npos) << got.out;
+  EXPECT_EQ(convert("--check walk_head.csv").out.find("--gaze"), std::string::npos);
+  // The session says so itself: inspect notes it, and nothing warns of it later.
+  const Outcome inspected = run_program(root(), "inspect s");
+  EXPECT_NE(inspected.out.find("note     s/gaze/data.csv: no gaze was recorded, as session.json says"),
+            std::string::npos)
+      << inspected.out;
+  EXPECT_EQ(inspected.out.find("does not exist"), std::string::npos) << inspected.out;
+}
+
+TEST_F(ConvertProgram, ARowWithoutANumberNamesItsColumn) {
+  std::string table = "time,head_pos_x,head_pos_y,head_pos_z,head_rot_x,head_rot_y,head_rot_z\n";
+  for (int i = 0; i < 60; ++i)
+    table += std::to_string(1 + 0.011 * i) + (i == 3 ? ",nan,1.6," : ",0.1,1.6,") +
+             std::to_string(0.001 * i) + "," + std::to_string(0.1 * i) + ",5,0\n";
+  write_whole_file(root() / "holes_head.csv", table);
+  const Outcome got = convert("holes_head.csv s");
+  EXPECT_NE(got.out.find("1 row left out: without tracking (line 5); head_pos_x is 'nan'"), std::string::npos)
+      << got.out << got.err;
 }
 
 }  // namespace

@@ -273,9 +273,9 @@ TEST_F(Look, LeavesADocumentTheLightThatItHas) {
 
 TEST_F(Look, NamesTheWholeRangeOfNumbersWithASign) {
   write_ball("ball.scene.json", 0.5, "[1, 1, 1]", 0);
-  EXPECT_NE(look("ball.scene.json --exposure -20").err.find("'-20' is not a number from -15 to 15"),
+  EXPECT_NE(look("ball.scene.json --exposure -20").err.find("'-20' is out of range: -15 to 15"),
             std::string::npos);
-  EXPECT_NE(look("ball.scene.json --from -400,0").err.find("'-400' is not a number from -360 to 360"),
+  EXPECT_NE(look("ball.scene.json --from -400,0").err.find("'-400' is out of range: -360 to 360"),
             std::string::npos);
 }
 

@@ -64,12 +64,6 @@ TEST(StrictJson, CountsLinesFromTheLineOfItsText) {
   EXPECT_INPUT_ERROR(parse_json_text("{\"a\" 1}", "e.jsonl", 41), "e.jsonl:41: ");
 }
 
-TEST(StrictJson, FindsTheNearestName) {
-  EXPECT_EQ(nearest_name("vergance", {"name", "vergence_m", "scene"}), "vergence_m");
-  EXPECT_EQ(nearest_name("nmae", {"scene", "name"}), "name");
-  EXPECT_EQ(nearest_name("x", {}), "");
-}
-
 class Fields : public testing::Test {
  protected:
   nlohmann::json document = parse(R"({"num": 2.5, "int": 7, "huge": 4294967297, "wide": 18446744073709551615,

@@ -8,6 +8,7 @@
 
 #include "sessions/import/import_rows.h"
 #include "sessions/import/presets/choose_format.h"
+#include "sessions/inspect/meters/median_pose.h"
 #include "sessions/inspect/time_profile.h"
 #include "sessions/record/session_recorder.h"
 #include "sessions/streams/interval_census.h"
@@ -36,6 +37,20 @@ TEST(FindingList, TakesNumbersAndQuotedNamesForTheSameKind) {
   findings.add(Severity::error, InputError("f", 3, "image 'b' is gone", ""));
   EXPECT_EQ(findings.kinds(Severity::error), 3);
   EXPECT_EQ(findings.sorted()[0].count, 2);
+}
+
+TEST(MedianPose, IsExactUpTo4096RowsAndEvenlyThinnedBeyond) {
+  MedianPose few;
+  EXPECT_EQ(few.place_m(), glm::dvec3(0.0));
+  for (const double x : {5.0, -1.0, 2.0}) few.add({{x, 1.6, -x}, {1, 0, 0, 0}});
+  EXPECT_EQ(few.place_m(), glm::dvec3(2, 1.6, -2));
+  EXPECT_EQ(few.forward(), glm::dvec3(0, 0, -1));
+  MedianPose many;
+  for (int i = 0; i < 1'000'000; ++i) many.add({{1e-3 * i, 0, 0}, {0, 0, 1, 0}});
+  // 0 ... 999.999 in even steps: the median of any even thinning is within a step of it of 500, 0.512 at
+  // most.
+  EXPECT_NEAR(many.place_m().x, 500, 0.512);
+  EXPECT_NEAR(many.forward().z, 1, 1e-12) << "half a turn about y";
 }
 
 TEST(TimeProfile, KeepsEveryValueWhenItsBinsGrow) {

@@ -24,8 +24,12 @@ TEST(PlainValues, WholeNumbersAreDigitsAlone) {
   for (const char* text : {"", "-1", "+1", "010", "1e3", "1.0", " 5", "5 ", "0x10", "99999999999999999999"}) {
     EXPECT_NE(complaint([&] { whole_number_from(text, 0, 1000); }), "") << text;
   }
-  EXPECT_EQ(complaint([] { whole_number_from("65", 1, 64); }),
-            "'65' is not a whole number from 1 to 64; write plain decimal digits");
+  EXPECT_EQ(complaint([] { whole_number_from("65", 1, 64); }), "'65' is out of range: 1 to 64");
+  EXPECT_EQ(complaint([] { whole_number_from("-5", 1, 64); }), "'-5' is out of range: 1 to 64");
+  EXPECT_EQ(complaint([] { whole_number_from("99999999999999999999", 1, 64); }),
+            "'99999999999999999999' is out of range: 1 to 64");
+  EXPECT_EQ(complaint([] { whole_number_from("6e1", 1, 64); }),
+            "'6e1' is not a whole number from 1 to 64; write plain decimal digits");
 }
 
 TEST(PlainValues, RealNumbersHaveAtMostOnePoint) {
@@ -33,8 +37,11 @@ TEST(PlainValues, RealNumbersHaveAtMostOnePoint) {
   for (const char* text : {"", ".5", "5.", "1e3", "nan", "inf", "01", "1,5", "-0.1", "1.5.2", "1e999"}) {
     EXPECT_NE(complaint([&] { real_number_from(text, 0, 1000); }), "") << text;
   }
-  EXPECT_EQ(complaint([] { real_number_from("2", 0.001, 1e-2); }),
-            "'2' is not a number from 0.001 to 0.01; write it as 12 or 1.5");
+  EXPECT_EQ(complaint([] { real_number_from("2", 0.001, 1e-2); }), "'2' is out of range: 0.001 to 0.01");
+  EXPECT_EQ(complaint([] { real_number_from("-20", -15, 15); }), "'-20' is out of range: -15 to 15");
+  EXPECT_EQ(complaint([] { real_number_from("-0.5", 0, 1); }), "'-0.5' is out of range: 0 to 1");
+  EXPECT_EQ(complaint([] { real_number_from("2m", 0, 1); }),
+            "'2m' is not a number from 0 to 1; write it as 12 or 1.5");
 }
 
 TEST(PlainValues, NumbersReadBackAsTheSame) {
@@ -50,6 +57,11 @@ TEST(PlainValues, AnUnknownWordNamesTheNearest) {
               word_from("virtul", {"virtual", "max"});
             }),
             "'virtul' is not one of virtual, max; did you mean virtual?");
+  // Two letters of four differ: no guess is better than a wrong one.
+  EXPECT_EQ(complaint([] {
+              word_from("high", {"hard", "soft", "adaptive"});
+            }),
+            "'high' is not one of hard, soft, adaptive");
 }
 
 }  // namespace

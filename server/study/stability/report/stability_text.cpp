@@ -6,6 +6,7 @@
 #include "server/study/report/report_table.h"
 #include "server/study/stability/report/stability_tables.h"
 #include "server/study/stability/report/stability_verdict.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -35,8 +36,8 @@ std::string stability_text(const StabilityRecord& record) {
       report_list("Not applicable", not_applicable_lines(record)) + report_list("Warnings", record.warnings);
   return text + report_line("Closest to its limit: " + closest_text(record.results)) +
          report_line("Verdict: " + counts_text(counts_of(record.results)) + "; " +
-                     std::to_string(record.results.size()) + " relations in " +
-                     fixed_figure(record.seconds, 0) + " s");
+                     counted(static_cast<std::int64_t>(record.results.size()), "relation", "relations") +
+                     " in " + fixed_figure(record.seconds, 0) + " s");
 }
 
 }  // namespace herr

@@ -42,21 +42,21 @@ TEST(StudyBudget, DropsCombinationsThenKnobsThenFrames) {
     std::size_t settings, frames;
     Texts dropped;
   };
-  const Texts soft{"combinations", "ray_width, N = 64: 1 settings", "filter, N = 64: 1 settings"};
+  const Texts soft{"combinations", "ray_width, N = 64: 1 setting", "filter, N = 64: 1 setting"};
   const auto and_then = [](Texts texts, const Texts& more) {
     texts.insert(texts.end(), more.begin(), more.end());
     return texts;
   };
-  const Texts all = and_then(soft, {"ray_width: 1 settings", "filter: 1 settings"});
+  const Texts all = and_then(soft, {"ray_width: 1 setting", "filter: 1 setting"});
   for (const Case& one : {
            Case{1000, 10, 3, {}},
-           Case{36, 10, 3, {}},                                        // 30 <= 0.85 * 36
-           Case{33, 10, 3, {"combinations"}},                          // 30 > 0.85 * 33
-           Case{30, 9, 3, {soft[0], soft[1]}},                         // 27 <= 28.5 < 30
-           Case{26, 8, 3, soft},                                       // 24 <= 24.7 < 27
-           Case{23, 7, 3, and_then(soft, {"ray_width: 1 settings"})},  // 21 <= 21.85 < 24
-           Case{19, 6, 3, all},                                        // 18 <= 18.05 < 21
-           Case{13, 6, 2, and_then(all, {"1 of 3 frames"})},           // 12 <= 12.35 < 18
+           Case{36, 10, 3, {}},                                       // 30 <= 0.85 * 36
+           Case{33, 10, 3, {"combinations"}},                         // 30 > 0.85 * 33
+           Case{30, 9, 3, {soft[0], soft[1]}},                        // 27 <= 28.5 < 30
+           Case{26, 8, 3, soft},                                      // 24 <= 24.7 < 27
+           Case{23, 7, 3, and_then(soft, {"ray_width: 1 setting"})},  // 21 <= 21.85 < 24
+           Case{19, 6, 3, all},                                       // 18 <= 18.05 < 21
+           Case{13, 6, 2, and_then(all, {"1 of 3 frames"})},          // 12 <= 12.35 < 18
            Case{0.1, 6, 1, and_then(all, {"2 of 3 frames"})},
        }) {
     const StudyBudget budget = budget_of(one.seconds);
@@ -84,7 +84,7 @@ TEST(StudyBudget, KeepsSoftLightOfRaysPerPixelAndOfThePaper) {
                                            setting("filter", "N = 1"),   setting("filter", "N = 64")};
   // 18 s; without soft filters 15, without filters 12: 0.95 * 13 = 12.35.
   const StudyBudget budget = budget_of(13, settings);
-  EXPECT_EQ(budget.dropped, (Texts{"combinations", "filter, N = 64: 1 settings", "filter: 1 settings"}));
+  EXPECT_EQ(budget.dropped, (Texts{"combinations", "filter, N = 64: 1 setting", "filter: 1 setting"}));
   EXPECT_EQ(budget.settings.size(), 4u);
 }
 

@@ -1,0 +1,105 @@
+#include "server/frames/picture_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "sessions/files/input_error.h"
+#include "sessions/inspect/number_words.h"
+#include "sessions/text/fixed_text.h"
+
+namespace herr {
+namespace {
+
+std::string no_lights(const Scene& scene, const FramePlan& plan) {
+  if (!scene.lights.empty()) return {};
+  const glm::vec3 dark(0.0f);
+  const bool surrounded = scene.environment != dark || !scene.environment_map.rgba.empty();
+  const bool ambient = scene.ambient != dark;
+  if (plan.probes)
+    return std::string("no lights, and probes take the place of ambient: ") +
+           (surrounded ? "only emission and environment light it" : "pictures are black but for emission") +
+           "; add a light" + (ambient ? ", or give --no-probes" : "");
+  if (ambient) return "no lights: only ambient and emission light it; add a light";
+  return std::string("no lights and no ambient: pictures are black but for emission") +
+         (surrounded ? " and the environment behind" : "") + "; add a light";
+}
+
+std::string catchers_without_feed(const Scene& scene, const FramePlan& plan, const RenderSettings& settings) {
+  if (plan.camera || settings.see_through_colour) return {};
+  const auto catchers =
+      std::count_if(scene.instances.begin(), scene.instances.end(),
+                    [](const Instance& instance) { return instance.catcher && instance.present; });
+  if (catchers == 0) return {};
+  return counted(catchers, "catcher", "catchers") +
+         " and no camera feed: catchers are not drawn; use \"shapes\" for surfaces that shall be seen";
+}
+
+std::string vector_text(const glm::dvec3& v) {
+  return "(" + fixed_text(v.x, 2) + ", " + fixed_text(v.y, 2) + ", " + fixed_text(v.z, 2) + ")";
+}
+
+// Between `forward` and the nearest of the corners and the middle of a box.
+double angle_to(const Bounds& box, const glm::dvec3& from, const glm::dvec3& forward) {
+  double largest_cosine = -1;
+  const auto see = [&](const glm::dvec3& point) {
+    const glm::dvec3 way = point - from;
+    const double distance = glm::length(way);
+    if (distance > 0) largest_cosine = std::max(largest_cosine, glm::dot(way, forward) / distance);
+  };
+  see(0.5 * (box.lower + box.upper));
+  for (int corner = 0; corner < 8; ++corner) {
+    see({(corner & 1) != 0 ? box.upper.x : box.lower.x, (corner & 2) != 0 ? box.upper.y : box.lower.y,
+         (corner & 4) != 0 ? box.upper.z : box.lower.z});
+  }
+  return glm::degrees(std::acos(std::min(1.0, largest_cosine)));
+}
+
+}  // namespace
+
+std::vector<std::string> picture_warnings(const Scene& scene, const std::filesystem::path& file,
+                                          const FramePlan& plan, const RenderSettings& settings,
+                                          bool feed_known) {
+  std::vector<std::string> warnings;
+  const auto add = [&](const std::string& sentence) {
+    if (!sentence.empty()) warnings.push_back(printable(file.string()) + ": " + sentence);
+  };
+  add(no_lights(scene, plan));
+  if (feed_known) add(catchers_without_feed(scene, plan, settings));
+  if (const std::string glow = glow_without_light(scene, plan); !glow.empty())
+    add(glow + "; switch probes on");
+  return warnings;
+}
+
+std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,
+                                 const std::optional<Pose>& world_from_head) {
+  std::string text =
+      "no virtual object was in view in " +
+      (frames == 1 ? std::string("the one frame") : "any of the " + std::to_string(frames) + " frames");
+  const Instance* nearest = nullptr;
+  double least_deg = 181;
+  const glm::dvec3 forward =
+      world_from_head ? world_from_head->orientation * glm::dvec3(0, 0, -1) : glm::dvec3(0, 0, -1);
+  if (world_from_head)
+    text += "; the head stood at " + vector_text(world_from_head->position) +
+            " in the scene and looked along " + vector_text(forward);
+  bool any = false;
+  for (const Instance& instance : scene.instances) {
+    if (instance.catcher || !instance.present) continue;
+    any = true;
+    if (!world_from_head) break;
+    const double deg = angle_to(instance_bounds(scene, instance), world_from_head->position, forward);
+    if (deg >= least_deg) continue;
+    least_deg = deg;
+    nearest = &instance;
+  }
+  if (!any)
+    return text + "; the scene has none but catchers, which are not drawn: add \"gltf\" or \"shapes\"";
+  if (nearest != nullptr)
+    text += ", the nearest object" + (nearest->name.empty() ? "" : " \"" + printable(nearest->name) + "\"") +
+            " is " + fixed_text(least_deg, 0) + " degrees away";
+  return text + "; move it, or set world_from_session";
+}
+
+}  // namespace herr

@@ -1,0 +1,29 @@
+// What a user would not expect of a run's pictures, one line each: darkness without a light, real surfaces
+// that are not drawn, nothing in view. Before: a scene and its frame plan, what a run has counted. After: the
+// warnings of replay, serve, look and inspect.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/frame_plan.h"
+#include "scenes/model/scene.h"
+#include "sessions/format/pose.h"
+
+namespace herr {
+
+// Known before the first frame. `file` stands before each. `feed_known` false: nobody knows yet whether there
+// will be a camera feed, as where a scene is inspected alone.
+std::vector<std::string> picture_warnings(const Scene& scene, const std::filesystem::path& file,
+                                          const FramePlan& plan, const RenderSettings& settings,
+                                          bool feed_known = true);
+
+// Known after `frames` frames, none of whose samples met a virtual object: where the head stood in the scene,
+// where it looked, and how far off that the nearest object is. Without a head these are left out.
+std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,
+                                 const std::optional<Pose>& world_from_head);
+
+}  // namespace herr

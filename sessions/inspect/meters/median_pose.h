@@ -1,0 +1,32 @@
+// Where a head is in the median, and where it looks. Constant memory: of long recordings evenly spaced rows
+// count. Before: pose rows in order. After: the report of `herr inspect`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "sessions/format/pose.h"
+
+namespace herr {
+
+class MedianPose {
+ public:
+  void add(const Pose& world_from_head);
+  std::int64_t rows() const { return rows_; }
+
+  // Metres, the median of each coordinate: (0, 0, 0) without rows. Exact up to kMostKept rows.
+  glm::dvec3 place_m() const;
+  // Of the head's forward, -Z: the median of each coordinate, brought to length 1. (0, 0, 0) where these
+  // cancel out, or without rows.
+  glm::dvec3 forward() const;
+
+  static constexpr std::size_t kMostKept = 4096;
+
+ private:
+  std::vector<glm::dvec3> places_, forwards_;  // of every stride_-th row
+  std::int64_t rows_ = 0, stride_ = 1;
+};
+
+}  // namespace herr
