@@ -37,8 +37,11 @@ bool look(Look kind, const Pairs& pairs, const PairDesign& design, CheckReport& 
   median.shift = judgement.shift;
   median.rule = design.rule;
   median.verdict = judgement.verdict;
-  // A look at a restless machine decides nothing; later ones may find it quieter.
-  if (const std::string noise = noise_text(*report.noise); !noise.empty()) {
+  // A look at a restless machine decides nothing but what that cannot excuse; later ones may find it quieter.
+  const std::string noise = noise_text(*report.noise);
+  const bool beyond_noise = median.verdict == Verdict::regression &&
+                            median.shift.lower > design.rule.limit + excused_shift(*report.noise);
+  if (!noise.empty() && !beyond_noise) {
     median.verdict = Verdict::noisy;
     median.reason = noise;
     return judgement.last_look;
@@ -63,7 +66,7 @@ void run_pairs(const TimeLimit& limit, Pairs& pairs, CheckReport& report) {
     // Two runs a pair.
     if (stays_noisy(pairs.values.all(), 2 * most)) {
       report.ended_early = "ended after " + pairs_text(pairs.count(), design) +
-                           ": whatever the others measured, it would be noisy";
+                           ": whatever the others measured, the machine is too restless";
       break;
     }
     const Shift shift = signed_rank_shift(pairs.values.differences(), kToldTail);

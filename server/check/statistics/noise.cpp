@@ -2,6 +2,7 @@
 
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "server/text/number_text.h"
@@ -37,6 +38,12 @@ std::string noise_text(const Noise& noise) {
            ")";
   }
   return {};
+}
+
+double excused_shift(const Noise& noise) {
+  // Written so that what is not a number excuses everything.
+  if (!(noise.steal < 1 && noise.calibration_cv >= 0)) return std::numeric_limits<double>::infinity();
+  return noise.calibration_cv - std::log1p(-noise.steal);
 }
 
 }  // namespace herr

@@ -24,5 +24,9 @@ struct Noise {
 };
 // One line that says what is too restless; empty when nothing is.
 std::string noise_text(const Noise& noise);
+// How far a restless machine may have moved a shift (of logarithms) at most: by the standard deviation of its
+// speed and by all that was stolen, had both fallen on one side of every pair, though the sides take turns.
+// Infinite where the kernel is mute.
+double excused_shift(const Noise& noise);
 
 }  // namespace herr

@@ -96,5 +96,13 @@ TEST(LastingNoise, LastsWhereTheKernelDoesNotTell) {
   EXPECT_TRUE(steal_stays_high(runs, 60));
 }
 
+TEST(LastingNoise, ExcusesAsMuchAsItCouldHaveDone) {
+  // A speed that varies by 10 % and a fifth of the CPU time stolen: 0.1 - ln(1 - 0.2) = 0.323144.
+  EXPECT_NEAR(excused_shift({0.1, 0.2}), 0.323144, 1e-6);
+  EXPECT_EQ(excused_shift({0, 0}), 0);
+  EXPECT_EQ(excused_shift({0.1, std::numeric_limits<double>::quiet_NaN()}),
+            std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 }  // namespace herr

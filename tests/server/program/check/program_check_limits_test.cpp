@@ -47,7 +47,7 @@ TEST_F(ProgramCheckLimits, EndsEarlyWhereNothingButNoisyCanCome) {
   EXPECT_EQ(json["verdict"], "noisy") << run.out;
   EXPECT_EQ(json["runs"], 3) << run.out;
   EXPECT_EQ(json["ended_early"],
-            "ended after 3 of 15–30 pairs: whatever the others measured, it would be noisy");
+            "ended after 3 of 15–30 pairs: whatever the others measured, the machine is too restless");
   // Counters are told all the same.
   EXPECT_FALSE(json["counters"].empty());
 }
