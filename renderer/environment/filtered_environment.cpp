@@ -179,7 +179,8 @@ FilteredEnvironment::FilteredEnvironment(const EnvironmentImage& picture, int pr
   record_.levels = kMostFilteredLevels;
   record_.first_alpha = kFirstAlpha;
   record_.levels_per_octave = static_cast<float>((kMostFilteredLevels - 1) / std::log2(1.0 / kFirstAlpha));
-  record_.first_without_sources = 0;
+  // The finest level, towards which sharper lobes fade from the picture itself, has the sources always.
+  record_.first_without_sources = 1;
   while (record_.first_without_sources < kMostFilteredLevels &&
          alpha_of(record_.first_without_sources) < double{kAlphasOfSource * widest}) {
     ++record_.first_without_sources;

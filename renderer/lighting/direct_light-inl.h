@@ -10,10 +10,11 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// Where edges are looked for: remembers of lights with one sample whether something is in its way.
-HWY_INLINE void note_blocked(const TileJob& job, const LightRecord& light, int count) {
+// Where edges are looked for: remembers of lights with one sample whether something is in its way, at the
+// samples' own hits: not at what mirrors and glass show.
+HWY_INLINE void note_blocked(const TileJob& job, const LightRecord& light, int count, RayKind kind) {
   EdgeSamples* edges = job.scratch->edges.get();
-  if (edges == nullptr || !edges->notes || light.samples > 1) return;
+  if (edges == nullptr || !edges->notes || light.samples > 1 || kind != RayKind::shadow) return;
   const auto number = static_cast<int>(&light - job.shading->lights.data());
   if (number >= kMostEdgeLights) return;
   const VI bit = hn::Set(kI, 1 << number);
@@ -38,7 +39,7 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
       for (int s = 0; s < light.samples; ++s) {
         queue_shadow_rays(job, light, s, hits, count);
         find_visibility(job, light, hits, kind);
-        note_blocked(job, light, count);
+        note_blocked(job, light, count, kind);
         for (int slot = 0; slot < count; slot += kLanes) add_sample<kLobe>(job, light, s, use, hits, slot);
       }
     }

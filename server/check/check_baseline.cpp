@@ -50,7 +50,8 @@ class Runs {
       if (!add_in_time()) return "--max-seconds ended it after " + of_runs(count);
       if (this->count() == count) break;
       if (stays_noisy(values, count)) {
-        return "ended after " + of_runs(count) + ": whatever the others measured, the machine is too restless";
+        return "ended after " + of_runs(count) +
+               ": whatever the others measured, the machine is too restless";
       }
       progress.show(
           run_progress(this->count(), count, state(stored), median(seconds_), limit_.seconds_left()));

@@ -1,7 +1,9 @@
 // What lobes are shown of a picture, against sums over all of its directions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/vec3.hpp>
@@ -102,6 +104,38 @@ TEST(FilteredEnvironmentTest, EachLevelIsTheMeanOverItsLobe) {
       EXPECT_NEAR(level_at(record, level, d), mean, 0.02 * mean) << level << ": " << d.x << ", " << d.y;
     }
   }
+}
+
+// Light that comes from all sides: rows of a picture times their solid angles.
+double light_of(const float* texels, int width, int height) {
+  double sum = 0;
+  for (int y = 0; y < height; ++y) {
+    const double row =
+        std::cos(glm::pi<double>() * y / height) - std::cos(glm::pi<double>() * (y + 1) / height);
+    for (int x = 0; x < width; ++x) sum += row * double{texels[4 * (y * width + x)]};
+  }
+  return sum * glm::two_pi<double>() / width;
+}
+
+// A sun of 2 by 2 texels, half of all light, is in the finest level, which stands beside the sharp picture:
+// were it lit by the lobe as well, mirrors would show it twice.
+TEST(FilteredEnvironmentTest, TheFinestLevelHasASmallSun) {
+  EnvironmentImage picture;
+  picture.width_px = 1024;
+  picture.height_px = 512;
+  picture.rgba.assign(std::size_t{4} * 1024 * 512, 1.0f);
+  for (const int y : {200, 201}) {
+    for (const int x : {300, 301}) {
+      for (int c = 0; c < 3; ++c) picture.rgba[static_cast<std::size_t>(4 * (y * 1024 + x) + c)] = 1e5f;
+    }
+  }
+  const FilteredEnvironment filtered(picture, 0, one_by_one);
+  const FilteredRecord record = filtered.record(0);
+  ASSERT_GT(record.source_count, 0);
+  EXPECT_GE(record.first_without_sources, 1);
+  const double all = light_of(picture.rgba.data(), 1024, 512);
+  // Half a texel of interpolation at the sun's latitude, and rings of its lobe: 3 %.
+  EXPECT_NEAR(light_of(record.texels, record.width[0], record.height[0]), all, 0.03 * all);
 }
 
 // Sources are lit by the lobe itself, 1 / the lobe's sum of it each.

@@ -85,6 +85,28 @@ TEST(FrameQualityTest, ALowerFrameHasTheBytesOfARendererOfThatHeight) {
   }
 }
 
+// With further rays at edges, whose places follow the height, and hard shadows, at whose borders they go.
+TEST(FrameQualityTest, ALowerFrameHasTheEdgesOfARendererOfThatHeight) {
+  const Scene scene = test::busy_scene();
+  const FrameSample sample = test::sample_from({0.1, 0.2, 0.3}, test::gaze_deg(6, -3));
+  RenderSettings settings = test::small_settings();
+  settings.edge_samples = 4;
+  settings.polar_height = kHeights.front();
+  Renderer renderer(scene, test::small_profile(), settings, false);
+  RenderedFrame frame;
+  for (const int height : kHeights) {
+    SCOPED_TRACE(height);
+    renderer.render_frame(sample, state_of(scene), {1, 0, 0, height}, frame);
+    RenderSettings lower = settings;
+    lower.polar_height = height;
+    const RenderedFrame expected = test::render(scene, test::small_profile(), lower, sample);
+    test::expect_same_bits(frame, expected);
+    EXPECT_GT(frame.counters.edge_samples, 0);
+    EXPECT_EQ(frame.counters.edge_samples, expected.counters.edge_samples);
+    EXPECT_EQ(frame.counters.rays.of_kind, expected.counters.rays.of_kind);
+  }
+}
+
 // The rows of --polar acuity are 1174; half of them at half the columns are a frame of that size.
 TEST(FrameQualityTest, AFrameThatFollowsTheAcuityMayBeLowerAndNarrower) {
   const Scene scene = test::busy_scene();
