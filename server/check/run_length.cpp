@@ -47,7 +47,8 @@ std::string settings_line(const CheckFingerprint& fingerprint) {
                                                         "--light-samples", "--occlusion-rays", "--probes",
                                                         "--isa",           "--threads"};
   // A check writes no pictures and has no policy.
-  constexpr std::array<std::string_view, 3> kNeverTold{"--format", "--contact-sheet", "--polar-floor"};
+  constexpr std::array<std::string_view, 4> kNeverTold{"--format", "--contact-sheet", "--polar-floor",
+                                                       "--polar-floor-height"};
   const Fingerprint::Entries defaults = setting_entries({});
   std::string line;
   for (const auto* entries : {&fingerprint.work.settings, &fingerprint.machine}) {

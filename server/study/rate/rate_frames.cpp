@@ -24,4 +24,11 @@ std::vector<RateFrame> rate_frames(const FrameRange& range) {
   return frames;
 }
 
+bool CountedFrames::counts(const RateFrame& frame, double frame_ms) {
+  const bool far = frame_ms > 4 * period_ms_;
+  const bool again = far && was_far_;
+  was_far_ = far;
+  return frame.counts || again;
+}
+
 }  // namespace herr

@@ -22,4 +22,16 @@ struct RateFrame {
 // at most, and no more than half, to warm up.
 std::vector<RateFrame> rate_frames(const FrameRange& range);
 
+// Which frames of a measurement count, once each is rendered: those that do not warm up, and of those that do
+// any that is more than 4 times the period long after another such one: then nothing is left to warm up for.
+class CountedFrames {
+ public:
+  explicit CountedFrames(double period_ms) : period_ms_(period_ms) {}
+  bool counts(const RateFrame& frame, double frame_ms);
+
+ private:
+  const double period_ms_;
+  bool was_far_ = false;
+};
+
 }  // namespace herr

@@ -33,7 +33,7 @@ std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder
                                           const MeasureRate& measure, const TellRate& tell) {
   RateSearch search(ladder.size(), period_ms);
   while (const std::optional<std::size_t> next = search.next()) {
-    const std::optional<RateTrial> trial = measure(ladder[*next], false);
+    const std::optional<RateTrial> trial = measure(ladder[*next], *next == 0);
     if (!trial) return std::nullopt;
     tell(ladder[*next], *trial);
     search.observe(*trial);
@@ -46,11 +46,6 @@ std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder
   if (const auto held = search.held()) answer.held = measured(ladder[*held], search.trials(*held));
   if (const auto refused = search.refused())
     answer.refused = measured(ladder[*refused], search.trials(*refused));
-  if (answer.held) return answer;
-  const std::optional<RateTrial> whole = measure(ladder.front(), true);
-  if (!whole) return std::nullopt;
-  tell(ladder.front(), *whole);
-  answer.refused = measured(ladder.front(), {*whole});
   return answer;
 }
 

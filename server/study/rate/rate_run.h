@@ -36,8 +36,8 @@ using MeasureRate = std::function<std::optional<RateTrial>(const RateSetting&, b
 // After each trial.
 using TellRate = std::function<void(const RateSetting&, const RateTrial&)>;
 
-// None where a measurement gave none. Where not even the smallest setting holds, it is measured once more as
-// a whole, and that is what the answer tells of it.
+// None where a measurement gave none. The smallest setting is always measured whole: its percentile is told
+// where it does not hold.
 std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder, double period_ms,
                                           const MeasureRate& measure, const TellRate& tell);
 

@@ -143,7 +143,7 @@ std::optional<RateTrial> RateSubject::measure(const RateSetting& setting, bool t
   TrialFrames frames(period_ms());
   const int cores = std::max(1, std::min(report_.settings.threads, report_.load.cores));
   const std::optional<CpuTicks> before = read_cpu_ticks();
-  bool slow = false;  // then nothing has to warm up: it is decided at once
+  CountedFrames counted(period_ms());
   for (bool complete = false;;) {
     for (const RateFrame& each : frames_) {
       if (stop_signal() != 0) return std::nullopt;
@@ -151,8 +151,7 @@ std::optional<RateTrial> RateSubject::measure(const RateSetting& setting, bool t
       step_->prepare(each.frame);
       step_->render(rendered_);
       const double frame_ms = static_cast<double>(step_->finished_ns() - start_ns) * 1e-6;
-      if (each.counts || slow) frames.add(step_->record(), frame_ms, cores);
-      slow = slow || frame_ms > 4 * period_ms();
+      if (counted.counts(each, frame_ms)) frames.add(step_->record(), frame_ms, cores);
       complete = frames.complete(to_the_end);
       if (complete) break;
     }

@@ -50,7 +50,8 @@ TEST(RateSearch, FindsTheBorderWhereverItLies) {
 
 TEST(RateSearch, FarFromThePeriodOneTrialIsEnough) {
   RateSearch search(87, kPeriod_ms);
-  EXPECT_EQ(run(search, [](std::size_t) { return 50.0; }), 6) << "43, 21, 10, 4, 1, 0";
+  EXPECT_EQ(run(search, [](std::size_t) { return 50.0; }), 6 + 2)
+      << "43, 21, 10, 4, 1, 0, and two more of the last";
   EXPECT_FALSE(search.held());
   EXPECT_EQ(search.refused(), 0u);
   RateSearch easy(87, kPeriod_ms);
@@ -95,6 +96,18 @@ TEST(RateSearch, ALuckyTrialIsNotBelieved) {
   EXPECT_EQ(search.held(), 0u);
   EXPECT_EQ(search.refused(), 1u);
   EXPECT_EQ(count[1], 5) << "the trials disagreed";
+}
+
+// Far too slow once, and then not: the smallest is not given up for one trial.
+TEST(RateSearch, TheSmallestIsNotGivenUpForOneSlowTrial) {
+  for (const std::size_t settings : {1u, 2u, 3u}) {
+    RateSearch search(settings, kPeriod_ms);
+    int first = 0;
+    run(search, [&](std::size_t i) { return i > 0 || ++first == 1 ? 50.0 : 5.0; });
+    EXPECT_EQ(search.held(), 0u) << settings;
+    EXPECT_EQ(first, 5) << "the trials disagree";
+    EXPECT_EQ(search.refused().has_value(), settings > 1);
+  }
 }
 
 TEST(RateSearch, ThePeriodItselfHolds) {

@@ -77,6 +77,20 @@ TEST(RateFrames, AreFourStretchesOfALongSession) {
   EXPECT_EQ(counted, kRateFrames);
 }
 
+// A period of 10 ms. The first frame after a renderer was built is slow, whatever follows.
+TEST(CountedFrames, AColdFirstFrameCountsNothing) {
+  CountedFrames counted(10);
+  for (const double ms : {400.0, 9.0, 9.0, 41.0, 9.0}) EXPECT_FALSE(counted.counts({0, false}, ms)) << ms;
+  EXPECT_TRUE(counted.counts({5, true}, 9));
+}
+
+TEST(CountedFrames, WhereAllAreFarTooSlowNothingHasToWarmUp) {
+  CountedFrames counted(10);
+  EXPECT_FALSE(counted.counts({0, false}, 900));
+  EXPECT_TRUE(counted.counts({1, false}, 800));
+  EXPECT_TRUE(counted.counts({2, false}, 800));
+}
+
 TEST(RateFrames, OfAShortSessionAreAllOfIt) {
   for (const std::int64_t count : {1, 2, 3, 9, 10, 119, 120, 121}) {
     SCOPED_TRACE(count);
