@@ -54,10 +54,10 @@ double room_radiance(const glm::dvec3& direction) {
   return light;
 }
 
-void paint_room(double azimuth_deg, EnvironmentImage& image) {
+// As it stands about a camera at azimuth 0.
+void paint_room(EnvironmentImage& image) {
   image.width_px = kRoomWidth_px;
   image.height_px = kRoomHeight_px;
-  image.turn_deg = 0;
   image.rgba.resize(std::size_t{4} * kRoomWidth_px * kRoomHeight_px);
   float* texel = image.rgba.data();
   for (int y = 0; y < kRoomHeight_px; ++y) {
@@ -65,9 +65,7 @@ void paint_room(double azimuth_deg, EnvironmentImage& image) {
     for (int x = 0; x < kRoomWidth_px; ++x, texel += 4) {
       // The middle column lies towards -Z, azimuth 180; columns run clockwise, azimuths against it.
       const double azimuth = 180 - (360 * (x + 0.5) / kRoomWidth_px - 180);
-      const auto light =
-          static_cast<float>(room_radiance(direction_to(azimuth - azimuth_deg, elevation_deg)));
-      std::fill_n(texel, 3, light);
+      std::fill_n(texel, 3, static_cast<float>(room_radiance(direction_to(azimuth, elevation_deg))));
     }
   }
   const auto scale = static_cast<float>(kStudioAmbient / mean_radiance(image).x);
@@ -95,7 +93,9 @@ void light_studio(double azimuth_deg, Scene& scene) {
   sun.intensity_w_sr = glm::vec3(static_cast<float>(glm::pi<double>() * (1 - kStudioAmbient)));
   scene.lights = {sun};
   scene.ambient = scene.environment = glm::vec3(static_cast<float>(kStudioAmbient));
-  paint_room(azimuth_deg, scene.environment_map);
+  // Painted once: renderers blur the picture when they are made, and turn what they made of it.
+  if (scene.environment_map.rgba.empty()) paint_room(scene.environment_map);
+  scene.environment_map.turn_deg = static_cast<float>(azimuth_deg);
 }
 
 void add_environment(const LookOptions& options, bool studio, Scene& scene) {

@@ -268,7 +268,8 @@ void write_split_recording(const fs::path& folder, bool gaze) {
   for (int i = 0; i < 60; ++i) {
     const std::string t = std::to_string(1 + 0.011 * i);
     head += t + ",0.1,1.6," + std::to_string(0.001 * i) + "," + std::to_string(0.1 * i) + ",5,0\n";
-    eyes += t + "," + std::to_string(0.001 * i) + ",0.02,0.99,3,3\n";
+    // As people's do, the eyes turn against the head: 0.1 degrees are 0.0017.
+    eyes += t + ",0.01," + std::to_string(0.02 + 0.0017 * i) + ",0.99,3,3\n";
   }
   write_whole_file(folder / "walk_head.csv", head);
   if (gaze) write_whole_file(folder / "walk_gaze.csv", eyes);

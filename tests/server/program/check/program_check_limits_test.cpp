@@ -261,8 +261,8 @@ TEST_F(ProgramCheckLimits, RefusesASlowDownWithoutEffect) {
         {"--baseline b --only counters --slow-down 10", "has no effect on counters"},
         {"--save b --slow-down 10", "--save gives no verdict"},
         {"--save b --only counters --slow-down 10", "--save gives no verdict"},
-        {"--against other --slow-down 0", "'0' is not a number from 0.1 to 1000"},
-        {"--against other --slow-down -5", "'-5' is not a number from 0.1 to 1000"},
+        {"--against other --slow-down 0", "'0' is out of range: 0.1 to 1000"},
+        {"--against other --slow-down -5", "'-5' is out of range: 0.1 to 1000"},
         {"--against other --slow-down nan", "'nan' is not a number from 0.1 to 1000"},
         {"--slow-down 10", "give one of --against"}}) {
     const Outcome run = check(arguments);
