@@ -14,9 +14,11 @@ namespace HWY_NAMESPACE {
 HWY_NOINLINE inline void pass_backs(const TileJob& job, RayHit& packet, MF backs) {
   alignas(64) int valid[kMaxLanes];
   set_valid(valid, backs);
-  // Rays end before they begin again: the next number after t, and never 0.
+  // Rays end before they begin again, and never at 0: eight numbers after t. Embree compares T and tnear
+  // times the determinant, and tells T times its rounded reciprocal: with AVX2 up to two numbers before the
+  // next one, so that the same back would be met for ever.
   const VF t = load(packet.ray.tfar);
-  const VF next = hn::BitCast(kF, hn::Add(hn::BitCast(kU, t), hn::Set(kU, 1u)));
+  const VF next = hn::BitCast(kF, hn::Add(hn::BitCast(kU, t), hn::Set(kU, 8u)));
   const auto put = [&](VF value, float* lane) HWY_ATTR { store_lanes(value, backs, lane); };
   put(hn::Max(next, set(1e-30f)), packet.ray.tnear);
   put(set(kEndless), packet.ray.tfar);
