@@ -32,6 +32,7 @@ TEST(ReadmeExample, AModelOnAFloorBesideAWallLoadsAndIsSeen) {
   ASSERT_FALSE(document.empty());
   const TemporaryFolder folder;
   folder.write("model.gltf", triangle_document().dump());
+  folder.write("triangle.bin", triangle_bytes());
   const Scene scene = load_scene(folder.write("example.scene.json", document));
   EXPECT_TRUE(scene.warnings.empty());
   ASSERT_EQ(scene.instances.size(), 3u) << "floor, wall and the model's triangle";
