@@ -189,10 +189,9 @@ FilteredEnvironment::FilteredEnvironment(const EnvironmentImage& picture, int pr
   filter_levels(whole, pyramid_of(std::move(dimmed)), parallel);
   even_ = evenly_lit(of_width(whole, 64));
   if (probe_rays <= 0) return;
-  // Texels of a half to a third of the rays' spacing: interpolation leaves few gaps between rays, and no lamp
-  // shines much farther round than it does.
+  // As many texels as rays, or up to four times: rays that leave no gaps between them.
   const double spacing = std::sqrt(4 * glm::pi<double>() / probe_rays);
-  coarse_ = of_width(whole, power_of_two(1.5 * glm::two_pi<double>() / spacing, 4, width));
+  coarse_ = of_width(whole, power_of_two(glm::two_pi<double>() / spacing, 4, width));
 }
 
 void FilteredEnvironment::filter_levels(const std::vector<SkyPicture>& whole,
