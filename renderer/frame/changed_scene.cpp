@@ -43,7 +43,6 @@ bool Renderer::Impl::replan() {
   plan = std::move(next);
   if (wider) allocate_buffers();
   allocate_scratch();
-  filter_environment();
   if (plan.probes) plan_probes();
   return !same;
 }
@@ -66,7 +65,6 @@ void Renderer::Impl::restart(const SceneState& state) {
   plan = plan_frame(scene, settings, session_has_camera);
   allocate_buffers();
   allocate_scratch();
-  filter_environment();
   geometry->leave_anchor();
   if (!probes) return;
   plan_probes();

@@ -52,13 +52,16 @@ void Renderer::Impl::allocate_scratch() {
   }
 }
 
+// At construction alone, since it takes long: for probes, and for whatever surfaces events may bring.
 void Renderer::Impl::filter_environment() {
-  if (!plan.filtered_environment || filtered_environment) return;
+  const bool shown = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                 [](const Instance& instance) { return !instance.catcher; });
+  if (!plan.environment_map || !shown) return;
   const auto parallel = [this](int count, const std::function<void(int)>& work) {
     threads.run(count, [&](int i, int) { work(i); });
   };
   filtered_environment = std::make_unique<FilteredEnvironment>(
-      scene.environment_map, plan.probes ? settings.probes.rays : 0, parallel);
+      scene.environment_map, settings.probes.on ? settings.probes.rays : 0, parallel);
 }
 
 MemoryUse Renderer::memory() const {

@@ -71,6 +71,12 @@ HWY_INLINE V3 direction_through(const RayGrid& grid, const EdgeGroup& group, int
                       hn::GatherIndex(kF, places.cos_phi(k), group.y));
 }
 
+// Rays of `wanted` that are not finite, and so not of `traced`, are counted.
+HWY_INLINE void count_invalid(const TileJob& job, MF wanted, MF traced) {
+  const auto all = static_cast<std::int64_t>(hn::CountTrue(kF, wanted));
+  job.counters->invalid_rays += all - static_cast<std::int64_t>(hn::CountTrue(kF, traced));
+}
+
 // What a traced packet met; `backs`: faces of these lanes that eyes do not see.
 HWY_INLINE SeenSurface surface_met(const TileJob& job, const RayHit& packet, MF lanes, MF& backs) {
   const VU geometry = hn::Load(kU, packet.hit.geomID), ids = hn::Load(kU, packet.hit.instID[0]);

@@ -19,7 +19,9 @@ HWY_NOINLINE inline MF blocked_from(const TileJob& job, const LightRecord& light
   const V3 origin = mul_add(met.offset, met.normal, met.position);
   const V3 direction = mul_add(hn::Neg(met.offset), met.normal, to_light);
   lanes = hn::And(lanes, hn::Gt(dot(met.normal, to_light), hn::Zero(kF)));
+  const MF wanted = lanes;
   lanes = hn::And(lanes, traceable(origin, direction));
+  count_invalid(job, wanted, lanes);
   if (hn::AllFalse(kF, lanes)) return lanes;
   alignas(64) Ray packet;
   alignas(64) int valid[kMaxLanes];

@@ -77,7 +77,9 @@ HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int column
   y = hn::IfThenElse(hn::Lt(y, zero), hn::Sub(height, hn::Set(kI, 1)),
                      hn::IfThenElse(hn::Eq(y, height), zero, y));
   const V3 direction = sample_directions(grid, x, y);
+  const MF wanted = lanes;
   lanes = hn::And(lanes, traceable(set3(grid.origin), direction));
+  count_invalid(job, wanted, lanes);
   const SeenSurface met =
       trace_to_surface<kDetail>(job, direction, key_of(grid, x, y), spread_at(grid, x), lanes);
   const MF other = hn::AndNot(on_one_surface(own, met), lanes);

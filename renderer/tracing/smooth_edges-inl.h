@@ -66,6 +66,7 @@ HWY_NOINLINE void trace_edge_group(const TileJob& job, int start) {
   for (int k = 0; k < job.grid->edge_places->count(); ++k) {
     const V3 direction = direction_through(*job.grid, group, k);
     const MF lanes = hn::And(group.lanes, traceable(origin, direction));
+    count_invalid(job, group.lanes, lanes);
     const VU chance = hash(group.key, kEdgeSalt + static_cast<std::uint32_t>(k));
     const SeenSurface met = trace_to_surface<kDetail>(job, direction, chance, group.spread, lanes);
     // What cannot be traced counts as the sample itself.
