@@ -15,6 +15,7 @@
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
 #include "server/settings/quality_target.h"
+#include "server/statistics/late_frames.h"
 #include "server/statistics/latency_table.h"
 #include "server/statistics/load_json.h"
 #include "server/text/number_text.h"
@@ -96,13 +97,6 @@ std::string further_views_text(const SessionReport& report) {
   return text.empty() ? text : text + "\n";
 }
 
-// " (3 of them for the machine: preempted, their work would have fit)", or nothing.
-std::string machine_text(const RunStatistics& statistics) {
-  if (statistics.missed_by_machine == 0) return {};
-  return " (" + std::to_string(statistics.missed_by_machine) +
-         " of them for the machine: preempted, their work would have fit)";
-}
-
 // "clipped: 1234 pixels of the PNG files, 0.1 %, are ...", or nothing.
 std::string clipped_text(const SessionReport& report) {
   const std::int64_t clipped = report.statistics.clipped_pixels;
@@ -128,7 +122,7 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
     text += " of " + counted(report.range.count, "frame", "frames") + " (" + name_of(report.state) + ")";
   }
   text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
-          fixed_text(report.range.period_ms(), 2) + " ms" + machine_text(statistics) + "; " +
+          fixed_text(report.range.period_ms(), 2) + " ms" + causes_text(statistics) + "; " +
           counted(report.settings.threads, "thread", "threads") + ", " + name_of(report.settings.isa) + ", " +
           "scene " + printable(report.scene_name) + ", " + headline_text(options, report);
   if (const std::string done = policy_text(statistics, options.policy); !done.empty()) text += "; " + done;
@@ -166,22 +160,47 @@ std::string total_text(const std::vector<SessionReport>& reports, std::size_t as
   if (total.frames > frames_done) {
     text += ", and " + std::to_string(total.frames - frames_done) + " of sessions that ended early";
   }
-  return text + "; " + std::to_string(total.missed_frames) + " over the display period\n\n" +
-         latency_table(total);
+  return text + "; " + std::to_string(total.missed_frames) + " over the display period" + causes_text(total) +
+         "\n\n" + latency_table(total);
 }
 
-// A line for each session that failed: the last that the run says, since the first has long gone by.
+// What is known of several sessions before the first frame is drawn: those that will have none.
+void show_refused(const std::vector<SessionReport>& checked) {
+  std::string names;
+  std::size_t refused = 0;
+  for (const SessionReport& report : checked) {
+    if (!report.unopened) continue;
+    ++refused;
+    names += (names.empty() ? "" : ", ") + printable(report.name) + " (exit " +
+             std::to_string(report.exit_code) + ")";
+  }
+  if (refused == 0) return;
+  const std::size_t left = checked.size() - refused;
+  print_message(std::to_string(refused) + " of " + std::to_string(checked.size()) +
+                " sessions refused: " + names + "; " +
+                (left == 0   ? "none is left to replay"
+                 : left == 1 ? "the other one is replayed"
+                             : "the other " + std::to_string(left) + " are replayed"));
+}
+
+// The last line of a run of several sessions that are not all done: the errors have long gone by.
 void show_failures(const std::vector<SessionReport>& reports, std::size_t asked) {
-  std::vector<std::string> failures;
+  std::string failures;
+  std::size_t done = 0, failed = 0;
   for (const SessionReport& report : reports) {
+    if (report.state == ReplayState::done) ++done;
     if (report.state != ReplayState::failed) continue;
-    failures.push_back(printable(report.name) + " (exit " + std::to_string(report.exit_code) +
-                       "): " + report.error);
+    ++failed;
+    failures += (failures.empty() ? "" : ", ") + printable(report.name) + " (" + report.error + ", exit " +
+                std::to_string(report.exit_code) + ")";
   }
-  for (const std::string& failure : failures) {
-    print_message(std::to_string(failures.size()) + " of " + std::to_string(asked) +
-                  " sessions failed: " + failure);
-  }
+  const std::size_t ended = reports.size() - done - failed, unbegun = asked - reports.size();
+  if (done == asked) return;
+  std::string line = std::to_string(done) + " of " + std::to_string(asked) + " sessions done";
+  if (ended > 0) line += ", " + std::to_string(ended) + " interrupted";
+  if (unbegun > 0) line += ", " + std::to_string(unbegun) + " not begun";
+  if (failed > 0) line += ", " + std::to_string(failed) + " failed: " + failures;
+  print_message(line);
 }
 
 void show_session(const SessionReport& report, const ReplayOptions& options, bool first) {
@@ -199,6 +218,10 @@ int run_replay(const ReplayOptions& options) {
   check_folders(options);
   const std::size_t asked = options.sessions.size();
   const std::vector<SessionReport> checked = check_sessions(options);
+  show_refused(checked);
+  for (const SessionReport& report : checked) {
+    if (report.unopened) write_refusal(report, options);
+  }
   std::vector<SessionReport> reports;
   int exit_code = kExitDone;
   bool first = true;
@@ -211,7 +234,7 @@ int run_replay(const ReplayOptions& options) {
       first = false;
     }
     const SessionReport& report = reports.back();
-    if (report.unopened && asked > 1) write_refusal(report, options);
+    if (report.unopened && !checked[i].unopened && asked > 1) write_refusal(report, options);
     exit_code = worse_exit_code(exit_code, report.exit_code);
     // A full disk or the user's wish to stop holds for the sessions that follow as well.
     if (const int signal = stop_signal(); signal != 0) {

@@ -16,6 +16,7 @@
 #include "server/serve/endpoints.h"
 #include "server/serve/frame_loop.h"
 #include "server/settings/option_checks.h"
+#include "server/statistics/late_frames.h"
 #include "server/statistics/latency_table.h"
 #include "sessions/inspect/number_words.h"
 
@@ -47,9 +48,9 @@ std::string address_text(const std::string& host, int port) {
 
 std::string end_text(const RunStatistics& run) {
   if (run.frames == 0) return "no frame was rendered\n";
-  return counted(run.frames, "frame", "frames") + ", " + std::to_string(run.missed_frames) + " missed, " +
-         std::to_string(run.dropped_frames) + " dropped, " + counted(run.repeated_ticks, "tick", "ticks") +
-         " repeated\n\n" + latency_table(run);
+  return counted(run.frames, "frame", "frames") + ", " + std::to_string(run.missed_frames) + " missed" +
+         causes_text(run) + ", " + std::to_string(run.dropped_frames) + " dropped, " +
+         counted(run.repeated_ticks, "tick", "ticks") + " repeated\n\n" + latency_table(run);
 }
 
 }  // namespace

@@ -73,15 +73,17 @@ std::string count_cells(const char* name, const RunStatistics& statistics, doubl
   return std::string("<tr><td>") + name + "</td><td>" + std::to_string(statistics.frames) + "</td><td>" +
          fixed_text(rate, 1) + "</td><td>" + std::to_string(statistics.missed_frames) + "</td><td>" +
          std::to_string(statistics.missed_by_machine) + "</td><td>" +
-         std::to_string(statistics.dropped_frames) + "</td><td>" + std::to_string(statistics.repeated_ticks) +
-         "</td></tr>\n";
+         std::to_string(statistics.missed_by_work) + "</td><td>" + std::to_string(statistics.missed_by_both) +
+         "</td><td>" + std::to_string(statistics.dropped_frames) + "</td><td>" +
+         std::to_string(statistics.repeated_ticks) + "</td></tr>\n";
 }
 
 std::string counts_section(const ServeSnapshot& snapshot, const RunStatistics& window, TimeNs now_ns) {
   const double run_s = static_cast<double>(now_ns - snapshot.started_ns) * kSecondsPerNs;
   return "<h2>Frames</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th>rendered</th><th>per "
          "second</th><th>missed</th>"
-         "<th>for the machine</th><th>dropped</th><th>repeated</th></tr></thead>\n<tbody>\n" +
+         "<th>for the machine</th><th>for the work</th><th>for "
+         "both</th><th>dropped</th><th>repeated</th></tr></thead>\n<tbody>\n" +
          count_cells("last 10 s", window, std::min(run_s, 10.0)) + count_cells("run", snapshot.run, run_s) +
          "</tbody>\n</table></div>\n";
 }
@@ -116,7 +118,7 @@ std::string frames_section(const std::vector<RecentFrame>& recent, TimeNs now_ns
   if (late.empty()) return html;
   return html + "<h2>Late frames, " + std::to_string(late_count) + " in the last 10 s</h2>\n" + head + late +
          "</tbody>\n</table></div>\n<p class=\"quiet\">machine: preempted, less than 80 % of the frame on "
-         "the cores, and its CPU time fits into the period; else work. "
+         "the cores, and its CPU time fits into the period; both: so, and it does not fit; else work. "
          "<a href=\"/v1/frames?missed=1\">All of them</a>.</p>\n";
 }
 

@@ -63,9 +63,13 @@ Json count_definitions_json(ReplayClock clock) {
   json["missed"] = realtime ? "frames that were done later than their start + one display period"
                             : "frames whose frame time exceeds the display period";
   json["missed_by_machine"] =
-      "missed frames during which the scheduler took a core from a thread of the process, whose threads were "
-      "on a core for less than 80 % of the time, and whose CPU time, spread over the threads, fits into the "
-      "period; every other missed frame is of the work";
+      "missed frames that were kept off the cores (the scheduler took one from a thread of the process, and "
+      "the threads were on a core for less than 80 % of the time) and whose CPU time, spread over the "
+      "threads, "
+      "fits into the period";
+  json["missed_by_both"] =
+      "missed frames that were kept off the cores and whose CPU time would not have fit either";
+  json["missed_by_work"] = "every other missed frame";
   json["dropped"] = realtime ? "frames of the session that were never rendered: a newer one was due"
                              : "always 0: this clock leaves no frame out";
   json["repeated"] = realtime ? "display ticks between two presentations that had no new frame"
@@ -100,6 +104,8 @@ Json frame_counts_json(const RunStatistics& statistics) {
   return {{"rendered", statistics.frames},
           {"missed", statistics.missed_frames},
           {"missed_by_machine", statistics.missed_by_machine},
+          {"missed_by_work", statistics.missed_by_work},
+          {"missed_by_both", statistics.missed_by_both},
           {"dropped", statistics.dropped_frames},
           {"repeated", statistics.repeated_ticks}};
 }

@@ -10,6 +10,8 @@ const char* name_of(MissCause cause) {
       return "work";
     case MissCause::machine:
       return "machine";
+    case MissCause::both:
+      return "both";
   }
   return "unknown";
 }
@@ -18,7 +20,8 @@ MissCause cause_of_miss(const MissFacts& facts) {
   if (!facts.cpu_ms || facts.preemptions.value_or(0) == 0) return MissCause::work;
   const bool kept_off = *facts.cpu_ms < kBusyShare * facts.threads * facts.frame_ms;
   const bool fits = facts.beside_ms + *facts.cpu_ms / facts.threads <= facts.period_ms;
-  return kept_off && fits ? MissCause::machine : MissCause::work;
+  if (!kept_off) return MissCause::work;
+  return fits ? MissCause::machine : MissCause::both;
 }
 
 }  // namespace herr

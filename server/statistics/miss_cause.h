@@ -1,11 +1,15 @@
 // Why a frame missed its display period: its own work, or a machine that gave its threads too little of the
 // cores. Before: a frame's wall time, CPU time and preemptions. After: FrameRecord::cause.
-// Rule: the machine, where all of these hold: the scheduler took a core from a thread of the process during
-// the frame; the frame's threads were on a core for less than kBusyShare of the time that they could have
-// been; and the work, spread over them evenly, fits into the period. Else the work.
+// Rule: a frame was kept off the cores where the scheduler took a core from a thread of the process during it
+// and its threads were on a core for less than kBusyShare of the time that they could have been. Its work
+// fits where its CPU time, spread over the threads evenly, and what stands beside it take no more than the
+// period.
+//   machine: kept off, and the work fits: without the waiting it would have been in time
+//   both:    kept off, and the work does not fit: neither less waiting nor less work would have done alone
+//   work:    not kept off
 // What no count here tells: cores that others slow down without taking them (memory, clock rate, a
 // hypervisor) make the CPU time itself longer and read as work; a frame that many threads cannot share evenly
-// may read as the machine when it is preempted, too.
+// may read as kept off when it is preempted, too.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +17,9 @@
 
 namespace herr {
 
-enum class MissCause : std::uint8_t { none, work, machine };
-inline constexpr int kMissCauses = 3;
-// "", "work", "machine".
+enum class MissCause : std::uint8_t { none, work, machine, both };
+inline constexpr int kMissCauses = 4;
+// "", "work", "machine", "both".
 const char* name_of(MissCause cause);
 
 inline constexpr double kBusyShare = 0.8;

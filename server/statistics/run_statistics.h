@@ -31,7 +31,8 @@ struct RunStatistics {
   std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
   std::int64_t dropped_frames = 0, repeated_ticks = 0;  // realtime only
   std::int64_t stutter_frames = 0, stutter_ns = 0;
-  std::int64_t missed_by_machine = 0, preemptions = 0, clipped_pixels = 0;
+  std::int64_t missed_by_machine = 0, missed_by_work = 0, missed_by_both = 0;  // miss_cause.h
+  std::int64_t preemptions = 0, clipped_pixels = 0;
 
   void add(const FrameRecord& record);
   void merge(const RunStatistics& other);

@@ -115,6 +115,7 @@ function makeCharts() {
     ...lines(['frame'], {}),
     { label: 'work', data: [], showLine: false, pointRadius: 3, borderColor: '#d22', backgroundColor: '#d22' },
     { label: 'machine', data: [], showLine: false, pointRadius: 3, borderColor: '#e90', backgroundColor: '#e90' },
+    { label: 'both', data: [], showLine: false, pointRadius: 3, borderColor: '#93c', backgroundColor: '#93c' },
     { label: 'display period', data: [], borderColor: '#888', borderDash: [6, 4], borderWidth: 1, pointRadius: 0 },
   ], { y: {} });
   charts.load = chart('chart-load', [
@@ -146,10 +147,11 @@ function stageNames() {
 
 function drawCharts() {
   if (frames.length === 0) return;
-  const [frame, work, machine, period] = charts.frame.data.datasets;
+  const [frame, work, machine, both, period] = charts.frame.data.datasets;
   frame.data = points((f) => f.frame_ms);
   work.data = points((f) => (f.cause === 'work' ? f.frame_ms : null));
   machine.data = points((f) => (f.cause === 'machine' ? f.frame_ms : null));
+  both.data = points((f) => (f.cause === 'both' ? f.frame_ms : null));
   const [cpu, preemptions] = charts.load.data.datasets;
   cpu.data = points((f) => f.cpu_ms);
   preemptions.data = points((f) => f.preemptions);

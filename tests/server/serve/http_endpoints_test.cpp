@@ -169,7 +169,8 @@ TEST_F(Serve, FramesSinceASequenceComeOnceAndInOrder) {
   EXPECT_EQ(get_json("/v1/frames?since=2000")["more"], false);
 }
 
-// Frames 2, 4, 6 ... missed; of these every second one for the machine.
+// Frames 2, 4, 6 ... missed; of these every second one for the machine, 10, 30 and 50 for both, the others,
+// 25 - 12 - 3, for the work.
 TEST_F(Serve, LateFramesSayWhetherTheMachineOrTheWorkMadeThemLate) {
   publish(50);
   const json late = get_json("/v1/frames?missed=1");
@@ -179,7 +180,7 @@ TEST_F(Serve, LateFramesSayWhetherTheMachineOrTheWorkMadeThemLate) {
   for (const json& frame : late["frames"]) {
     const auto number = frame["frame"].get<int>();
     EXPECT_EQ(number % 2, 0);
-    EXPECT_EQ(frame["cause"], number % 4 == 0 ? "machine" : "work");
+    EXPECT_EQ(frame["cause"], number % 4 == 0 ? "machine" : number % 20 == 10 ? "both" : "work");
     EXPECT_EQ(frame["preemptions"], number % 4 == 0 ? 7 : 0);
     EXPECT_EQ(frame["cpu_ms"], 1.5 * number) << "beside the wall time";
   }
@@ -188,9 +189,13 @@ TEST_F(Serve, LateFramesSayWhetherTheMachineOrTheWorkMadeThemLate) {
   EXPECT_EQ(get_json("/v1/frames?missed=1&since=45")["frames"].size(), 3u);
   EXPECT_EQ(get("/v1/frames?missed=yes").status, 400);
   EXPECT_EQ(get_json("/v1/status")["run"]["frames"]["missed_by_machine"], 12);
+  EXPECT_EQ(get_json("/v1/status")["run"]["frames"]["missed_by_both"], 3);
+  EXPECT_EQ(get_json("/v1/status")["run"]["frames"]["missed_by_work"], 10);
   EXPECT_NE(get("/metrics").body.find("herr_frames_missed_by_machine_total 12\n"), std::string::npos);
+  EXPECT_NE(get("/metrics").body.find("herr_frames_missed_by_both_total 3\n"), std::string::npos);
   const std::string page = get("/").body;
-  for (const char* part : {"Late frames, 25 in the last 10 s", "<td>75.00</td><td>0</td><td>work</td>",
+  for (const char* part : {"Late frames, 25 in the last 10 s", "<td>75.00</td><td>0</td><td>both</td>",
+                           "<td>69.00</td><td>0</td><td>work</td>",
                            "<td>72.00</td><td>7</td><td>machine</td>", "/v1/frames?missed=1"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   publish(4000);

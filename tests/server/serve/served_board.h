@@ -71,7 +71,10 @@ class Serve : public ::testing::Test {
       frame.record.cpu_ms = 1.5 * static_cast<double>(i);
       frame.record.times[Stage::first_hits] = static_cast<double>(i);
       frame.record.missed = i % 2 == 0;
-      if (frame.record.missed) frame.record.cause = i % 4 == 0 ? MissCause::machine : MissCause::work;
+      if (frame.record.missed)
+        frame.record.cause = i % 4 == 0     ? MissCause::machine
+                             : i % 20 == 10 ? MissCause::both
+                                            : MissCause::work;
       frame.record.preemptions = i % 4 == 0 ? 7 : 0;
       frame.record.decision = {{4, 400, 128}, QualityReason::steady, 19.5, 20.0};
       if (i % 2 == 0) frame.record.misregistration_arcmin = 30;
