@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "server/check/check_advice.h"
 #include "server/check/check_progress.h"
 #include "server/check/pairs.h"
 #include "server/check/run_length.h"
@@ -54,6 +55,32 @@ bool look(Look kind, const Pairs& pairs, const PairDesign& design, CheckReport& 
   return judgement.verdict != Verdict::inconclusive || judgement.last_look;
 }
 
+// How many more pairs it takes at least: as many as allow a verdict, and, where the machine was restless, as
+// could outweigh what was measured.
+int fewest_more_pairs(const Pairs& pairs, const PairDesign& design) {
+  const std::vector<RunValues> runs = pairs.values.all();
+  const bool noisy = !noise_text(noise_of(runs)).empty();
+  int count = std::max(pairs.count() + 1, fewest_pairs(design));
+  while (noisy && count < design.looks.back() && stays_noisy(runs, 2 * count)) ++count;
+  return count - pairs.count();
+}
+
+// Of a check that could not tell; empty where it could.
+std::string advice_of(const CheckOptions& options, const TimeLimit& limit, const Pairs& pairs,
+                      const CheckReport& report) {
+  const PairDesign design;
+  const Verdict verdict = report.times.front().verdict;
+  if (verdict != Verdict::noisy && verdict != Verdict::inconclusive) return {};
+  const int most = design.looks.back() - pairs.count();
+  // Two runs a pair.
+  if (verdict == Verdict::noisy && (most == 0 || stays_noisy(pairs.values.all(), 2 * design.looks.back()))) {
+    return noisy_advice(*report.noise, "pairs");
+  }
+  if (most == 0) return longer_runs_advice(options.run.replay.frames, options.run_seconds);
+  return more_runs_advice({"pair", "pairs", fewest_more_pairs(pairs, design), most,
+                           options.max_seconds.value_or(0) - limit.seconds_left(), pairs.typical_seconds()});
+}
+
 // Pairs and looks until the verdict is clear, time runs out, or nothing but `noisy` can come.
 void run_pairs(const TimeLimit& limit, Pairs& pairs, CheckReport& report) {
   const PairDesign design;
@@ -90,6 +117,7 @@ void check_against(const CheckOptions& options, const TimeLimit& limit, CheckRep
   Pairs pairs(candidate, baseline, frames, options.allowed, limit);
   if (options.tiers != CheckedTiers::counters) {
     run_pairs(limit, pairs, report);
+    report.advice = advice_of(options, limit, pairs, report);
   } else if (!pairs.add_pair()) {
     throw OutOfTime();
   }

@@ -8,6 +8,7 @@
 #include "renderer/timing.h"
 #include "server/check/allowed_differences.h"
 #include "server/check/baseline_file.h"
+#include "server/check/check_advice.h"
 #include "server/check/check_progress.h"
 #include "server/check/measure/not_comparable.h"
 #include "server/check/run_length.h"
@@ -60,6 +61,17 @@ class Runs {
   }
 
   std::int64_t frames() const { return frames_; }  // that each was asked for
+
+  // Where there are fewer than `of`, or the machine was too restless for as many.
+  std::string advice(const CheckOptions& options, int of) const {
+    const Noise noise = noise_of(values);
+    const bool noisy = !noise_text(noise).empty();
+    if (noisy && (count() >= of || stays_noisy(values, of))) return noisy_advice(noise, "runs");
+    if (count() >= of) return {};
+    const int more = of - count();
+    return more_runs_advice({"run", "runs", more, more,
+                             options.max_seconds.value_or(0) - limit_.seconds_left(), median(seconds_)});
+  }
 
   std::vector<Measurement> measured;
   std::vector<RunValues> values;
@@ -129,6 +141,20 @@ void judge_times(const Baseline& baseline, const Runs& runs, CheckReport& report
   }
 }
 
+// Of a check that could not tell; empty where it could.
+std::string advice_of(const CheckOptions& options, const Baseline& baseline, const Runs& runs,
+                      const CheckReport& report) {
+  const BaselineDesign design;
+  const Verdict verdict = report.times.front().verdict;
+  if (verdict != Verdict::noisy && verdict != Verdict::inconclusive) return {};
+  if (std::string advice = runs.advice(options, design.runs); !advice.empty()) return advice;
+  const std::string again = "store " + std::to_string(design.stored_runs) + " again with --save";
+  if (baseline.runs.size() < static_cast<std::size_t>(design.stored_runs)) return again;
+  const std::int64_t frames = 2 * runs.frames();
+  return "pairs tell more than stored runs: --against PROGRAM; or " + again + " --frames " +
+         std::to_string(frames);
+}
+
 }  // namespace
 
 void save_baseline(const CheckOptions& options, const TimeLimit& limit, CheckReport& report) {
@@ -147,7 +173,8 @@ void save_baseline(const CheckOptions& options, const TimeLimit& limit, CheckRep
   if (!noise.empty() || !report.ended_early.empty()) {
     report.verdict = noise.empty() ? Verdict::inconclusive : Verdict::noisy;
     report.reason = noise;
-    for (const std::string& more : {report.ended_early, std::string("nothing was stored")}) {
+    report.advice = runs.advice(options, BaselineDesign{}.stored_runs);
+    for (const std::string& more : {report.ended_early, std::string("nothing was stored"), report.advice}) {
       if (!more.empty()) report.reason += (report.reason.empty() ? "" : "; ") + more;
     }
     return;
@@ -178,6 +205,7 @@ void check_baseline(const CheckOptions& options, const TimeLimit& limit, CheckRe
   if (timed && other_machine.empty()) {
     report.ended_early = runs.add_until(BaselineDesign{}.runs, baseline.runs);
     judge_times(baseline, runs, report);
+    report.advice = advice_of(options, baseline, runs, report);
   } else if (timed) {
     CheckedTime unknown;
     unknown.name = unknown.title = "median";

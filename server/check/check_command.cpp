@@ -20,6 +20,7 @@
 #include "server/results/output_folder.h"
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
+#include "server/text/number_text.h"
 #include "sessions/files/append_file.h"
 #include "sessions/files/atomic_file.h"
 #include "sessions/files/folders.h"
@@ -27,6 +28,8 @@
 
 namespace herr {
 namespace {
+
+constexpr double kMoreSeconds = 4;  // where not even one run ended in time, a guess
 
 int print_measurement(const CheckOptions& options) {
   end_at_once_on_signal();  // half a measurement is none
@@ -51,7 +54,9 @@ void compare(const CheckOptions& options, CheckReport& report) {
   } catch (const OutOfTime&) {
     report.verdict = Verdict::inconclusive;
     report.ended_early = "--max-seconds ended it before there was anything to compare";
-    report.reason = report.ended_early + "; give more seconds, or fewer --frames";
+    report.advice = "give more, --max-seconds " + shortest_text(kMoreSeconds * *options.max_seconds) +
+                    ", or fewer --frames";
+    report.reason = report.ended_early + "; " + report.advice;
   }
 }
 

@@ -50,6 +50,10 @@ std::string settings_line(const CheckFingerprint& fingerprint) {
   constexpr std::array<std::string_view, 4> kNeverTold{"--format", "--contact-sheet", "--polar-floor",
                                                        "--polar-floor-height"};
   const Fingerprint::Entries defaults = setting_entries({});
+  const auto& work = fingerprint.work.settings;
+  const bool no_short_rays =
+      std::find(work.begin(), work.end(), std::pair<std::string, std::string>("--occlusion-rays", "0")) !=
+      work.end();
   std::string line;
   for (const auto* entries : {&fingerprint.work.settings, &fingerprint.machine}) {
     for (const auto& entry : *entries) {
@@ -58,7 +62,8 @@ std::string settings_line(const CheckFingerprint& fingerprint) {
       const bool always = std::find(kAlwaysTold.begin(), kAlwaysTold.end(), entry.first) != kAlwaysTold.end();
       if (!always && (other == defaults.end() || other->second == entry.second)) continue;
       if (std::find(kNeverTold.begin(), kNeverTold.end(), entry.first) != kNeverTold.end()) continue;
-      line += (line.empty() ? "" : ", ") + entry.first + " " + entry.second;
+      if (no_short_rays && entry.first == "--no-occlusion-smoothing") continue;  // a mean over none
+      line += (line.empty() ? "" : ", ") + flags_of(entry);
     }
   }
   return line;
@@ -105,9 +110,7 @@ void conclude(CheckReport& report) {
     add(time.verdict, time.reason.empty() ? slower : time.reason);
     if (report.verdict == Verdict::ok) report.reason = slower;
   }
-  for (const std::string& more : {report.ended_early, differences_text(report)}) {
-    if (!more.empty()) report.reason += (report.reason.empty() ? "" : "; ") + more;
-  }
+  report.reason = with_remarks(report.reason, report, report.verdict, true);
 }
 
 }  // namespace herr

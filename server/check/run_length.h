@@ -21,8 +21,9 @@ MeasuredProgram candidate_of(const CheckOptions& options);
 std::int64_t frames_of_run(const CheckOptions& options, const MeasuredProgram& candidate,
                            const TimeLimit& limit);
 
-// "--profile xr1-half, --polar 788x384, ..., --threads 2": what somebody would look at first, and each
-// further setting that has not its default.
+// "--profile xr1-half, --polar 788x384, --no-probes, ..., --threads 2": as flags that would ask for it,
+// whether they were given or a preset stands for them, what somebody would look at first, and each further
+// setting that has not its default.
 std::string settings_line(const CheckFingerprint& fingerprint);
 
 inline constexpr double kToldTail = 0.05;  // of bounds that decide nothing

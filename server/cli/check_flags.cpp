@@ -114,6 +114,26 @@ void add_forced_flags(CLI::App& app) {
   only("--format", "none", "pictures");
 }
 
+// What part of the session a check measures: other words than those of a replay, which renders it all.
+std::string sentence_of_span(const Setting& setting) {
+  if (setting.name == "start_s") return "measure from this many seconds into the session on";
+  if (setting.name == "duration_s") return "measure frames of this many seconds of the session at most";
+  return "frames that each run renders, in place of --run-seconds; those after the first ten, but the last "
+         "half at least, are measured, for counters and for times";
+}
+
+void add_span_flags(CLI::App& app, ReplayOptions& replay) {
+  for (Setting setting : settings_of(replay)) {
+    if (setting.group != SettingGroup::span) continue;
+    setting.sentence = sentence_of_span(setting);
+    if (setting.name == "frames")
+      setting.otherwise =
+          "as many as last --run-seconds, 30 for --only counters, "
+          "those of --baseline";
+    add_setting_flag(app, setting);
+  }
+}
+
 // Between this program and the processes that it starts.
 void add_hidden_flags(CLI::App& app, CheckOptions& options) {
   app.add_flag_callback(
@@ -132,8 +152,8 @@ void add_check_flags(CLI::App& app, CheckOptions& options) {
   add_report_flags(app, options);
   add_forced_flags(app);
   add_preset_flags(app, replay.render);
-  add_setting_flags(app, settings_of(replay),
-                    {SettingGroup::session, SettingGroup::look, SettingGroup::span});
+  add_setting_flags(app, settings_of(replay), {SettingGroup::session, SettingGroup::look});
+  add_span_flags(app, replay);
   add_render_flags(app, replay.render);
   add_hidden_flags(app, options);
 }

@@ -84,6 +84,9 @@ std::string profile_text(const DisplayProfile& profile) {
   return sum.text();
 }
 
+constexpr const char* kNotGiven = "not given";
+constexpr const char* kOcclusionRays = "--occlusion-rays";
+
 // The flag that sets it. Of a switch whose default has changed since, the one that changed it then.
 std::string recorded_name(const Setting& setting) {
   if (!setting.back_flag.empty()) return setting.back_flag;
@@ -101,7 +104,7 @@ std::string recorded_text(const Setting& setting, const ReplayOptions& options) 
   if (setting.name == "occlusion_smoothing" && options.render.occlusion_rays == 0) return "given";  // as ever
   if (!is_switch(setting) || setting.flag.empty()) return text;
   const bool given = (text == "on") != recorded_name(setting).starts_with("--no-");
-  return given ? "given" : "not given";
+  return given ? "given" : kNotGiven;
 }
 
 // What shapes pictures, and which files a run leaves. Threads change no picture. Nor do --keep-going and
@@ -173,13 +176,27 @@ const std::string* find(const Fingerprint::Entries& entries, const std::string& 
   return found == entries.end() ? nullptr : &found->second;
 }
 
-// A value that is none in words: "the camera feed".
-std::string in_words(const std::vector<Setting>& settings, const std::string& name,
-                     const std::string& value) {
-  if (!value.empty()) return value;
+const Setting* recorded_setting(const std::vector<Setting>& settings, const std::string& name) {
   const auto found = std::find_if(settings.begin(), settings.end(),
                                   [&](const Setting& setting) { return recorded_name(setting) == name; });
-  return found == settings.end() || found->otherwise.empty() ? "none" : found->otherwise;
+  return found == settings.end() ? nullptr : &*found;
+}
+
+// A value that is none in words: "the camera feed". What a preset turns off is off, whoever gave which flag.
+std::string in_words(const std::vector<Setting>& settings, const std::string& name,
+                     const std::string& value) {
+  const Setting* setting = recorded_setting(settings, name);
+  if (value == kNotGiven && setting != nullptr && !setting->back_flag.empty()) return "off";
+  if (!value.empty()) return value;
+  return setting == nullptr || setting->otherwise.empty() ? "none" : setting->otherwise;
+}
+
+// Without short rays there is no mean over them, which is then recorded as left out.
+bool follows_from_no_rays(const std::string& name, const Fingerprint& earlier, const Fingerprint& now) {
+  if (name != "--no-occlusion-smoothing") return false;
+  const std::string* before = find(earlier.settings, kOcclusionRays);
+  const std::string* after = find(now.settings, kOcclusionRays);
+  return before != nullptr && after != nullptr && *before != *after && (*before == "0" || *after == "0");
 }
 
 }  // namespace
@@ -202,6 +219,7 @@ std::vector<FingerprintDifference> differences(const Fingerprint& earlier, const
     // short rays.
     const std::string* unknown = before == nullptr ? find(defaults, name) : nullptr;
     if (unknown != nullptr && *unknown == value) continue;
+    if (follows_from_no_rays(name, earlier, now)) continue;
     const std::string is = ", is " + in_words(settings, name, value);
     if (before == nullptr) {
       found.push_back({name, false, name + " was not known then" + is});
@@ -222,6 +240,15 @@ std::vector<FingerprintDifference> differences(const Fingerprint& earlier, const
       found.push_back({name, true, name + " is no longer among the inputs"});
   }
   return found;
+}
+
+std::string flags_of(const std::pair<std::string, std::string>& entry) {
+  ReplayOptions any;
+  const std::vector<Setting> settings = settings_of(any);
+  const Setting* setting = recorded_setting(settings, entry.first);
+  if (setting == nullptr || !is_switch(*setting)) return entry.first + " " + entry.second;
+  if (entry.second != kNotGiven) return entry.first;
+  return setting->back_flag.empty() ? "without " + entry.first : setting->flag;
 }
 
 std::string difference(const Fingerprint& earlier, const Fingerprint& now) {

@@ -37,6 +37,10 @@ std::vector<FingerprintDifference> differences(const Fingerprint& earlier, const
 // The text of the first one; empty when there is none.
 std::string difference(const Fingerprint& earlier, const Fingerprint& now);
 
+// An entry of settings as the flag that would ask for it: "--polar 1576x768", "--no-camera", "--no-probes";
+// "without --gaze-marker" where no flag asks for it.
+std::string flags_of(const std::pair<std::string, std::string>& entry);
+
 // Each setting that shapes pictures or says which files a run leaves, by its flag, as fingerprints tell it.
 Fingerprint::Entries setting_entries(ReplayOptions options);
 

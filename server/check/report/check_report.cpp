@@ -25,7 +25,14 @@ int exit_code_of(Verdict verdict) {
 }
 
 std::string change_text(double logarithm) {
-  return std::isfinite(logarithm) ? signed_percent(std::expm1(logarithm)) : "none";
+  return signed_percent(std::expm1(logarithm));
+}
+
+std::string bounds_text(const Shift& shift) {
+  const bool lower = std::isfinite(shift.lower), upper = std::isfinite(shift.upper);
+  if (lower && upper) return change_text(shift.lower) + " ... " + change_text(shift.upper);
+  if (lower) return change_text(shift.lower) + " at least";
+  return upper ? change_text(shift.upper) + " at most" : "none, too few runs";
 }
 
 std::string counter_change_text(const CounterJudgement& counter) {
@@ -40,12 +47,26 @@ std::string slower_text(double logarithm) {
 }
 
 std::string open_text(const Shift& shift) {
-  return slower_text(shift.estimate) + ", by the bounds " + change_text(shift.lower) + " ... " +
-         change_text(shift.upper) + ": too little to tell";
+  const bool bounded = std::isfinite(shift.lower) || std::isfinite(shift.upper);
+  return slower_text(shift.estimate) +
+         (bounded ? ", by the bounds " + bounds_text(shift) : ", too few runs for bounds") +
+         ": too little to tell";
 }
 
 std::string p_text(double p) {
   return p < 1e-5 ? "< 0.00001" : fixed_text(p, 5);
+}
+
+std::string with_remarks(const std::string& finding, const CheckReport& report, Verdict verdict,
+                         bool of_times) {
+  const bool open = verdict == Verdict::noisy || verdict == Verdict::inconclusive;
+  std::string text = finding;
+  for (const std::string& more :
+       {of_times ? report.ended_early : std::string(), of_times && open ? report.advice : std::string(),
+        differences_text(report)}) {
+    if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
+  }
+  return text;
 }
 
 std::string differences_text(const CheckReport& report) {

@@ -43,6 +43,7 @@ struct CheckReport {
   std::optional<Noise> noise;
   int runs = 0, baseline_runs = 0;  // measured; for pairs both are the number of pairs
   std::string ended_early;  // why there are no more, one line; empty where the design asks for no more
+  std::string advice;       // what would let times that could not tell decide, one line; may be empty
   std::vector<AllowedDifference> differences;  // that --allow-different let pass
   std::int64_t frames = 0;                     // measured in each run
   double seconds = 0;                          // that the whole check took: all runs of both programs
@@ -51,8 +52,10 @@ struct CheckReport {
 // 0 ok, 1 regression, 4 anything else.
 int exit_code_of(Verdict verdict);
 
-// "+8.1 %" for the logarithm of a ratio; "none" where it is infinite.
+// "+8.1 %" for the logarithm of a ratio that is finite.
 std::string change_text(double logarithm);
+// "+6.0 % ... +10.2 %"; "+6.0 % at least" and "+10.2 % at most" with one bound; "none, too few runs" without.
+std::string bounds_text(const Shift& shift);
 // Of what is counted: "+0.5 %", "from 0".
 std::string counter_change_text(const CounterJudgement& counter);
 // "frames take 8.1 % more time".
@@ -61,6 +64,10 @@ std::string slower_text(double logarithm);
 std::string open_text(const Shift& shift);
 // A p-value with five decimals.
 std::string p_text(double p);
+// A finding with all that is said of the whole check: "...; --max-seconds ended it ...; it takes 3 more pairs
+// ...; settings differ, as allowed". Advice is for times that could not tell.
+std::string with_remarks(const std::string& finding, const CheckReport& report, Verdict verdict,
+                         bool of_times);
 // "scene and settings differ, as allowed"; empty where nothing differs.
 std::string differences_text(const CheckReport& report);
 // A line for each part: "scene: --scene was a, is b; general.scene.json has changed; and 5 more".

@@ -28,10 +28,10 @@ std::vector<Finding> findings_of(const CheckReport& report) {
     finding.limit = "+" + fixed_text(100 * time.rule.limit, 0) + " %";
     if (time.verdict != Verdict::not_comparable) finding.change = change_text(time.shift.estimate);
     if (finding.text.empty()) {
-      finding.text = slower_text(time.shift.estimate) + " (bounds " + change_text(time.shift.lower) +
-                     " ... " + change_text(time.shift.upper) + ", p " + p_text(time.shift.p) + "), limit " +
-                     finding.limit;
+      finding.text = slower_text(time.shift.estimate) + " (bounds " + bounds_text(time.shift) + ", p " +
+                     p_text(time.shift.p) + "), limit " + finding.limit;
     }
+    finding.text = with_remarks(finding.text, report, time.verdict, true);
     findings.push_back(finding);
   }
   for (const CounterJudgement& counter : report.counters) {
@@ -46,6 +46,7 @@ std::vector<Finding> findings_of(const CheckReport& report) {
       finding.text = finding.candidate + " per frame, before " + finding.baseline + " (" + finding.change +
                      "), limit " + finding.limit;
     }
+    finding.text = with_remarks(finding.text, report, counter.verdict, false);
     findings.push_back(finding);
   }
   return findings;
@@ -179,14 +180,14 @@ std::string check_junit(const CheckReport& report) {
   property("runs", std::to_string(report.runs));
   property("frames per run", std::to_string(report.frames));
   if (!report.ended_early.empty()) property("ended early", report.ended_early);
+  if (!report.advice.empty()) property("advice", report.advice);
   for (const AllowedDifference& part : differences_by_part(report)) {
     property("differs, as allowed: " + part.part, part.text);
   }
   for (const CheckedTime& time : report.times) {
     if (time.verdict == Verdict::not_comparable) continue;
-    property("frame time, " + time.title, change_text(time.shift.estimate) + " (" +
-                                              change_text(time.shift.lower) + " ... " +
-                                              change_text(time.shift.upper) + ")");
+    property("frame time, " + time.title,
+             change_text(time.shift.estimate) + " (bounds " + bounds_text(time.shift) + ")");
   }
   text += "    </properties>\n";
   const double share = report.seconds / static_cast<double>(findings.size());

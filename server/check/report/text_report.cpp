@@ -30,14 +30,12 @@ std::string time_rows(const CheckReport& report) {
                      right_aligned("limit", 8) + "  verdict\n";
   for (const CheckedTime& time : report.times) {
     const bool known = time.verdict != Verdict::not_comparable;
-    text +=
-        left_aligned(time.title, kNameWidth) +
-        right_aligned(known ? change_text(time.shift.estimate) : "", 9) +
-        right_aligned(known ? change_text(time.shift.lower) + " ... " + change_text(time.shift.upper) : "",
-                      kBoundsWidth) +
-        right_aligned(known ? p_text(time.shift.p) : "", 11) +
-        right_aligned(time.decides ? limit_text(time.rule.limit) : "", 8) + "  " +
-        (time.decides ? name_of(time.verdict) : "told only") + "\n";
+    text += left_aligned(time.title, kNameWidth) +
+            right_aligned(known ? change_text(time.shift.estimate) : "", 9) +
+            right_aligned(known ? bounds_text(time.shift) : "", kBoundsWidth) +
+            right_aligned(known ? p_text(time.shift.p) : "", 11) +
+            right_aligned(time.decides ? limit_text(time.rule.limit) : "", 8) + "  " +
+            (time.decides ? name_of(time.verdict) : "told only") + "\n";
   }
   return text;
 }
@@ -135,6 +133,7 @@ Json check_json(const CheckReport& report) {
             {"frames_per_run", report.frames},
             {"seconds", report.seconds},
             {"ended_early", report.ended_early.empty() ? Json(nullptr) : Json(report.ended_early)},
+            {"advice", report.advice.empty() ? Json(nullptr) : Json(report.advice)},
             {"differences", differences},
             {"candidate_frame_ms", report.candidate_ms ? number(*report.candidate_ms) : Json(nullptr)},
             {"baseline_frame_ms", report.baseline_ms ? number(*report.baseline_ms) : Json(nullptr)},
@@ -151,6 +150,7 @@ Json check_json(const CheckReport& report) {
       {"seconds", "that the whole check took"},
       {"ended_early",
        "why there are fewer runs than the design may ask for; null: a verdict, or all of them"},
+      {"advice", "what would let times that could not tell decide; null: they could, or nothing is known"},
       {"differences", "that --allow-different let pass, all of them"},
       {"calibration_cv", "1.4826 median absolute deviations over the median, of the runs' bare rays"},
       {"steal", "stolen CPU time over used and stolen"},

@@ -69,7 +69,7 @@ TEST(CheckReport, SaysWhyInItsLastLine) {
   const std::string text = check_text(report_of(Verdict::regression, Verdict::ok));
   EXPECT_NE(text.find("REGRESSION: frames take 8.0 % more time (limit +3 %, p 0.00010)\n"), std::string::npos)
       << text;
-  EXPECT_NE(text.find("+6.0 % ... none"), std::string::npos) << text;
+  EXPECT_NE(text.find("      +6.0 % at least"), std::string::npos) << text;
   const std::string noisy = check_text(report_of(Verdict::noisy, Verdict::ok));
   EXPECT_NE(noisy.find("NOISY: the machine's speed varied by 9.0 %"), std::string::npos) << noisy;
 }
@@ -131,6 +131,12 @@ TEST(CheckReport, SaysWhatDiffersAndWhyItEndedEarlyInEveryForm) {
       1u)
       << text;
   const std::string junit = check_junit(report);
+  EXPECT_EQ(count_of(junit,
+                     "<failure type=\"regression\" message=\"frames take 8.0 % more time (bounds +6.0 % at "
+                     "least, p 0.00010), limit +3 %; --max-seconds ended it after 12 of 15–30 pairs; scene "
+                     "and settings differ, as allowed\"/>"),
+            1u)
+      << junit;
   EXPECT_EQ(count_of(junit, "<property name=\"ended early\" value=\"--max-seconds ended it after 12"), 1u);
   EXPECT_EQ(count_of(junit, "<property name=\"differs, as allowed: settings\" value=\"--polar was 32x16"), 1u)
       << junit;
@@ -142,6 +148,40 @@ TEST(CheckReport, SaysWhatDiffersAndWhyItEndedEarlyInEveryForm) {
   EXPECT_EQ(json["differences"][4]["difference"], "4");
   EXPECT_TRUE(
       nlohmann::json::parse(check_json(report_of(Verdict::ok, Verdict::ok)).dump())["ended_early"].is_null());
+}
+
+TEST(CheckReport, KeepsTheWholeSentenceInEveryFormAndAdviceWhereItCouldNotTell) {
+  CheckReport report = report_of(Verdict::noisy, Verdict::ok);
+  report.ended_early = "--max-seconds ended it after 12 of 15–30 pairs";
+  report.advice = "it takes 3 more pairs at least, 18 at most: --max-seconds 210";
+  conclude(report);
+  const std::string sentence =
+      "the machine's speed varied by 9.0 % from run to run (limit 5.0 %); --max-seconds ended it after 12 of "
+      "15–30 pairs; it takes 3 more pairs at least, 18 at most: --max-seconds 210";
+  EXPECT_EQ(report.reason, sentence);
+  EXPECT_EQ(count_of(check_text(report), "NOISY: " + sentence + "\n"), 1u) << check_text(report);
+  EXPECT_EQ(count_of(check_junit(report), "<skipped message=\"" + sentence + "\"/>"), 1u);
+  EXPECT_EQ(count_of(check_markdown(report), "18 at most: --max-seconds 210"), 1u);
+  EXPECT_EQ(count_of(check_annotations(report), "18 at most: --max-seconds 210"), 1u);
+  const auto json = nlohmann::json::parse(check_json(report).dump());
+  EXPECT_EQ(json["advice"], report.advice);
+  // A regression of a counter needs no more pairs.
+  report.counters.front().verdict = Verdict::regression;
+  conclude(report);
+  EXPECT_EQ(report.reason.find("more pairs"), std::string::npos) << report.reason;
+}
+
+TEST(CheckReport, SaysInWordsThatThereAreNoBounds) {
+  EXPECT_EQ(bounds_text({0.5, 0, std::log(1.06), kInfinity}), "+6.0 % at least");
+  EXPECT_EQ(bounds_text({0.5, 0, -kInfinity, std::log(1.06)}), "+6.0 % at most");
+  EXPECT_EQ(bounds_text({0.5, 0, std::log(0.98), std::log(1.06)}), "-2.0 % ... +6.0 %");
+  const Shift none{0.5, std::log(1.02), -kInfinity, kInfinity};
+  EXPECT_EQ(bounds_text(none), "none, too few runs");
+  EXPECT_EQ(open_text(none), "frames take 2.0 % more time, too few runs for bounds: too little to tell");
+  CheckReport report = report_of(Verdict::inconclusive, Verdict::ok);
+  report.times.front().shift = none;
+  for (const std::string& text : {check_text(report), check_junit(report), check_markdown(report)})
+    EXPECT_EQ(text.find("none ..."), std::string::npos) << text;
 }
 
 TEST(CheckReport, KeepsItsColumnsApartWhereBoundsAreWide) {

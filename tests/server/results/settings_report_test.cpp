@@ -242,7 +242,22 @@ TEST(SettingsReport, ARunOfTheEarlierDefaultDiffersFromOneOfThisDefault) {
   const Fingerprint earlier = told_by(direct).fingerprint, now = told_by(ReplayOptions()).fingerprint;
   EXPECT_EQ(difference(earlier, now), "--occlusion-rays was 0, is 1");
   direct.render.occlusion_rays = 1;
-  EXPECT_EQ(difference(told_by(direct).fingerprint, now), "--probes was not given, is 64 rays, budget 0");
+  EXPECT_EQ(difference(told_by(direct).fingerprint, now), "--probes was off, is 64 rays, budget 0");
+}
+
+// A preset stands for --occlusion-rays 0 and --no-probes: nobody gave --no-occlusion-smoothing.
+TEST(SettingsReport, WhatAPresetTurnsOffIsToldAsTheFlagThatTurnsItOff) {
+  ReplayOptions direct, paper;
+  direct.render = direct_light_settings();
+  const Fingerprint earlier = told_by(direct).fingerprint, now = told_by(paper).fingerprint;
+  for (const FingerprintDifference& found : differences(earlier, now))
+    EXPECT_NE(found.name, "--no-occlusion-smoothing") << found.text;
+  EXPECT_EQ(flags_of({"--probes", "not given"}), "--no-probes");
+  EXPECT_EQ(flags_of({"--probes", "64 rays, budget 0"}), "--probes");
+  EXPECT_EQ(flags_of({"--no-camera", "given"}), "--no-camera");
+  EXPECT_EQ(flags_of({"--no-occlusion-smoothing", "given"}), "--no-occlusion-smoothing");
+  EXPECT_EQ(flags_of({"--polar", "1576x768"}), "--polar 1576x768");
+  EXPECT_EQ(flags_of({"--threads", "2"}), "--threads 2");
 }
 
 }  // namespace

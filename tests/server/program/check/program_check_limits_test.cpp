@@ -48,6 +48,8 @@ TEST_F(ProgramCheckLimits, EndsEarlyWhereNothingButNoisyCanCome) {
   EXPECT_EQ(json["runs"], 3) << run.out;
   EXPECT_EQ(json["ended_early"],
             "ended after 3 of 15–30 pairs: whatever the others measured, the machine is too restless");
+  EXPECT_EQ(json["advice"],
+            "no number of pairs helps: repeat it when the machine is quieter, or take --only counters");
   // Counters are told all the same.
   EXPECT_FALSE(json["counters"].empty());
 }
@@ -83,18 +85,27 @@ TEST_F(ProgramCheckLimits, EndsInTimeWithoutAPassThatWasNotEarned) {
     EXPECT_EQ(json["verdict"], "inconclusive");
     EXPECT_NE(json["reason"].get<std::string>().find("too few pairs to tell, it takes 9"), std::string::npos)
         << run.out;
+    // 9 pairs allow a verdict, 30 are all.
+    const int pairs = json["runs"];
+    const std::string more = "it takes " + std::to_string(9 - pairs) + " more pairs at least, " +
+                             std::to_string(30 - pairs) + " at most: --max-seconds ";
+    EXPECT_EQ(json["advice"].get<std::string>().find(more), 0u) << run.out;
   }
-  EXPECT_NE(content_of(root() / "j.xml").find("<skipped "), std::string::npos);
+  // The whole sentence, not its first half.
+  const std::string junit = content_of(root() / "j.xml"), reason = json["reason"];
+  EXPECT_NE(junit.find("<skipped message=\""), std::string::npos) << junit;
+  EXPECT_TRUE(reason.ends_with(json["advice"].get<std::string>())) << reason;
+  EXPECT_NE(junit.find("; " + json["advice"].get<std::string>() + "\"/>"), std::string::npos) << junit;
 }
 
 TEST_F(ProgramCheckLimits, EndsARunThatOutlastsTheTime) {
   write_other("exec sleep 600");
   const Outcome run = timed_check("--max-seconds 1 --against other");
   EXPECT_EQ(run.exit_code, 4) << run.err;
-  EXPECT_EQ(
-      run.out,
-      "INCONCLUSIVE: --max-seconds ended it before there was anything to compare; give more seconds, or "
-      "fewer --frames\n");
+  EXPECT_EQ(run.out,
+            "INCONCLUSIVE: --max-seconds ended it before there was anything to compare; give more, "
+            "--max-seconds 4, "
+            "or fewer --frames\n");
 }
 
 TEST_F(ProgramCheckLimits, StoresNothingWhereTimeRunsOut) {
