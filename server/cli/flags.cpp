@@ -121,7 +121,11 @@ void add_serve_flags(CLI::App& app, ServeOptions& options) {
             "file of mode 0600 with the token that clients must show; a must off loopback",
             [&](const std::string& text) { options.auth_token_file = text; });
   add_preset_flags(app, options.replay.render);
-  add_setting_flags(app, settings_of(options.replay),
+  std::vector<Setting> settings = settings_of(options.replay);
+  for (Setting& setting : settings) {
+    if (setting.group == SettingGroup::span) setting.sentence += ", in each lap";
+  }
+  add_setting_flags(app, settings,
                     {SettingGroup::session, SettingGroup::look, SettingGroup::time, SettingGroup::span,
                      SettingGroup::views});
   add_render_flags(app, options.replay.render);

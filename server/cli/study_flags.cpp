@@ -57,6 +57,7 @@ void check_hz_options(const StudyOptions& options) {
         "--polar: acuity follows the display, and --hz chooses sizes; give WIDTHxHEIGHT, the most of them");
   }
   for (const std::string& flag : options.sweep_flags) {
+    if (flag == "--minutes") continue;  // a limit of the search
     throw UsageError(flag + ": is of error against time; leave it out with --hz");
   }
   if (!options.only.empty()) throw UsageError("--only: --hz sweeps nothing; leave it out");
@@ -150,6 +151,7 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
 
 void check_study_flags(const CLI::App& app, StudyOptions& options) {
   options.profile_given = app.count("--profile") > 0;
+  options.minutes_given = app.count("--minutes") > 0;
   options.light_given = app.count("--light-samples") + app.count("--quality") > 0;
   if (options.hz) check_hz_options(options);
   if (!options.report.empty()) {

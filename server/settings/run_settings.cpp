@@ -5,6 +5,9 @@
 #include <stdexcept>
 
 #include "renderer/settings_list.h"
+#include "sessions/files/folders.h"
+#include "sessions/files/input_error.h"
+#include "sessions/files/nearest_name.h"
 #include "sessions/format/display_profile.h"
 #include "sessions/text/plain_values.h"
 
@@ -26,6 +29,36 @@ TextSetting path_setting(std::string& path, const char* form, const char* exampl
     path = text;
   };
   return {[&path] { return path; }, set, form, example};
+}
+
+std::vector<std::string> names_of_profiles() {
+  std::vector<std::string> names;
+  const std::string all = builtin_display_profile_names();
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find(", ", at), all.size());
+    names.push_back(all.substr(at, end - at));
+    at = end + 2;
+  }
+  return names;
+}
+
+// A word that is neither a profile nor a file is no value of the flag; a path that leads nowhere is a missing
+// file, which is told when it is read.
+TextSetting profile_name_or_file(std::string& profile) {
+  TextSetting setting = path_setting(profile, "NAME|FILE", "xr1-half");
+  const auto set_path = setting.set;
+  setting.set = [set_path](const std::string& text) {
+    const bool word = !text.empty() && text.find('/') == std::string::npos && !text.ends_with(".json");
+    if (word && !builtin_display_profile(text) && !path_exists(text)) {
+      const std::string nearest = nearest_name(text, names_of_profiles());
+      throw std::invalid_argument("'" + printable(text) + "' is neither a built-in display profile (" +
+                                  builtin_display_profile_names() + ") nor a file; " +
+                                  (nearest.empty() ? "give one of them, or the path of a JSON file"
+                                                   : "did you mean " + nearest + "?"));
+    }
+    set_path(text);
+  };
+  return setting;
 }
 
 TextSetting format_setting(PictureFormats& formats) {
@@ -158,7 +191,7 @@ Setting profile_setting(std::string& profile) {
           Group::session,
           Effect::pictures,
           "display profile: " + builtin_display_profile_names() + " or a file",
-          path_setting(profile, "NAME|FILE", "xr1-half"),
+          profile_name_or_file(profile),
           "the session's"};
 }
 

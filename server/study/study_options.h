@@ -30,6 +30,7 @@ struct StudyOptions {
   // The largest setting whose frames hold this rate, in place of error against time: 1 ... 1000.
   std::optional<double> hz;
   bool profile_given = false, light_given = false;  // `profile` and the light samples are not the defaults
+  bool minutes_given = false;                       // without them the search for `hz` has no limit
   bool stability = false;  // relations that must hold, in place of error against time
   bool overwrite = false, resume = false;
   bool json = false;

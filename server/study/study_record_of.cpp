@@ -9,6 +9,7 @@
 #include "server/study/findings/study_advice.h"
 #include "server/study/findings/study_fits.h"
 #include "server/study/findings/study_points.h"
+#include "server/study/findings/study_timing.h"
 #include "server/study/reference/reference_spec.h"
 #include "server/study/report/difference_picture.h"
 #include "server/study/study_head.h"
@@ -157,6 +158,7 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
     record.dropped.emplace_back(
         "aims: rays per pixel and the paper's settings were not measured on all frames");
   }
+  record.timing = timing_of(run.rows());
   record.warnings = report.warnings;
   record.warnings.insert(record.warnings.end(), run.warnings().begin(), run.warnings().end());
   add_reference_warnings(record);

@@ -8,6 +8,7 @@
 #include "server/process/version.h"
 #include "server/results/settings_report.h"
 #include "server/study/clip_flicker.h"
+#include "server/study/findings/study_timing.h"
 #include "server/study/measure/measure_setting.h"
 #include "server/study/plan/combinations.h"
 #include "server/study/plan/study_budget.h"
@@ -300,7 +301,7 @@ void StudyRun::choose_combinations() {
     for (const StudyRow& row : rows_) {
       if (row.name != name || !row.error || row.log_ratios.empty()) continue;
       for (const double ratio : row.log_ratios)
-        mean.log_time += ratio / static_cast<double>(row.log_ratios.size());
+        mean.log_time += is_the_default(row) ? 0 : ratio / static_cast<double>(row.log_ratios.size());
       mean.squared += std::pow(row.error->at(Metric::acuity_rmse), 2);
       ++mean.frames;
     }

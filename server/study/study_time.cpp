@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "server/process/terminal.h"
 #include "server/study/measure/measure_setting.h"
 #include "server/study/plan/study_budget.h"
 #include "server/study/study_run.h"
@@ -129,6 +130,13 @@ void StudyRun::share_time() {
   if (referenced_frames_ < all) {
     budget.dropped.push_back(std::to_string(all - referenced_frames_) + " of " + std::to_string(all) +
                              " frames: their references would have taken more than half of the time");
+  }
+  const auto all_settings = static_cast<double>(sweeps_.settings.size());
+  if (static_cast<double>(budget.settings.size()) < kLeastShareForAdvice * all_settings) {
+    print_message("warning: --minutes " + shortest_text(options_.minutes) + " is enough for " +
+                  std::to_string(budget.settings.size()) + " of " + std::to_string(sweeps_.settings.size()) +
+                  " settings, too few for a recommendation; give --minutes " +
+                  fixed_text(minutes_for_advice(), 0) + " or more");
   }
   state_.settings.emplace();
   for (const StudySetting& setting : budget.settings) state_.settings->push_back(setting.name);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "renderer/timing.h"
+#include "server/study/findings/study_timing.h"
 #include "server/study/statistics/paired_ratio.h"
 #include "server/study/statistics/pareto_front.h"
 #include "server/text/number_text.h"
@@ -34,11 +35,16 @@ StudyPoint described(const StudyRow& row) {
   return point;
 }
 
+// The default takes as long as itself: what its pairs differ by is the machine's doing (study_timing.h).
+std::vector<double> ratios_of(const StudyRow& row, const std::vector<double>& measured) {
+  return is_the_default(row) ? std::vector<double>(measured.size(), 0.0) : measured;
+}
+
 void add(const StudyRow& row, Gathered& to) {
   if (row.error) to.errors.push_back(*row.error);
   if (row.own_error) to.own_errors.push_back(*row.own_error);
-  append(to.log_ratios, row.log_ratios);
-  append(to.work_log_ratios, row.work_log_ratios);
+  append(to.log_ratios, ratios_of(row, row.log_ratios));
+  append(to.work_log_ratios, ratios_of(row, row.work_log_ratios));
   to.frame_ms.push_back(row.frame_ms);
   to.pixels_ms.push_back(row.pixels_ms);
   to.calibration_ms.push_back(row.calibration_ms);
@@ -70,8 +76,9 @@ void finish(const Gathered& from, std::span<const StudyReference> references, st
   // Another model of light has other errors; fewer frames are other frames.
   point.comparable =
       !references.empty() && from.reference == references.front().name && from.errors.size() == frames;
-  point.time_ratio = paired_ratio(from.log_ratios);
-  point.work_ratio = paired_ratio(from.work_log_ratios);
+  const bool exact = point.flags.empty();
+  point.time_ratio = exact ? Interval{1, 1, 1} : paired_ratio(from.log_ratios);
+  point.work_ratio = exact ? Interval{1, 1, 1} : paired_ratio(from.work_log_ratios);
   point.frame_ms = median(from.frame_ms);
   point.pixels_ms = median(from.pixels_ms);
   point.calibration_ms = median(from.calibration_ms);

@@ -12,9 +12,9 @@
 namespace herr {
 
 // In the order in which settings first occur. Errors over frames (metrics.h), times of all pairs together
-// (paired_ratio), counters and times by their means. Rows of a clip add its flicker. Front and its confidence
-// are of points against the picture of endless effort of `references.front()`: others are lit by another
-// model.
+// (paired_ratio; exactly 1 of the default itself), counters and times by their means. Rows of a clip add its
+// flicker. Front and its confidence are of points against the picture of endless effort of
+// `references.front()`: others are lit by another model.
 std::vector<StudyPoint> points_of(std::span<const StudyRow> rows, std::span<const StudyReference> references);
 
 // ln of the time ratios of two points to the default: of the first to the second, with the interval that both

@@ -88,6 +88,8 @@ StudyRow measure_setting(const StudySetting& setting, const MeasuringBench& benc
   row.counters = frame.counters;
   row.log_ratios = times.log_ratios, row.work_log_ratios = times.work_log_ratios;
   row.frame_ms = times.frame_ms, row.pixels_ms = times.pixels_ms, row.calibration_ms = times.calibration_ms;
+  row.cpu_ms = times.cpu_ms, row.cores_ms = times.cores_ms;
+  row.preemptions = static_cast<double>(times.preemptions);
 
   std::vector<LinearPicture> test;
   const ParallelFor threads = threads_of(*renderer);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "renderer/threads/cpu_use.h"
 #include "renderer/timing.h"
 #include "server/process/steady_time.h"
 
@@ -16,12 +18,21 @@ constexpr double kLongFrame_ms = 300;
 
 struct FrameTime {
   double frame_ms = 0, pixels_ms = 0;
+  std::optional<double> cpu_ms;
+  std::int64_t preemptions = 0;
   double work_ms() const { return std::max(frame_ms - pixels_ms, kShortest_ms); }
 };
 
 FrameTime time_frame(Renderer& renderer, const FrameInstant& instant, RenderedFrame& frame) {
   renderer.render_frame(*instant.sample, *instant.state, frame);
-  return {std::max(frame.times.frame_ms, kShortest_ms), frame.times[Stage::viewports]};
+  return {std::max(frame.times.frame_ms, kShortest_ms), frame.times[Stage::viewports], frame.cpu_ms,
+          frame.preemptions.value_or(0)};
+}
+
+void add_use(const FrameTime& time, int cores, bool& known, PairedTimes& out) {
+  known = known && time.cpu_ms.has_value();
+  out.cpu_ms += time.cpu_ms.value_or(0), out.cores_ms += cores * time.frame_ms;
+  out.preemptions += time.preemptions;
 }
 
 }  // namespace
@@ -31,6 +42,8 @@ PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& ins
   PairedTimes out;
   RenderedFrame unit_frame, again;
   std::vector<double> frame_ms, pixels_ms, calibration_ms;
+  const int cores = std::min(tested.settings().threads, available_threads());
+  bool cpu_known = true;
   const auto calibrate = [&] { calibration_ms.push_back(calibration.time().rays_ms); };
   calibrate();
   const TimeNs start_ns = steady_now_ns();
@@ -52,8 +65,10 @@ PairedTimes time_pairs(Renderer& tested, Renderer& unit, const FrameInstant& ins
       out.work_log_ratios.push_back(std::log(of_tested[i].work_ms() / of_unit[i].work_ms()));
       frame_ms.push_back(of_tested[i].frame_ms);
       pixels_ms.push_back(of_tested[i].pixels_ms);
+      for (const FrameTime& time : {of_unit[i], of_tested[i]}) add_use(time, cores, cpu_known, out);
     }
   }
+  if (!cpu_known) out.cpu_ms = 0;
   out.frame_ms = median(frame_ms);
   out.pixels_ms = median(pixels_ms);
   out.calibration_ms = median(calibration_ms);

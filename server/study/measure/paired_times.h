@@ -3,6 +3,7 @@
 // After: paired_ratio.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "server/check/measure/calibration.h"
@@ -15,6 +16,10 @@ struct PairedTimes {
   std::vector<double> work_log_ratios;  // of frame times without the stage from samples to pixels
   double frame_ms = 0, pixels_ms = 0;   // of the tested one, medians
   double calibration_ms = 0;            // median
+  // Of the frames of all pairs: CPU time, the time that their threads could have had, and how often one of
+  // them lost its core. The CPU time is 0 where the kernel does not tell.
+  double cpu_ms = 0, cores_ms = 0;
+  std::int64_t preemptions = 0;
 };
 
 struct TimingRules {

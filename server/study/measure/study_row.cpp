@@ -120,6 +120,9 @@ std::vector<Column> make_columns() {
                               number_column("frame_ms", &StudyRow::frame_ms),
                               number_column("pixels_ms", &StudyRow::pixels_ms),
                               number_column("calibration_ms", &StudyRow::calibration_ms),
+                              number_column("pairs_cpu_ms", &StudyRow::cpu_ms),
+                              number_column("pairs_cores_ms", &StudyRow::cores_ms),
+                              number_column("pairs_preemptions", &StudyRow::preemptions),
                               list_column("ln_time_ratios", &StudyRow::log_ratios),
                               list_column("ln_work_ratios", &StudyRow::work_log_ratios),
                               text_column("reference", &StudyRow::reference)};

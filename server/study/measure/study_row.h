@@ -25,6 +25,7 @@ struct StudyRow {
   // Of pairs: frame time, and frame time without the stage from samples to pixels, each ln(this / default).
   std::vector<double> log_ratios, work_log_ratios;
   double frame_ms = 0, pixels_ms = 0, calibration_ms = 0;  // medians
+  double cpu_ms = 0, cores_ms = 0, preemptions = 0;        // of all these frames (paired_times.h)
   FrameCounters counters;
   std::optional<Flicker> flicker;  // of the clip that begins with this frame
   double seconds = 0;              // that measuring took

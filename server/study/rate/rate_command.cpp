@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/process/exit_code.h"
+#include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
 #include "server/results/summary_json.h"
@@ -41,16 +42,20 @@ class RateProgress {
 }  // namespace
 
 int run_rate(const StudyOptions& options) {
+  const TimeNs started_ns = steady_now_ns();
+  const auto seconds = [started_ns] { return static_cast<double>(steady_now_ns() - started_ns) * 1e-9; };
   check_render_settings(options.render);
   const std::vector<RateSetting> ladder = rate_ladder(most_of(options));
   RateSubject subject(options, ladder.front());
   std::optional<RateAnswer> answer;
   {
     RateProgress progress(subject.period_ms());
+    const auto time_is_up = [&] { return options.minutes_given && seconds() > 60 * options.minutes; };
     answer = run_rate_search(
         ladder, subject.period_ms(),
         [&](const RateSetting& setting, bool whole) { return subject.measure(setting, whole); },
-        [&](const RateSetting& setting, const RateTrial& trial) { progress.tell(setting, trial); });
+        [&](const RateSetting& setting, const RateTrial& trial) { progress.tell(setting, trial); },
+        time_is_up);
   }
   if (!answer) {
     print_message("stopped before there was an answer");
@@ -58,6 +63,8 @@ int run_rate(const StudyOptions& options) {
   }
   RateQuestion question{*options.hz, printable(subject.report().profile.name), ""};
   if (answer->held) question.command_line = command_line_of(options, answer->held->setting);
+  if (answer->open > 0)
+    print_message("warning: " + too_few_minutes_text(options.minutes, seconds(), *answer));
   for (const std::string& warning : rate_warnings(*answer)) print_message("warning: " + warning);
   print_result(options.json ? json_text(rate_json(question, *answer)) : rate_text(question, *answer));
   return rate_exit_code(*answer);

@@ -1,9 +1,13 @@
 #include "server/study/rate/rate_run.h"
 
+#include <bit>
+
 #include "server/study/rate/rate_search.h"
 
 namespace herr {
 namespace {
+
+constexpr std::size_t kRunsAtTheEnd = 4;
 
 MeasuredRate measured(const RateSetting& setting, const std::vector<RateTrial>& trials) {
   return {setting, trials, median_p95_ms(trials)};
@@ -30,15 +34,20 @@ MachineUse RateAnswer::machine() const {
 }
 
 std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder, double period_ms,
-                                          const MeasureRate& measure, const TellRate& tell) {
+                                          const MeasureRate& measure, const TellRate& tell,
+                                          const RateTimeIsUp& time_is_up) {
   RateSearch search(ladder.size(), period_ms);
+  RateAnswer answer;
+  bool begun = false;
   while (const std::optional<std::size_t> next = search.next()) {
+    answer.ended_early = begun && time_is_up && time_is_up();
+    if (answer.ended_early) break;
+    begun = true;
     const std::optional<RateTrial> trial = measure(ladder[*next], *next == 0);
     if (!trial) return std::nullopt;
     tell(ladder[*next], *trial);
     search.observe(*trial);
   }
-  RateAnswer answer;
   answer.period_ms = period_ms;
   for (std::size_t i = 0; i < ladder.size(); ++i) {
     if (!search.trials(i).empty()) answer.tried.push_back(measured(ladder[i], search.trials(i)));
@@ -46,6 +55,12 @@ std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder
   if (const auto held = search.held()) answer.held = measured(ladder[*held], search.trials(*held));
   if (const auto refused = search.refused())
     answer.refused = measured(ladder[*refused], search.trials(*refused));
+  if (answer.ended_early) {
+    const std::size_t above = search.refused().value_or(ladder.size());
+    answer.open = above - (search.held() ? *search.held() + 1 : 0);
+    // Each halves what is open; the last ones are measured three times.
+    answer.runs_to_go = static_cast<std::size_t>(std::bit_width(answer.open)) + kRunsAtTheEnd;
+  }
   return answer;
 }
 

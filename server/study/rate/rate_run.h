@@ -25,8 +25,13 @@ struct RateAnswer {
   std::optional<MeasuredRate> held;     // the largest that holds; none: not even the smallest does
   std::optional<MeasuredRate> refused;  // the next larger, which does not; none: the largest holds
   std::vector<MeasuredRate> tried;      // all that were measured, ascending
+  // Where the time ended the search: `held` is the largest and `refused` the smallest that were found to be
+  // so, and there may be neither.
+  bool ended_early = false;
+  std::size_t open = 0;        // settings between them, of which nothing is known
+  std::size_t runs_to_go = 0;  // that a search takes to close them, about
 
-  // What is slowest in: the next larger setting, or the largest where that holds.
+  // What is slowest in: the next larger setting, or the largest where that holds. One of them is there.
   const MeasuredRate& limit() const { return refused ? *refused : *held; }
   MachineUse machine() const;  // of all trials
 };
@@ -36,10 +41,14 @@ using MeasureRate = std::function<std::optional<RateTrial>(const RateSetting&, b
 // After each trial.
 using TellRate = std::function<void(const RateSetting&, const RateTrial&)>;
 
+// Asked before each trial but the first.
+using RateTimeIsUp = std::function<bool()>;
+
 // None where a measurement gave none. The smallest setting is always measured whole: its percentile is told
 // where it does not hold.
 std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder, double period_ms,
-                                          const MeasureRate& measure, const TellRate& tell);
+                                          const MeasureRate& measure, const TellRate& tell,
+                                          const RateTimeIsUp& time_is_up = {});
 
 // The name of the stage that takes most of a frame, with its milliseconds: a mean over all trials; "sample"
 // is the sampling of the session, which is none of the renderer's. Threads that wait at the end of a phase

@@ -6,6 +6,7 @@
 #include "server/process/exit_code.h"
 #include "server/study/rate/rate_search.h"
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -33,6 +34,25 @@ std::string percentile_text(const MeasuredRate& measured) {
 std::string stage_text(const MeasuredRate& measured) {
   const LongestStage longest = longest_stage(measured.trials);
   return longest.name + ", " + ms_text(longest.ms) + " of the mean " + ms_text(longest.frame_ms);
+}
+
+// Of a search that the time ended: what is known, and what is not.
+std::string open_sentences(const RateQuestion& question, const RateAnswer& answer) {
+  std::string text = shortest_text(question.hz) + " Hz leaves " + ms_text(answer.period_ms) +
+                     " for a frame, and the search ended before its answer: ";
+  if (answer.held) {
+    text += "of what was measured the largest setting that holds is " +
+            setting_text(answer.held->setting, question.profile) + ", " + percentile_text(*answer.held);
+  } else {
+    text += "no setting that was measured holds that";
+  }
+  text += ".\n";
+  const std::string open = counted(static_cast<std::int64_t>(answer.open), "setting is", "settings are");
+  if (!answer.refused)
+    return text + "Of " + (answer.held ? "larger ones " : "all others ") + open + " open.\n";
+  return text + "Below " + setting_text(answer.refused->setting, question.profile) +
+         ", which does not hold (" + ms_text(answer.refused->p95_ms) + ", most of it " +
+         stage_text(*answer.refused) + "), " + open + " open.\n";
 }
 
 std::string first_sentence(const RateQuestion& question, const RateAnswer& answer) {
@@ -98,7 +118,9 @@ Json machine_json(const MachineUse& machine) {
 }  // namespace
 
 std::string rate_text(const RateQuestion& question, const RateAnswer& answer) {
-  std::string text = first_sentence(question, answer) + "\n" + second_sentence(question, answer) + "\n";
+  std::string text = answer.open > 0
+                         ? open_sentences(question, answer)
+                         : first_sentence(question, answer) + "\n" + second_sentence(question, answer) + "\n";
   if (!question.command_line.empty()) text += "\n" + question.command_line + "\n";
   return text;
 }
@@ -110,6 +132,7 @@ std::vector<std::string> rate_warnings(const RateAnswer& answer) {
     warnings.push_back("the machine was busy with something else (" + machine.text() +
                        "): a quiet one holds more; repeat this when it is");
   }
+  if (!answer.held && !answer.refused) return warnings;
   const MeasuredRate& told = answer.held ? *answer.held : *answer.refused;
   const double spread = spread_of(told.trials);
   if (spread > kMostSpread) {
@@ -120,8 +143,18 @@ std::vector<std::string> rate_warnings(const RateAnswer& answer) {
   return warnings;
 }
 
+std::string too_few_minutes_text(double minutes, double seconds, const RateAnswer& answer) {
+  constexpr double kRoom = 1.5;  // larger settings take longer, and machines are busy
+  std::size_t runs = 0;
+  for (const MeasuredRate& each : answer.tried) runs += each.trials.size();
+  const double all = static_cast<double>(runs + answer.runs_to_go) / static_cast<double>(runs);
+  return "--minutes " + shortest_text(minutes) + " ended the search after " +
+         counted(static_cast<std::int64_t>(runs), "run", "runs") + ", and it takes about " +
+         std::to_string(answer.runs_to_go) + " more; give --minutes " +
+         fixed_text(std::ceil(kRoom * all * seconds / 60), 0) + " or more";
+}
+
 Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
-  const LongestStage longest = longest_stage(answer.limit().trials);
   Json json{{"hz", question.hz},
             {"period_ms", answer.period_ms},
             {"profile", question.profile},
@@ -130,11 +163,14 @@ Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
   json["held"] = answer.held ? measured_json(*answer.held, answer.period_ms) : Json(nullptr);
   json["prevented_by"] = nullptr;
   if (answer.refused) {
+    const LongestStage longest = longest_stage(answer.limit().trials);
     json["prevented_by"] = {{"stage", longest.name},
                             {"stage_ms", longest.ms},
                             {"frame_ms", longest.frame_ms},
                             {"setting", measured_json(*answer.refused, answer.period_ms)}};
   }
+  json["ended_early"] = answer.ended_early;
+  json["open_settings"] = answer.open;
   json["machine"] = machine_json(answer.machine());
   json["warnings"] = rate_warnings(answer);
   json["tried"] = Json::array();
@@ -144,7 +180,8 @@ Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
 }
 
 int rate_exit_code(const RateAnswer& answer) {
-  if (answer.held) return kExitDone;
+  if (answer.held) return answer.open > 0 ? kExitPartial : kExitDone;
+  if (answer.open > 0) return kExitInconclusive;
   return answer.machine().busy() ? kExitInconclusive : kExitRegression;
 }
 

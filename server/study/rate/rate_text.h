@@ -22,10 +22,14 @@ struct RateQuestion {
 std::string rate_text(const RateQuestion& question, const RateAnswer& answer);
 // One for a machine that was busy, one for percentiles that scatter by more than a tenth; mostly none.
 std::vector<std::string> rate_warnings(const RateAnswer& answer);
-// {"hz", "period_ms", "holds", "command_line", "held", "prevented_by", "machine", "tried"}; null: there is
-// none.
+// Of a search that the time ended with settings open: "--minutes 0.1 ended the search after 2 runs; ... give
+// --minutes 1 or more".
+std::string too_few_minutes_text(double minutes, double seconds, const RateAnswer& answer);
+// {"hz", "period_ms", "holds", "command_line", "held", "prevented_by", "ended_early", "open_settings",
+// "machine", "warnings", "tried"}; null: there is none.
 nlohmann::ordered_json rate_json(const RateQuestion& question, const RateAnswer& answer);
-// 0, or 1 when not even the smallest setting holds; 4 when that may be the fault of a busy machine.
+// 0, or 1 when not even the smallest setting holds; 4 when that may be the fault of a busy machine. Where the
+// time ended the search with settings open: 5 with one that holds, 4 without.
 int rate_exit_code(const RateAnswer& answer);
 
 }  // namespace herr

@@ -143,6 +143,15 @@ Json remark_json(const StudyRemark& remark) {
   return json;
 }
 
+Json timing_json(const StudyTiming& timing) {
+  Json json{{"pairs", timing.pairs}};
+  put_number(json, "spread", timing.spread);
+  put_number(json, "preemptions", timing.preemptions);
+  if (timing.cpu_share) put_number(json, "cpu_share", *timing.cpu_share);
+  put_text(json, "sentence", timing.sentence);
+  return json;
+}
+
 template <typename Row, typename Write>
 Json array_json(const std::vector<Row>& rows, const Write& write) {
   Json json = Json::array();
@@ -169,7 +178,12 @@ Json definitions_json() {
       {"bias", "RMSE of the mean over many seeds, without the noise left in it"},
       {"work_ratio", "the same of frame times without the stage from samples to viewport pixels"},
       {"comparable", "lit as the default is and on all frames: its error compares with that of the others"},
-      {"time_ratio", "frame time over that of the default, of pairs timed side by side"},
+      {"time_ratio", "frame time over that of the default, of pairs timed side by side; of the default 1"},
+      {"timing",
+       "of all pairs: spread, by which ratios of one setting differ from pair to pair (1.4826 median "
+       "absolute "
+       "deviations, a share; those of the default from 1); cpu_share, of the cores that threads could have "
+       "had"},
       {"front_confidence", "share of bootstrap draws in which the point is on the Pareto front"},
       {"flicker", "RMS change from frame to frame; excess: of the difference of both changes"},
       {"fit", "error = floor + c n^p"},
@@ -216,6 +230,7 @@ nlohmann::ordered_json study_json(const StudyRecord& record) {
   put_number(json, "minutes_allowed", record.minutes_allowed);
   put_number(json, "minutes_taken", record.minutes_taken);
   put_text(json, "default_settings", record.default_settings);
+  if (record.timing) json["timing"] = timing_json(*record.timing);
   json["aims"] = array_json(record.aims, aim_json);
   json["advice"] = array_json(record.advice, advice_json);
   if (!record.no_advice.empty()) put_text(json, "no_advice", record.no_advice);

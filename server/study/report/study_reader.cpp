@@ -190,6 +190,17 @@ StudyAim read_aim(const JsonObject& object) {
           truth_of(object, "at_least"), truth_of(object, "met"),           bounded_text(object, "sentence")};
 }
 
+StudyTiming read_timing(const JsonObject& object) {
+  object.allow_only({"pairs", "spread", "preemptions", "cpu_share", "sentence"});
+  StudyTiming timing;
+  timing.pairs = count_of(object, "pairs");
+  timing.spread = number_of(object, "spread");
+  timing.preemptions = number_of(object, "preemptions");
+  timing.sentence = bounded_text(object, "sentence");
+  if (object.has("cpu_share")) timing.cpu_share = number_of(object, "cpu_share");
+  return timing;
+}
+
 void check_study_version(const JsonObject& object) {
   const std::int64_t version = object.integer("study_version", 0, kMostCount);
   if (version == kStudyVersion) return;
@@ -203,6 +214,7 @@ void read_subject(const JsonObject& object, StudyRecord& record) {
   record.minutes_allowed = number_of(object, "minutes_allowed");
   record.minutes_taken = number_of(object, "minutes_taken");
   record.default_settings = bounded_text(object, "default_settings");
+  if (object.has("timing")) record.timing = read_timing(object.object("timing"));
 }
 
 }  // namespace
@@ -272,6 +284,7 @@ StudyRecord read_study(const nlohmann::json& document, const std::string& source
                      "minutes_allowed",
                      "minutes_taken",
                      "default_settings",
+                     "timing",
                      "aims",
                      "advice",
                      "no_advice",

@@ -105,6 +105,16 @@ struct StudyAim {
   std::string sentence;  // how it was measured
 };
 
+// How the machine was while times were measured (findings/study_timing.h).
+struct StudyTiming {
+  int pairs = 0;
+  double spread = 0;  // of ratios of one setting, a share
+  double preemptions = 0;
+  std::optional<double> cpu_share;  // of the cores that the frames' threads could have had
+  std::string
+      sentence;  // one line: by how much ratios are uncertain, and on a busy machine why and what to do
+};
+
 // PNG bytes, in base64 within JSON.
 struct StudyPicture {
   std::string title;    // "default, left eye: picture | reference | error x 16"
@@ -124,7 +134,8 @@ struct ReportHead {
 
 struct StudyRecord : ReportHead {
   double minutes_allowed = 0, minutes_taken = 0;
-  std::string default_settings;  // one line
+  std::string default_settings;       // one line
+  std::optional<StudyTiming> timing;  // none in reports of earlier programs
   std::vector<StudyFrame> frames, clip;
   std::vector<StudyReference> references;
   std::vector<StudyPoint> points;

@@ -82,6 +82,7 @@ std::vector<std::pair<std::string, std::string>> study_facts(const StudyRecord& 
              " minutes"});
   facts.add("Default", {record.default_settings});
   facts.add("Program", {record.program});
+  if (record.timing) facts.add("Times", {record.timing->sentence});
   return facts.take();
 }
 

@@ -37,6 +37,62 @@ TEST(CommandLine, EveryCommandThatRendersTakesAProfileAndItsScale) {
   }
 }
 
+// The help is wrapped at blanks: words without them.
+std::string words_of_help(const char* command) {
+  std::string help = std::get<ShowText>(parse_command_line({command, "--help"})).text;
+  std::string words;
+  for (const char c : help) {
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank || (!words.empty() && words.back() != ' ')) words += blank ? ' ' : c;
+  }
+  return words;
+}
+
+TEST(CommandLine, EachHelpSaysWhatItsCommandDoesWithAPartOfTheSession) {
+  EXPECT_NE(words_of_help("replay").find("replay at most this many frames, 1 ..."), std::string::npos);
+  const std::string check = words_of_help("check");
+  EXPECT_NE(
+      check.find("frames that each run renders, in place of --run-seconds; those after the first ten, but "
+                 "the last half at least, are measured, for counters and for times, 1 ..."),
+      std::string::npos)
+      << check;
+  EXPECT_NE(
+      check.find("(default: as many as last --run-seconds, 30 for --only counters, those of --baseline)"),
+      std::string::npos)
+      << check;
+  EXPECT_EQ(check.find("replay at most"), std::string::npos);
+  EXPECT_NE(words_of_help("serve").find("replay at most this many frames, in each lap, 1 ..."),
+            std::string::npos);
+}
+
+// complaint() expects exit code 2. A path that leads nowhere is missing input, 3, once it is read.
+TEST(CommandLine, AWordThatIsNoProfileIsAWrongValueAndAPathIsLeftToReading) {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"replay", "walk"},
+                                             {"serve", "walk"},
+                                             {"bench"},
+                                             {"study", "walk"},
+                                             {"inspect", "walk"},
+                                             {"check", "walk", "--save", "a.json"},
+                                             {"synth", "out"}}) {
+    const auto with_profile = [&command](const std::string& profile) {
+      std::vector<std::string> line = command;
+      line.insert(line.end(), {"--profile", profile});
+      return line;
+    };
+    EXPECT_EQ(
+        complaint(with_profile("xr2")),
+        "--profile: 'xr2' is neither a built-in display profile (xr1, xr1-half, quest3, generic-90) nor "
+        "a file; did you mean xr1?");
+    EXPECT_EQ(complaint(with_profile("quest33")).find("--profile: 'quest33' is neither"), 0u);
+    EXPECT_NE(complaint(with_profile("vive")).find("; give one of them, or the path of a JSON file"),
+              std::string::npos);
+    for (const char* path : {"nowhere/xr2", "./xr2", "xr2.json", "xr1"}) {
+      EXPECT_EQ(complaint(with_profile(path)), "") << path;
+    }
+  }
+}
+
 TEST(CommandLine, StudyTakesARateInPlaceOfItsSweeps) {
   const auto study = std::get<StudyOptions>(parse_command_line({"study", "walk", "--hz", "90"}));
   EXPECT_EQ(study.hz, 90);
@@ -52,8 +108,13 @@ TEST(CommandLine, StudyTakesARateInPlaceOfItsSweeps) {
             "--hz: conflicts with --stability; give one of them");
   EXPECT_EQ(complaint({"study", "--hz", "90", "--report", "a.json"}),
             "--hz: conflicts with --report, which measures nothing; give one of them");
-  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--minutes", "5"}),
-            "--minutes: is of error against time; leave it out with --hz");
+  EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--frames", "5"}),
+            "--frames: is of error against time; leave it out with --hz");
+  EXPECT_FALSE(study.minutes_given);
+  const auto limited =
+      std::get<StudyOptions>(parse_command_line({"study", "walk", "--hz", "90", "--minutes", "0.5"}));
+  EXPECT_TRUE(limited.minutes_given);
+  EXPECT_EQ(limited.minutes, 0.5);
   EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--out", "a"}),
             "--out: --hz writes nothing; leave it out, and take --json for machines");
   EXPECT_EQ(complaint({"study", "walk", "--hz", "90", "--polar", "acuity"}).find("--polar: acuity follows"),

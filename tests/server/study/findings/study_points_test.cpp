@@ -65,6 +65,23 @@ TEST(StudyPoints, TakeErrorsAndTimesOverTheirFrames) {
   EXPECT_EQ(a.counters[0], (std::pair<std::string, double>{"commits", 2.5}));
 }
 
+// Two renderers of one setting: what they differ by is no ratio of the setting.
+TEST(StudyPoints, TheDefaultTakesExactlyAsLongAsItselfWhateverWasMeasured) {
+  std::vector<StudyRow> rows{row_of("default, N = 1", 1, 0.1, 0.04), row_of("nearest", 1, 0.2, 0.04)};
+  rows[0].flags.clear();
+  rows[0].log_ratios = {0.2, -0.1, 0.04, 0.08};
+  const std::vector<StudyPoint> points = points_of(rows, kReferences);
+  for (const Interval& ratio : {points[0].time_ratio, points[0].work_ratio}) {
+    EXPECT_EQ(ratio.estimate, 1);
+    EXPECT_EQ(ratio.lower, 1);
+    EXPECT_EQ(ratio.upper, 1);
+  }
+  EXPECT_NEAR(points[1].time_ratio.estimate, std::exp(0.04), 1e-15);
+  EXPECT_TRUE(points[0].on_front) << "nothing is better and as fast";
+  const std::vector<StudyPoint> alone = points_of({rows.data(), 1}, kReferences);
+  EXPECT_EQ(alone.front().time_ratio.estimate, 1) << "of one setting alone, too";
+}
+
 TEST(StudyPoints, AreAtTheFloorBelowThreeTimesTheErrorOfTheirReference) {
   std::vector<StudyRow> rows{row_of("below", 1, 0.0029, 0), row_of("above", 1, 0.0031, 0),
                              row_of("other", 1, 0.029, 0)};

@@ -79,6 +79,38 @@ TEST(RateRun, StopsWhenAMeasurementIsAskedTo) {
   EXPECT_EQ(trials, 3);
 }
 
+// Halves twice and is then told that the time is up: what is known brackets what looking at all finds.
+TEST(RateRun, EndedByTheTimeKnowsWhatWasMeasuredAndHowMuchIsOpen) {
+  const test::RateCost cost{0.01, 0.5, 0.2, 0.3};
+  const RateSetting* wanted = largest_on(cost, kPeriod_ms);
+  ASSERT_NE(wanted, nullptr);
+  for (const int runs : {1, 2, 4}) {
+    SCOPED_TRACE(runs);
+    int trials = 0;
+    const auto answer = run_rate_search(
+        ladder(), kPeriod_ms,
+        [&](const RateSetting& setting, bool) {
+          ++trials;
+          return trial_on(cost, setting);
+        },
+        [](const RateSetting&, const RateTrial&) {}, [&] { return trials >= runs; });
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(trials, runs);
+    EXPECT_TRUE(answer->ended_early);
+    EXPECT_GT(answer->open, 0u);
+    EXPECT_LT(answer->open, ladder().size());
+    if (answer->held) {
+      EXPECT_LE(test::cost_ms(cost, answer->held->setting), test::cost_ms(cost, *wanted));
+    }
+    if (answer->refused) {
+      EXPECT_GT(test::cost_ms(cost, answer->refused->setting), kPeriod_ms);
+    }
+    EXPECT_EQ(rate_exit_code(*answer), answer->held ? 5 : 4);
+  }
+  EXPECT_FALSE(answer_on(cost)->ended_early);
+  EXPECT_EQ(answer_on(cost)->open, 0u);
+}
+
 TEST(RateRun, WhenNotEvenTheSmallestHoldsItIsMeasuredToTheEnd) {
   const auto answer = run_rate_search(
       ladder(), kPeriod_ms,
@@ -159,6 +191,34 @@ TEST(RateText, WhenNotEvenTheSmallestHoldsThereIsNothingToPaste) {
   answer.tried.front().trials.front().machine.late = 4;
   answer.tried.front().trials.front().machine.late_by_machine = 3;
   EXPECT_EQ(rate_exit_code(answer), 4) << "a busy machine cannot tell";
+}
+
+// 2 runs took 12 s; 6 more take 36: 48 s, with half as much again 72 s, in whole minutes 2.
+TEST(RateText, OfASearchThatEndedEarlySaysWhatIsOpenAndHowManyMinutesItTakes) {
+  RateAnswer answer = plain_answer();
+  answer.held->trials.resize(1);
+  answer.tried = {*answer.held, *answer.refused};
+  answer.ended_early = true, answer.open = 3, answer.runs_to_go = 6;
+  EXPECT_EQ(rate_text({kHz, "xr1", "herr replay walk"}, answer),
+            "90 Hz leaves 11.11 ms for a frame, and the search ended before its answer: of what was measured "
+            "the largest setting that holds is polar 788x384, light samples 1, profile scale 0.5 of xr1, the "
+            "95th percentile of 100 frames is 10.50 ms.\n"
+            "Below polar 808x390, light samples 1, profile scale 0.51 of xr1, which does not hold (11.50 ms, "
+            "most of it first_hits, 3.25 ms of the mean 9.00 ms), 3 settings are open.\n\n"
+            "herr replay walk\n");
+  EXPECT_EQ(
+      too_few_minutes_text(0.1, 12, answer),
+      "--minutes 0.1 ended the search after 2 runs, and it takes about 6 more; give --minutes 2 or more");
+  EXPECT_EQ(rate_exit_code(answer), 5);
+  EXPECT_EQ(rate_json({kHz, "xr1", "x"}, answer)["open_settings"], 3);
+  answer.held.reset(), answer.refused.reset();
+  const std::string neither = rate_text({kHz, "xr1", ""}, answer);
+  EXPECT_NE(neither.find("no setting that was measured holds that.\nOf all others 3 settings are open."),
+            std::string::npos)
+      << neither;
+  EXPECT_TRUE(rate_warnings(answer).empty());
+  EXPECT_TRUE(rate_json({kHz, "xr1", ""}, answer)["prevented_by"].is_null());
+  EXPECT_EQ(rate_exit_code(answer), 4);
 }
 
 TEST(RateText, WarnsOfABusyMachineAndOfNoise) {

@@ -118,6 +118,7 @@ inline StudyRecord rich_record() {
   record.threads = 2;
   record.minutes_allowed = 30;
   record.minutes_taken = 27.4;
+  record.timing = StudyTiming{240, 0.062, 17, 0.61, "repeats differ, but not <much>"};
   record.default_settings = "polar 788x384, 1 light sample, 4 occlusion rays, history 8";
   for (int i = 0; i < 8; ++i) record.frames.push_back({100 + 37 * i, 1.1 + 0.41 * i, 12.5 * i, 3.3 * i});
   for (int i = 0; i < 6; ++i) record.clip.push_back({200 + i, 2.2 + i / 90.0, 1.5, 4});
