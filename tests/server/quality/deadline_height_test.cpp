@@ -2,19 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <set>
 
-#include "tests/server/quality/simulated_machine.h"
+#include "tests/server/quality/deadline_trials.h"
 
 namespace herr {
 namespace {
 
+using test::kSettled;
 using test::Load;
 using test::SimulatedFrame;
 using test::SimulatedMachine;
-
-constexpr int kSettled = 60;  // frames
 
 // The paper's buffer, down to an eighth of its columns and a quarter of its rows.
 DeadlineConfig paper_config(double target_ms = 50) {
@@ -93,35 +91,17 @@ TEST(DeadlineHeightTest, ReasonsTellRowsFromColumns) {
   EXPECT_TRUE(reasons.contains(QualityReason::more_rows));
 }
 
-struct StepCase {
-  double target_ms, fixed_share, settled_rows, factor;
-};
-
-// As the steps of deadline_policy_test, of the height alone; a row of two is 2 % of 100.
+// A row of two is 2 % of 100.
 TEST(DeadlineHeightTest, AfterAStepOf50FramesAreWithinATenthOfTheTargetByTheEighth) {
-  for (const StepCase& c : {StepCase{50, 0, 5000, 50},
-                            {50, 0.2, 5000, 50},
-                            {11.1, 0.01, 7000, 50},
-                            {16.7, 0.1, 3000, 50},
-                            {50, 0, 100, 0.02},
-                            {16.7, 0.2, 80, 0.02},
-                            {1, 0.1, 60, 0.02},
-                            {1000, 0, 120, 0.02}}) {
-    SCOPED_TRACE(testing::Message() << c.target_ms << " ms, fixed " << c.fixed_share << ", rows "
-                                    << c.settled_rows << ", times " << c.factor);
-    const DeadlineConfig config = test::tall_config(c.target_ms);
-    SimulatedMachine machine(config);
+  for (const test::StepCase& step : test::kStepsOf50) {
+    SCOPED_TRACE(testing::Message() << step.target_ms << " ms, fixed " << step.fixed_share << ", rows "
+                                    << step.settled << ", times " << step.factor);
     Load load;
     load.rows = 1;  // a column of one row, of which a row of the frame has 16
-    load.fixed_ms = c.fixed_share * c.target_ms / std::max(1.0, c.factor);
-    load.column_ms = (c.target_ms - load.fixed_ms) / (16 * c.settled_rows);
-    machine.frames(kSettled, [&](int) { return load; });
-    load.factor = c.factor;
-    const std::vector<SimulatedFrame> after = machine.frames(kSettled, [&](int) { return load; });
-    for (std::size_t i = 8; i < after.size(); ++i) {
-      ASSERT_GE(after[i].ms, 0.90 * c.target_ms) << "frame " << i;
-      ASSERT_LE(after[i].ms, 1.00 * c.target_ms) << "frame " << i;
-    }
+    load.fixed_ms = step.fixed_ms();
+    load.column_ms = step.ms_each() / 16;
+    const std::vector<SimulatedFrame> after =
+        test::frames_after_step(step, test::tall_config(step.target_ms), load);
     for (std::size_t i = 0; i < after.size(); ++i) {
       ASSERT_EQ(after[i].decision.quality.polar_width, 16);
       ASSERT_EQ(after[i].decision.quality.polar_height % 2, 0);
@@ -158,25 +138,12 @@ TEST(DeadlineHeightTest, WithWhiteNoiseTwoPercentAreMissedAtMost) {
   for (const double noise : {0.05, 0.15}) {
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
       SCOPED_TRACE(testing::Message() << "noise " << noise << ", seed " << seed);
-      std::mt19937 random(seed);
-      std::normal_distribution<double> normal;
       SimulatedMachine machine(config);
-      Load load = load_of(12 * config.target_ms, config);
-      const auto noisy = [&](int) {
-        load.factor = std::max(0.01, 1 + noise * normal(random));
-        return load;
-      };
-      machine.frames(100, noisy);
-      constexpr int kFrames = 5000;
-      int missed = 0;
-      double sum_ms = 0;
-      for (const SimulatedFrame& frame : machine.frames(kFrames, noisy)) {
-        missed += frame.ms > config.target_ms ? 1 : 0;
-        sum_ms += frame.ms;
+      const Load load = load_of(12 * config.target_ms, config);
+      for (const SimulatedFrame& frame :
+           test::frames_with_noise(machine, load, config.target_ms, noise, seed)) {
         ASSERT_GE(frame.decision.quality.polar_height, 192);
       }
-      EXPECT_LE(missed, kFrames / 50);
-      EXPECT_GE(sum_ms / kFrames, 0.80 * config.target_ms / (1 + 2.06 * noise));
     }
   }
 }

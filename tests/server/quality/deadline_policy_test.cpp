@@ -7,53 +7,30 @@
 #include <limits>
 #include <random>
 
-#include "tests/server/quality/simulated_machine.h"
+#include "tests/server/quality/deadline_trials.h"
 
 namespace herr {
 namespace {
 
+using test::kSettled;
 using test::Load;
 using test::SimulatedFrame;
 using test::SimulatedMachine;
+using test::StepCase;
 
-constexpr int kSettled = 60;  // frames
-
-struct StepCase {
-  double target_ms, fixed_share, settled_width, factor;
-};
-
-// The fixed part as a share of the target in the slower of the two loads; a column costs what makes
-// `settled_width` columns fill the rest of the target in the load before the step.
-Load load_before(const StepCase& c) {
+Load load_before(const StepCase& step) {
   Load load;
-  load.fixed_ms = c.fixed_share * c.target_ms / std::max(1.0, c.factor);
-  load.column_ms = (c.target_ms - load.fixed_ms) / c.settled_width;
+  load.fixed_ms = step.fixed_ms();
+  load.column_ms = step.ms_each();
   return load;
 }
 
 TEST(DeadlinePolicyTest, AfterAStepOf50FramesAreWithinATenthOfTheTargetByTheEighth) {
-  // Up: the width must fall to a fiftieth or less. Down: growing by 2 a frame, a fiftieth to the whole takes
-  // log2(50) = 5.6, with a fixed part of a fifth log2(50 * (1 - 0.004) / (1 - 0.2)) = 6.0 frames after the
-  // first one that shows the step.
-  for (const StepCase& c : {StepCase{50, 0, 5000, 50},
-                            {50, 0.2, 5000, 50},
-                            {11.1, 0.01, 7000, 50},
-                            {16.7, 0.1, 3000, 50},
-                            {50, 0, 100, 0.02},
-                            {16.7, 0.2, 80, 0.02},
-                            {1, 0.1, 60, 0.02},
-                            {1000, 0, 120, 0.02}}) {
-    SCOPED_TRACE(testing::Message() << c.target_ms << " ms, fixed " << c.fixed_share << ", width "
-                                    << c.settled_width << ", times " << c.factor);
-    SimulatedMachine machine(test::wide_config(c.target_ms));
-    Load load = load_before(c);
-    machine.frames(kSettled, [&](int) { return load; });
-    load.factor = c.factor;
-    const std::vector<SimulatedFrame> after = machine.frames(kSettled, [&](int) { return load; });
-    for (std::size_t i = 8; i < after.size(); ++i) {
-      ASSERT_GE(after[i].ms, 0.90 * c.target_ms) << "frame " << i;
-      ASSERT_LE(after[i].ms, 1.00 * c.target_ms) << "frame " << i;
-    }
+  for (const StepCase& step : test::kStepsOf50) {
+    SCOPED_TRACE(testing::Message() << step.target_ms << " ms, fixed " << step.fixed_share << ", width "
+                                    << step.settled << ", times " << step.factor);
+    const std::vector<SimulatedFrame> after =
+        test::frames_after_step(step, test::wide_config(step.target_ms), load_before(step));
     for (std::size_t i = 1; i < after.size(); ++i) {
       ASSERT_LE(after[i].decision.quality.polar_width, 2 * after[i - 1].decision.quality.polar_width);
     }
@@ -78,31 +55,12 @@ TEST(DeadlinePolicyTest, AConstantLoadIsHeldWithoutSwinging) {
   }
 }
 
-// The head-room is 2.06 standard deviations: of a normal distribution 1.97 % lie above. Costs are smoothed
-// towards "slower" twice as fast, which keeps the mean a little lower, and the misses below 2 % for certain.
 TEST(DeadlinePolicyTest, WithWhiteNoiseTwoPercentAreMissedAtMost) {
   for (const double noise : {0.05, 0.15, 0.30}) {
     for (const std::uint32_t seed : {1u, 2u, 3u, 4u, 5u}) {
       SCOPED_TRACE(testing::Message() << "noise " << noise << ", seed " << seed);
-      std::mt19937 random(seed);
-      std::normal_distribution<double> normal;
       SimulatedMachine machine(test::wide_config(50));
-      Load load = load_before({50, 0.2, 2000, 1});
-      const auto noisy = [&](int) {
-        load.factor = std::max(0.01, 1 + noise * normal(random));
-        return load;
-      };
-      machine.frames(100, noisy);
-      constexpr int kFrames = 5000;
-      int missed = 0;
-      double sum_ms = 0;
-      for (const SimulatedFrame& frame : machine.frames(kFrames, noisy)) {
-        missed += frame.ms > 50 ? 1 : 0;
-        sum_ms += frame.ms;
-      }
-      EXPECT_LE(missed, kFrames / 50);
-      // Not by giving up: the aim itself is 1 / (1 + 2.06 noise) of the target.
-      EXPECT_GE(sum_ms / kFrames, 0.80 * 50 / (1 + 2.06 * noise));
+      test::frames_with_noise(machine, load_before({50, 0.2, 2000, 1}), 50, noise, seed);
       EXPECT_NEAR(machine.policy.deviation(), noise, 0.35 * noise);
     }
   }

@@ -6,41 +6,45 @@
 #include <string>
 #include <vector>
 
-#include "tests/server/program/program_runner.h"
-#include "tests/server/small_session.h"
-#include "tests/temporary_folder.h"
+#include "tests/server/program/replay/replay_program.h"
 
 namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ReplayMessages : public ::testing::Test {
- protected:
-  void SetUp() override {
-    write_small_scene(root() / "scene");
-    write_small_profile(root() / "small.profile.json");
-    write_small_session(root() / "walk", 0.25);
-  }
-  const fs::path& root() const { return folder_.path(); }
-
-  Outcome herr(const std::string& arguments) const { return run_program(root(), arguments); }
-
- private:
-  TemporaryFolder folder_;
-};
+class ReplayMessages : public ReplayProgram {};
 
 TEST_F(ReplayMessages, OneBadSessionDoesNotStopTheOthers) {
   fs::create_directories(root() / "empty");
-  const Outcome outcome = herr(
-      "replay empty walk --profile small.profile.json --preset direct --polar 128x64 --frames 2 --out o "
-      "--json");
+  const Outcome outcome = replay_of("empty walk", "--frames 2 --out o --json");
   EXPECT_EQ(outcome.exit_code, 3);
   const auto json = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(json["sessions"].size(), 2u);
   EXPECT_EQ(json["sessions"][0]["exit_code"], 3);
   EXPECT_EQ(json["sessions"][1]["frames"]["rendered"], 2);
   EXPECT_EQ(json["exit_code"], 3);
+}
+
+// The folder of a refused session is written before the first frame of the others: its summary is older than
+// the rows of the session that stands before it on the line.
+TEST_F(ReplayMessages, RefusedSessionsAreToldBeforeTheFirstFrame) {
+  fs::create_directories(root() / "empty");
+  fs::create_directories(root() / "bare");
+  const Outcome all = herr("replay empty bare --profile small.profile.json --out none");
+  EXPECT_EQ(all.exit_code, 3);
+  EXPECT_EQ(lines_in(all.err), 4) << all.err;
+  EXPECT_NE(all.err.find("2 of 2 sessions refused: empty (exit 3), bare (exit 3); none is left to replay\n"),
+            std::string::npos)
+      << all.err;
+  EXPECT_NE(all.err.find("0 of 2 sessions done, 2 failed: empty (empty"), std::string::npos) << all.err;
+  const Outcome one = replay_of("walk empty", "--frames 2 --out o --format none --contact-sheet none");
+  EXPECT_EQ(one.exit_code, 3);
+  EXPECT_NE(one.err.find("1 of 2 sessions refused: empty (exit 3); the other one is replayed\n"),
+            std::string::npos)
+      << one.err;
+  EXPECT_LE(fs::last_write_time(root() / "o/empty/summary.json"),
+            fs::last_write_time(root() / "o/walk/frames.csv"));
 }
 
 // Of three sessions the second has a bad row: the first line on stderr names it, before the first frame; the
@@ -50,25 +54,30 @@ TEST_F(ReplayMessages, ABadSessionAmongOthersIsNamedFirstAndLastAndLeavesASummar
   write_small_session(root() / "third", 0.2);
   write_text(root() / "broken/pose/data.csv",
              content_of(root() / "broken/pose/data.csv") + "2000000000,0,1,nan,0,0,0,1\n");
-  const std::string flags =
-      " walk broken third --profile small.profile.json --preset direct --polar 128x64 --frames 2 --out o "
-      "--format none --contact-sheet none";
-  const Outcome bad = herr("replay" + flags);
+  const std::string sessions = "walk broken third",
+                    flags = "--frames 2 --out o --format none --contact-sheet none";
+  const Outcome bad = replay_of(sessions, flags);
   EXPECT_EQ(bad.exit_code, 3);
   EXPECT_NE(bad.out.find("\n2 of 3 sessions: 4 frames"), std::string::npos) << bad.out;
   EXPECT_EQ(bad.err.find("herr: broken/pose/data.csv:"), 0u) << bad.err;
-  EXPECT_NE(bad.err.find("--keep-going\n"), std::string::npos) << bad.err;
-  const std::size_t last = bad.err.rfind("herr: ");
-  EXPECT_EQ(bad.err.find("herr: 1 of 3 sessions failed: broken (exit 3): broken/pose/data.csv:", last), last)
+  // One line tells the error, one counts, one is the last; nothing else, and two of them before a frame.
+  ASSERT_EQ(lines_in(bad.err), 3) << bad.err;
+  EXPECT_NE(bad.err.find("--keep-going\nherr: 1 of 3 sessions refused: broken (exit 3); the other 2 are "
+                         "replayed\n"),
+            std::string::npos)
       << bad.err;
+  const std::size_t last = bad.err.rfind("herr: ");
+  EXPECT_EQ(bad.err.find("herr: 2 of 3 sessions done, 1 failed: broken (broken/pose/data.csv:", last), last)
+      << bad.err;
+  EXPECT_TRUE(bad.err.ends_with(", exit 3)\n")) << bad.err;
   EXPECT_EQ(files_below(root() / "o/broken"), std::vector<std::string>{"summary.json"});
-  const auto summary = nlohmann::json::parse(content_of(root() / "o/broken/summary.json"));
-  EXPECT_EQ(summary["state"], "failed");
-  EXPECT_EQ(summary["exit_code"], 3);
-  EXPECT_NE(summary["error"].get<std::string>().find("data.csv:"), std::string::npos);
+  const auto refused = summary("o", "broken");
+  EXPECT_EQ(refused["state"], "failed");
+  EXPECT_EQ(refused["exit_code"], 3);
+  EXPECT_NE(refused["error"].get<std::string>().find("data.csv:"), std::string::npos);
 
   // --keep-going gets past it; the failed session's folder is as good as an empty one, done ones stay.
-  const Outcome again = herr("replay" + flags + " --resume --keep-going");
+  const Outcome again = replay_of(sessions, flags + " --resume --keep-going");
   EXPECT_EQ(again.exit_code, 5) << again.err;
   EXPECT_NE(again.out.find("\nall 3 sessions: 6 frames"), std::string::npos) << again.out;
   EXPECT_EQ(lines_in(content_of(root() / "o/broken/frames.csv")), 3);

@@ -11,37 +11,15 @@
 #include <vector>
 
 #include "tests/paths.h"
-#include "tests/server/program/program_runner.h"
-#include "tests/server/small_session.h"
-#include "tests/temporary_folder.h"
+#include "tests/server/program/replay/replay_program.h"
 
 namespace herr {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Program : public ::testing::Test {
+class Program : public ReplayProgram {
  protected:
-  void SetUp() override {
-    write_small_scene(root() / "scene");
-    write_small_profile(root() / "small.profile.json");
-    write_small_session(root() / "walk", 0.25);
-  }
-  const fs::path& root() const { return folder_.path(); }
-
-  Outcome herr(const std::string& arguments, const std::string& before = "") const {
-    return run_program(root(), arguments, before);
-  }
-  Outcome replay(const std::string& flags, const std::string& before = "") const {
-    return herr(
-        "replay walk --profile small.profile.json --preset direct --polar 128x64 --threads 2 " + flags,
-        before);
-  }
-
-  nlohmann::json summary(const std::string& out) const {
-    return nlohmann::json::parse(content_of(root() / out / "walk" / "summary.json"));
-  }
-
   // Two frames of the large profile, whose pictures are 14.3 Mpx of 8 bytes.
   nlohmann::json large_summary(const std::string& out, const std::string& flags) const {
     const Outcome outcome =
@@ -65,9 +43,6 @@ class Program : public ::testing::Test {
     }
     return values;
   }
-
- private:
-  TemporaryFolder folder_;
 };
 
 TEST_F(Program, ReplayWritesPicturesTimesSheetCheckpointAndSummary) {
