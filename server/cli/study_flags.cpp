@@ -44,7 +44,8 @@ void add_hz_flag(CLI::App& app, StudyOptions& options) {
       "(default "
       "the session's here) and --profile-scale say the most of each, all other flags what else a frame has; "
       "ends "
-      "with 1 when no setting holds it, 1 ... 1000",
+      "with 1 when no setting holds it; takes a minute or two, some ten runs of 100 frames or 20 s at most; "
+      "--minutes ends it before, which with less than 2 mostly leaves settings open, 1 ... 1000",
       [&options](const std::string& text) { options.hz = parse_real_number("--hz", text, 1, 1000); });
 }
 
@@ -76,14 +77,16 @@ void add_sweep_flags(CLI::App& app, StudyOptions& options) {
                options.frames = static_cast<int>(parse_whole_number("--frames", text, 1, 90));
                took("--frames");
              });
-  value_flag(app, "--minutes", "M",
-             "time for all of it, half of it for references; fewer frames and settings where it is short, "
-             "all listed; "
-             "one frame's references and the default are measured whatever they take (default 20)",
-             [&options, took](const std::string& text) {
-               options.minutes = parse_real_number("--minutes", text, 0.1, 10000);
-               took("--minutes");
-             });
+  value_flag(
+      app, "--minutes", "M",
+      "time for all of it, half of it for references; fewer frames and settings where it is short, "
+      "all listed; "
+      "one frame's references and the default are measured whatever they take, and where less than a "
+      "quarter of the settings fits, a warning says for how long to ask (default 20; with --hz no limit)",
+      [&options, took](const std::string& text) {
+        options.minutes = parse_real_number("--minutes", text, 0.1, 10000);
+        took("--minutes");
+      });
   file_flag(app, "--references", "folder of references that several studies share (default OUT/references)",
             [&options, took](const std::string& text) {
               options.references = text;
