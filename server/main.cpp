@@ -37,19 +37,28 @@ struct RunCommand {
     herr::warn_of_idle_settings(options.render);
     return herr::run_bench(options);
   }
-  int operator()(const herr::CheckOptions& options) const { return herr::run_check(options); }
+  int operator()(const herr::CheckOptions& options) const {
+    if (!options.measure) herr::warn_of_idle_settings(options.run.replay.render);
+    return herr::run_check(options);
+  }
   int operator()(const herr::InspectOptions& options) const {
     herr::warn_of_idle_settings(options.render);
     return herr::run_inspect(options);
   }
-  int operator()(const herr::LookOptions& options) const { return herr::run_look(options); }
+  int operator()(const herr::LookOptions& options) const {
+    herr::warn_of_idle_settings(options.render);
+    return herr::run_look(options);
+  }
   int operator()(const herr::StudyOptions& options) const {
     if (!options.report.empty()) return herr::print_report_again(options);
     herr::warn_of_idle_settings(options.render);
     if (options.hz) return herr::run_rate(options);
     return options.stability ? herr::run_stability(options) : herr::run_study(options);
   }
-  int operator()(const herr::SynthOptions& options) const { return herr::run_synth(options); }
+  int operator()(const herr::SynthOptions& options) const {
+    herr::warn_of_threads(options.threads);
+    return herr::run_synth(options);
+  }
   int operator()(const herr::ConvertOptions& options) const { return herr::run_convert(options); }
 };
 

@@ -14,6 +14,7 @@
 #include "scenes/document/scene_document_paths.h"
 #include "scenes/document/scene_document_shapes.h"
 #include "scenes/document/scene_document_voxels.h"
+#include "scenes/document/written_order.h"
 #include "scenes/environment/environment_image.h"
 #include "scenes/gltf/load_gltf.h"
 #include "scenes/gltf/node_flattener.h"
@@ -163,6 +164,8 @@ Scene read_scene_document(const std::filesystem::path& file, TexturePixels pixel
   Scene scene;
   scene.files.push_back(file);
   scene.name = root.text("name");
+  if (std::string warning = w_first_warning(root); !warning.empty())
+    scene.warnings.push_back(std::move(warning));
   scene.ambient = glm::vec3(root.vec3_or("ambient", 0, kBrightest, glm::dvec3(0.0)));
   scene.environment = glm::vec3(root.vec3_or("environment", 0, kBrightest, glm::dvec3(0.0)));
   if (root.has("environment_map")) {

@@ -40,9 +40,18 @@ std::string parse_host_name(const std::string& text) {
 
 CLI::Option* value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
                         const std::string& help, const FlagReader& read) {
-  return app.add_option_function<std::string>(flag, read, help)
+  const auto once = [flag, read](const CLI::results_t& given) {
+    for (const std::string& text : given) {
+      if (text != given.front())
+        throw UsageError(flag + ": is given twice, as '" + printable(given.front()) + "' and '" +
+                         printable(text) + "'; give it once");
+    }
+    read(given.front());
+    return true;
+  };
+  return app.add_option(flag, once, help)
       ->type_name(value_name)
-      ->take_last()
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)  // to see that they are several
       ->expected(1);
 }
 

@@ -19,7 +19,8 @@ namespace herr {
 
 using FlagReader = std::function<void(const std::string& text)>;
 
-// A flag with a value. The reader runs once the whole line is understood.
+// A flag with a value. The reader runs once the whole line is understood. Given twice with different values,
+// it throws UsageError: nobody could say which of them counts.
 CLI::Option* value_flag(CLI::App& app, const std::string& flag, const std::string& value_name,
                         const std::string& help, const FlagReader& read);
 // The same for a path that must not be empty.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "server/cli/flags.h"
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {
@@ -63,11 +65,30 @@ std::string value_name(const Setting& setting) {
   return "NAME";
 }
 
+// "; give 800 or 802", of a whole number that is no multiple of what the setting counts by.
+std::string nearest_multiples(const Setting& setting, const std::string& text) {
+  const auto* number = std::get_if<NumberSetting>(&setting.value);
+  if (number == nullptr || number->step < 2) return {};
+  const auto lowest = static_cast<std::int64_t>(number->lowest),
+             highest = static_cast<std::int64_t>(number->highest);
+  try {
+    const std::int64_t below = whole_number_from(text, lowest, highest) / number->step * number->step;
+    std::string gives;
+    for (const std::int64_t multiple : {below, below + number->step}) {
+      if (multiple >= lowest && multiple <= highest)
+        gives += (gives.empty() ? "; give " : " or ") + std::to_string(multiple);
+    }
+    return gives;
+  } catch (const std::invalid_argument&) {
+    return {};  // said already
+  }
+}
+
 void read_text(const Setting& setting, const std::string& text) {
   try {
     set_text(setting, text);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(setting.flag + ": " + error.what());
+    throw UsageError(setting.flag + ": " + error.what() + nearest_multiples(setting, text));
   }
 }
 
@@ -101,12 +122,20 @@ void add_preset_flag(CLI::App& app, const std::string& flag, const std::string& 
 void add_setting_flag(CLI::App& app, const Setting& setting) {
   if (is_switch(setting)) {
     const bool value = !setting.flag.starts_with("--no-");
-    app.add_flag_callback(
-           setting.flag, [setting, value] { set_value(setting, value); }, setting.sentence)
-        ->group(title_of(setting.group));
+    const CLI::Option* there =
+        app.add_flag_callback(
+               setting.flag, [setting, value] { set_value(setting, value); }, setting.sentence)
+            ->group(title_of(setting.group));
     if (setting.back_flag.empty()) return;
     app.add_flag_callback(
-           setting.back_flag, [setting, value] { set_value(setting, !value); }, "the default, after a preset")
+           setting.back_flag,
+           [setting, value, there] {
+             if (there->count() > 0)
+               throw UsageError(setting.flag + ": conflicts with " + setting.back_flag +
+                                "; give one of them");
+             set_value(setting, !value);
+           },
+           "the default, after a preset")
         ->group(title_of(setting.group));
     return;
   }

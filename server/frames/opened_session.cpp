@@ -88,6 +88,10 @@ void open_session(const ReplayOptions& options, SessionReport& report, OpenedSes
     open_recording(options, report, opened);  // from its start again
   }
   report.plan = opened.renderer->plan();
+  if (std::string warning =
+          feed_distance_warning(options.render, report.findings.camera_rows[0] > 0, report.name);
+      !warning.empty())
+    opened.scene.warnings.push_back(std::move(warning));
   for (std::string& warning :
        picture_warnings(opened.scene, report.scene_file, report.plan, opened.renderer->settings()))
     opened.scene.warnings.push_back(std::move(warning));

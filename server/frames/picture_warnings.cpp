@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "server/frames/lamp_warnings.h"
 #include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
 #include "sessions/text/fixed_text.h"
@@ -66,10 +67,17 @@ std::vector<std::string> picture_warnings(const Scene& scene, const std::filesys
     if (!sentence.empty()) warnings.push_back(printable(file.string()) + ": " + sentence);
   };
   add(no_lights(scene, plan));
+  for (const std::string& line : lamp_warnings(scene)) add(line);
   if (feed_known) add(catchers_without_feed(scene, plan, settings));
   if (const std::string glow = glow_without_light(scene, plan); !glow.empty())
     add(glow + "; switch probes on");
   return warnings;
+}
+
+std::string feed_distance_warning(const RenderSettings& asked, bool has_camera, const std::string& session) {
+  if (!asked.feed_distance_m || has_camera || !asked.camera) return {};
+  return "--feed-distance: " + printable(session) +
+         " has no camera, so there is no feed to show; leave it out";
 }
 
 std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,

@@ -21,6 +21,10 @@ std::vector<std::string> picture_warnings(const Scene& scene, const std::filesys
                                           const FramePlan& plan, const RenderSettings& settings,
                                           bool feed_known = true);
 
+// Of --feed-distance where `session` has no camera; empty: nothing to say. (Beside --no-camera it is an idle
+// setting, of which the command line tells.)
+std::string feed_distance_warning(const RenderSettings& asked, bool has_camera, const std::string& session);
+
 // Known after `frames` frames, none of whose samples met a virtual object: where the head stood in the scene,
 // where it looked, and how far off that the nearest object is. Without a head these are left out.
 std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,

@@ -27,6 +27,11 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
     for (const std::string& warning :
          picture_warnings(scene, report.scene_file, *report.plan, options.render, report.session.has_value()))
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    if (report.session) {
+      const std::string name = report.session->folder.filename().string();
+      const std::string warning = feed_distance_warning(options.render, session_has_camera, name);
+      if (!warning.empty()) report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    }
     if (report.scene->degenerate_triangles > 0)
       report.findings.add(Severity::note, InputError(report.scene_file, 0,
                                                      counted(report.scene->degenerate_triangles,

@@ -45,6 +45,7 @@ struct Subject {
   std::optional<World> world;
   SceneState state;
   BoundingSphere sphere;
+  std::vector<std::string> beyond;  // names of floors and walls that the picture does not hold whole
   bool studio = false;
 };
 
@@ -64,7 +65,9 @@ void load(const LookOptions& options, Subject& subject) {
   subject.world.emplace(scene);
   subject.world->advance(options.time_s);
   subject.state = subject.world->state();
-  subject.sphere = bounding_sphere(scene, subject.state);
+  FramedSphere framed = framed_sphere(scene, subject.state);
+  subject.sphere = framed.sphere;
+  subject.beyond = std::move(framed.left_out);
   if (!(subject.sphere.radius > 0))
     throw InputError(options.path, 0, "has nothing to look at: no triangles, shapes or voxels",
                      "export the model with its meshes");
@@ -164,6 +167,7 @@ class LookRun {
     report_.light = in_room()         ? "studio light"
                     : subject_.studio ? "light of the environment"
                                       : "its own light";
+    report_.beyond = subject_.beyond;
     report_.triangles = triangle_count(subject_.scene, false);
     report_.warnings = subject_.scene.warnings;
     print_result(options_.json ? look_json(report_) : look_text(report_));
@@ -190,7 +194,7 @@ void check_look_options(const LookOptions& options) {
     throw UsageError("--out: of --turntable it is a folder; leave the ending out");
   constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;  // floats of a picture: a gigabyte
   if (std::int64_t{options.width_px} * options.height_px > kMostPixels)
-    throw UsageError("--size: has more than 67108864 pixels; give a smaller one");
+    throw UsageError("--size: has more than 67108864 pixels; give at most 8192x8192");
 }
 
 int run_look(const LookOptions& options) {

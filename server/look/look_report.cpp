@@ -1,5 +1,6 @@
 #include "server/look/look_report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,16 @@ std::string significant(double value) {
   return text;
 }
 
+// Floors and walls that reach out of the picture: many are counted.
+std::string beyond_words(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i)
+    text += (text.empty() ? ", framed without " : ", ") +
+            (names[i].empty() ? "an unnamed one" : printable(names[i]));
+  return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
+}
+
 }  // namespace
 
 std::string look_text(const LookReport& report) {
@@ -33,7 +44,8 @@ std::string look_text(const LookReport& report) {
          shortest_text(report.from.azimuth_deg) + "," + shortest_text(report.from.elevation_deg) + " at " +
          significant(report.distance_m) + " m over " + shortest_text(report.fov_deg) + " degrees, exposure " +
          ev_text(report.exposure.ev) + " EV" + (report.exposure.automatic ? " (automatic)" : "") + ", " +
-         report.light + ", " + counted(report.triangles, "triangle", "triangles") + "\n";
+         report.light + ", " + counted(report.triangles, "triangle", "triangles") +
+         beyond_words(report.beyond) + "\n";
 }
 
 std::string look_json(const LookReport& report) {
@@ -44,6 +56,7 @@ std::string look_json(const LookReport& report) {
                               {"height_px", report.height_px},
                               {"azimuth_deg", report.from.azimuth_deg},
                               {"elevation_deg", report.from.elevation_deg},
+                              {"framed_without", report.beyond},
                               {"distance_m", report.distance_m},
                               {"fov_deg", report.fov_deg},
                               {"exposure_ev", report.exposure.ev},

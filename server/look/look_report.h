@@ -14,7 +14,8 @@ struct LookReport {
   std::filesystem::path out;                // a file, or the folder of a turntable
   std::vector<std::filesystem::path> also;  // the same picture in further formats
   int width_px = 0, height_px = 0, pictures = 1;
-  LookDirection from;  // of the first picture
+  LookDirection from;               // of the first picture
+  std::vector<std::string> beyond;  // floors and walls that are not framed
   double distance_m = 0, fov_deg = 0;
   Exposure exposure;
   std::int64_t triangles = 0;

@@ -35,6 +35,20 @@ auto read_for(const std::string& flag, Reader&& reader) {
   }
 }
 
+// A size of the numbers that `text` has: "800x600" for "800 by 600", "800x800" for "800".
+std::string size_like(const std::string& text) {
+  constexpr const char* kDigits = "0123456789";
+  std::vector<std::string> sides;
+  for (std::size_t at = text.find_first_of(kDigits); at != std::string::npos;
+       at = text.find_first_of(kDigits, at)) {
+    const std::size_t end = std::min(text.find_first_not_of(kDigits, at), text.size());
+    sides.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  if (sides.empty() || sides.size() > 2) return "800x600";
+  return sides.front() + "x" + sides.back();
+}
+
 }  // namespace
 
 std::int64_t parse_whole_number(const std::string& flag, const std::string& text, std::int64_t lowest,
@@ -52,7 +66,8 @@ double parse_signed_number(const std::string& flag, const std::string& text, dou
 
 SizeValue parse_size(const std::string& flag, const std::string& text, int highest) {
   const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) refuse(flag, text, "a size; write WIDTHxHEIGHT, for example 1576x768");
+  if (cross == std::string::npos || cross == 0 || cross + 1 == text.size())
+    refuse(flag, text, "a size; write WIDTHxHEIGHT: " + size_like(text));
   const auto side = [&](const std::string& part) {
     return static_cast<int>(parse_whole_number(flag, part, 1, highest));
   };

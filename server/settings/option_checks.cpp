@@ -2,8 +2,10 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "renderer/settings_list.h"
+#include "renderer/threads/cpu_use.h"
 #include "server/process/exit_code.h"
 #include "server/process/terminal.h"
 
@@ -26,7 +28,10 @@ void check_policy(const ReplayOptions& options) {
                      std::to_string(options.render.polar_height));
   }
   if (!options.narrowest_width) return;
-  if (fixed) throw UsageError("--polar-floor: the policy fixed never goes below --polar; give --policy");
+  if (fixed)
+    throw UsageError(
+        "--polar-floor: the policy fixed never goes below --polar; "
+        "give --policy motion, deadline or motion+deadline");
   if (*options.narrowest_width > options.render.polar_width) {
     throw UsageError("--polar-floor: is wider than --polar; give at most " +
                      std::to_string(2 * options.render.polar_width));
@@ -48,9 +53,29 @@ void check_render_settings(const RenderSettings& settings) {
 
 void warn_of_idle_settings(const RenderSettings& settings) {
   RenderSettings given = settings, defaults;
-  for (const std::string& line : idle_settings(settings_of(given), settings_of(defaults)))
+  std::vector<std::string> lines = idle_settings(settings_of(given), settings_of(defaults));
+  for (std::string& line : lines) {
+    if (line.starts_with("--first-light-samples ") && settings.light_samples <= settings.adaptive_min_samples)
+      line = line.substr(0, line.find(": ")) + ": no effect with --light-samples " +
+             std::to_string(settings.light_samples) + ", which are traced at once; give --light-samples " +
+             std::to_string(settings.adaptive_min_samples + 1) + " or more";
     print_message("warning: " + line + (line.find("; ") == std::string::npos ? "; " : ", or ") +
                   "leave it out");
+  }
+  warn_of_threads(settings.threads);
+}
+
+void warn_of_threads(int threads) {
+  if (const std::string line = too_many_threads(threads, available_threads()); !line.empty())
+    print_message("warning: " + line);
+}
+
+std::string too_many_threads(int threads, int cores) {
+  if (threads <= cores) return {};
+  return "--threads " + std::to_string(threads) + ": this process may use " +
+         (cores == 1 ? std::string("1 core") : std::to_string(cores) + " cores") +
+         ", and threads that share one wait for each other; give --threads " + std::to_string(cores) +
+         ", or leave it out";
 }
 
 void check_replay_options(const ReplayOptions& options) {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "sessions/files/input_error.h"
@@ -70,11 +71,13 @@ class CheckedBuilder : public nlohmann::json_sax<json> {
     // The library's text begins with its own counting of lines, which starts at 1 in every
     // text: ours replaces it.
     const std::size_t start = text.find("syntax error");
+    is_syntax_ = start != std::string::npos;
     return stop("is not JSON: " +
                 (start == std::string::npos ? text.substr(text.find("] ") + 2) : text.substr(start)));
   }
 
   const std::string& problem() const { return problem_; }
+  bool is_syntax() const { return is_syntax_; }  // of the problem
 
  private:
   bool stop(std::string problem) {
@@ -114,7 +117,54 @@ class CheckedBuilder : public nlohmann::json_sax<json> {
   std::vector<json*> parents_;
   std::string key_, problem_;
   std::int64_t values_ = 0;
+  bool is_syntax_ = false;
 };
+
+struct Mistake {
+  std::string problem, remedy;
+};
+
+bool is_word_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' ||
+         c == '.' || c == '_';
+}
+
+// The word or number without quotes in which `offset` lies.
+std::string word_around(std::string_view text, std::size_t offset) {
+  std::size_t from = offset, to = offset;
+  while (from > 0 && is_word_letter(text[from - 1])) --from;
+  while (to < text.size() && is_word_letter(text[to])) ++to;
+  return std::string(text.substr(from, to - from));
+}
+
+std::string in_lower_case(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return word;
+}
+
+// What other languages and programs write and JSON does not take, at the character where the parser stopped.
+std::optional<Mistake> usual_mistake(std::string_view text, std::size_t offset) {
+  const char at = text[offset];
+  if (at == '}' || at == ']') {
+    const std::size_t before = offset > 0 ? text.find_last_not_of(" \t\r\n", offset - 1) : std::string::npos;
+    if (before != std::string::npos && text[before] == ',')
+      return Mistake{std::string("a comma stands before '") + at + "'", "remove that comma"};
+  }
+  if (at == '\'') return Mistake{"a text stands in ' '", "write it in \" \""};
+  if (at == '/' || at == '#') return Mistake{"it has no comments", "remove this one"};
+  const std::string word = word_around(text, offset), lower = in_lower_case(word);
+  const std::string magnitude = lower.substr(lower.starts_with('-') || lower.starts_with('+') ? 1 : 0);
+  if (magnitude == "nan" || magnitude == "inf" || magnitude == "infinity")
+    return Mistake{"it has no " + word, "write a finite number such as 0, or leave the field out"};
+  if (lower == "true" || lower == "false") return Mistake{"it has no " + word, "write " + lower};
+  if (lower == "none" || lower == "undefined") return Mistake{"it has no " + word, "write null"};
+  if (magnitude.starts_with('.') || (word.starts_with('+') && word.size() > 1))
+    return Mistake{"it has no number " + printable(word),
+                   "write " + printable((lower.starts_with('-') ? "-" : "") +
+                                        ((magnitude.starts_with('.') ? "0" : "") + magnitude))};
+  return std::nullopt;
+}
 
 std::int64_t lines_before(std::string_view text, std::size_t offset) {
   return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())),
@@ -148,9 +198,12 @@ json parse_json_text(std::string_view text, const std::filesystem::path& file, s
   const TracedText first(text.data(), &reached), last(text.data() + text.size(), &reached);
   if (json::sax_parse(first, last, &builder)) return root;
   // The parser reads one character past a number, which may be the end of its line.
-  const auto offset = static_cast<std::size_t>(reached - text.data());
-  throw InputError(file, first_line + lines_before(text, offset > 0 ? offset - 1 : 0), builder.problem(),
-                   "correct the file");
+  const auto read = static_cast<std::size_t>(reached - text.data());
+  const std::size_t offset = read > 0 ? read - 1 : 0;
+  const std::int64_t line = first_line + lines_before(text, offset);
+  if (const auto mistake = builder.is_syntax() ? usual_mistake(text, offset) : std::nullopt)
+    throw InputError(file, line, "is not JSON: " + mistake->problem, mistake->remedy);
+  throw InputError(file, line, builder.problem(), "correct the file");
 }
 
 json parse_json_file(const std::filesystem::path& file, const JsonLimits& limits) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -42,13 +43,30 @@ std::string_view without_minus(std::string_view text) {
   return text.substr(text.starts_with('-') ? 1 : 0);
 }
 
+// The number that other programs read in "+1", "010", "1e2", ".5", "1,5" or " 5", as it is written here.
+// None where it is no number, or one out of range.
+std::optional<std::string> plain_form(std::string text, double lowest, double highest, bool whole) {
+  text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+  if (text.starts_with('+')) text.erase(0, 1);
+  if (text.find('.') == std::string::npos && std::count(text.begin(), text.end(), ',') == 1)
+    text[text.find(',')] = '.';
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool read = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+  if (!read || value < lowest || value > highest || (whole && value != std::floor(value)))
+    return std::nullopt;
+  return plain_number_text(value + 0.0);  // -0 is 0
+}
+
 }  // namespace
 
 std::int64_t whole_number_from(const std::string& text, std::int64_t lowest, std::int64_t highest) {
   std::int64_t value = 0;
   const std::string from = std::to_string(lowest), to = std::to_string(highest);
   if (!is_plain_whole(without_minus(text)))
-    refuse(text, "a whole number from " + from + " to " + to + "; write plain decimal digits");
+    refuse(text, "a whole number from " + from + " to " + to + "; write " +
+                     plain_form(text, static_cast<double>(lowest), static_cast<double>(highest), true)
+                         .value_or("plain decimal digits"));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || value < lowest || value > highest || text.starts_with('-'))
     refuse_size(text, from, to);
@@ -59,7 +77,8 @@ double real_number_from(const std::string& text, double lowest, double highest) 
   double value = 0;
   const std::string from = plain_number_text(lowest), to = plain_number_text(highest);
   if (!is_plain_real(without_minus(text)))
-    refuse(text, "a number from " + from + " to " + to + "; write it as 12 or 1.5");
+    refuse(text, "a number from " + from + " to " + to + "; write " +
+                     plain_form(text, lowest, highest, false).value_or("it as 12 or 1.5"));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value) || value < lowest || value > highest)
     refuse_size(text, from, to);

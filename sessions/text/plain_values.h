@@ -1,7 +1,7 @@
 // Values as people write them in settings, read strictly. Libraries take "010" for 8, and "nan" and "inf" for
 // numbers; here they are mistakes. All readers throw std::invalid_argument, with what was wanted and what to
-// do: "'010' is not a whole number from 1 to 64; write plain decimal digits", "'65' is out of range: 1 to
-// 64".
+// do: "'010' is not a whole number from 1 to 64; write 10", "'two' is not a whole number from 1 to 64; write
+// plain decimal digits", "'65' is out of range: 1 to 64".
 #pragma once
 
 #include <cstddef>

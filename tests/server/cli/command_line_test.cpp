@@ -171,7 +171,8 @@ TEST(CommandLine, ChoicesThatDoNotGoTogetherSaySo) {
             "--resume: frames of the policy deadline depend on how long each took, and cannot be taken up "
             "again; give --overwrite to start again");
   EXPECT_EQ(complaint({"replay", "walk", "--polar-floor", "100"}),
-            "--polar-floor: the policy fixed never goes below --polar; give --policy");
+            "--polar-floor: the policy fixed never goes below --polar; give --policy motion, deadline or "
+            "motion+deadline");
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar", "100x64", "--polar-floor", "102"}),
             "--polar-floor: is wider than --polar; give at most 100");
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--polar-floor-height", "96"}),

@@ -7,6 +7,7 @@
 
 #include "server/cli/command_line.h"
 #include "server/process/exit_code.h"
+#include "server/settings/option_checks.h"
 
 namespace herr {
 namespace {
@@ -65,6 +66,56 @@ TEST(MistakenLines, ANumberOutOfRangeSaysItsRange) {
        "--origin: '-2000000' is out of range: -1000000 to 1000000"},
   };
   for (const auto& [arguments, message] : lines) EXPECT_EQ(complaint(arguments).find(message), 0u) << message;
+}
+
+TEST(MistakenLines, AFlagIsGivenOnce) {
+  EXPECT_EQ(complaint({"replay", "s", "--light-samples", "4", "--light-samples=8"}),
+            "--light-samples: is given twice, as '4' and '8'; give it once");
+  EXPECT_EQ(complaint({"replay", "s", "--scene", "a", "--frames", "2", "--scene", "b"}),
+            "--scene: is given twice, as 'a' and 'b'; give it once");
+  EXPECT_EQ(complaint({"look", "m.glb", "--preset", "paper", "--preset", "direct"}),
+            "--preset: is given twice, as 'paper' and 'direct'; give it once");
+  EXPECT_EQ(complaint({"replay", "s", "--probes", "--no-probes"}),
+            "--no-probes: conflicts with --probes; give one of them");
+  // The same once more says nothing else.
+  const auto same = std::get<ReplayOptions>(
+      parse_command_line({"replay", "s", "--light-samples", "8", "--light-samples", "8", "--overwrite",
+                          "--overwrite", "--scene", "[a]", "--scene", "[a]"}));
+  EXPECT_EQ(same.render.light_samples, 8);
+  EXPECT_EQ(same.scene, "[a]");
+  const auto two =
+      std::get<ReplayOptions>(parse_command_line({"replay", "s", "--asset-root", "a", "--asset-root", "b"}));
+  EXPECT_EQ(two.asset_roots.size(), 2u);
+}
+
+TEST(MistakenLines, AValueThatIsNoneNamesOneToGive) {
+  const std::vector<std::pair<Arguments, std::string>> lines{
+      {{"replay", "s", "--light-samples", "+1"},
+       "--light-samples: '+1' is not a whole number from 1 to 4096; write 1"},
+      {{"replay", "s", "--exposure", "+1,5"}, "--exposure: '+1,5' is not a number from -15 to 15; write 1.5"},
+      {{"replay", "s", "--policy", "motion", "--polar-floor", "801"},
+       "--polar-floor: '801' is not a multiple of 2; give 800 or 802"},
+      {{"replay", "s", "--polar-floor", "800"},
+       "--polar-floor: the policy fixed never goes below --polar; give --policy motion, deadline or "
+       "motion+deadline"},
+      {{"look", "m.glb", "--size", "640"}, "--size: '640' is not a size; write WIDTHxHEIGHT: 640x640"},
+      {{"look", "m.glb", "--size", "640x"}, "--size: '640x' is not a size; write WIDTHxHEIGHT: 640x640"},
+      {{"look", "m.glb", "--size", "640*480"},
+       "--size: '640*480' is not a size; write WIDTHxHEIGHT: 640x480"},
+      {{"look", "m.glb", "--size", "big"}, "--size: 'big' is not a size; write WIDTHxHEIGHT: 800x600"},
+      {{"look", "m.glb", "--size", "16384x16384"},
+       "--size: has more than 67108864 pixels; give at most 8192x8192"},
+  };
+  for (const auto& [arguments, message] : lines) EXPECT_EQ(complaint(arguments), message);
+}
+
+TEST(MistakenLines, MoreThreadsThanCoresAreTold) {
+  EXPECT_EQ(too_many_threads(0, 2), "");
+  EXPECT_EQ(too_many_threads(2, 2), "");
+  EXPECT_EQ(
+      too_many_threads(64, 2),
+      "--threads 64: this process may use 2 cores, and threads that share one wait for each other; give "
+      "--threads 2, or leave it out");
 }
 
 }  // namespace

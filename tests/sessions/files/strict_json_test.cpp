@@ -22,6 +22,27 @@ TEST(StrictJson, ReadsEveryKindOfValue) {
   EXPECT_EQ(parse("\xef\xbb\xbf 7"), 7) << "a byte-order mark is legal";
 }
 
+TEST(StrictJson, WhatOtherProgramsWriteIsToldWithWhatToWriteInstead) {
+  const struct {
+    std::string text, message;
+  } cases[] = {
+      {"{\"a\": 1,}", "a.json:1: is not JSON: a comma stands before '}'; remove that comma"},
+      {"[1,\n2,\n]", "a.json:3: is not JSON: a comma stands before ']'; remove that comma"},
+      {"{\"a\": NaN}",
+       "a.json:1: is not JSON: it has no NaN; write a finite number such as 0, or leave the field out"},
+      {"[1,\nnan]", "a.json:2: is not JSON: it has no nan; write a finite number"},
+      {"[-Infinity]", "a.json:1: is not JSON: it has no -Infinity; write a finite number"},
+      {"[True]", "a.json:1: is not JSON: it has no True; write true"},
+      {"[None]", "a.json:1: is not JSON: it has no None; write null"},
+      {"[+1.5]", "a.json:1: is not JSON: it has no number +1.5; write 1.5"},
+      {"[-.5]", "a.json:1: is not JSON: it has no number -.5; write -0.5"},
+      {"{'a': 1}", "a.json:1: is not JSON: a text stands in ' '; write it in \" \""},
+      {"{}\n// done", "a.json:2: is not JSON: it has no comments; remove this one"},
+      {"{\"a\": 1 \"b\": 2}", "a.json:1: is not JSON: syntax error"},
+  };
+  for (const auto& [text, message] : cases) EXPECT_INPUT_ERROR(parse(text), message) << text;
+}
+
 TEST(StrictJson, RefusesWhatLenientParsersLetPassAndNamesTheLine) {
   const struct {
     std::string text, part;

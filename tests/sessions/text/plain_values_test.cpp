@@ -29,7 +29,7 @@ TEST(PlainValues, WholeNumbersAreDigitsAlone) {
   EXPECT_EQ(complaint([] { whole_number_from("99999999999999999999", 1, 64); }),
             "'99999999999999999999' is out of range: 1 to 64");
   EXPECT_EQ(complaint([] { whole_number_from("6e1", 1, 64); }),
-            "'6e1' is not a whole number from 1 to 64; write plain decimal digits");
+            "'6e1' is not a whole number from 1 to 64; write 60");
 }
 
 TEST(PlainValues, RealNumbersHaveAtMostOnePoint) {
@@ -42,6 +42,42 @@ TEST(PlainValues, RealNumbersHaveAtMostOnePoint) {
   EXPECT_EQ(complaint([] { real_number_from("-0.5", 0, 1); }), "'-0.5' is out of range: 0 to 1");
   EXPECT_EQ(complaint([] { real_number_from("2m", 0, 1); }),
             "'2m' is not a number from 0 to 1; write it as 12 or 1.5");
+}
+
+TEST(PlainValues, ANumberWrittenOtherwiseIsToldAsItIsWrittenHere) {
+  const struct {
+    const char *text, *written;
+  } whole[] = {{"+1", "1"},
+               {"010", "10"},
+               {"1e2", "100"},
+               {" 5", "5"},
+               {"1.0", "1"},
+               {"-010", "plain decimal digits"},  // out of range: no advice
+               {"1e9", "plain decimal digits"},
+               {"1.5", "plain decimal digits"},
+               {"0x10", "plain decimal digits"},
+               {"nan", "plain decimal digits"},
+               {"", "plain decimal digits"}};
+  for (const auto& [text, written] : whole)
+    EXPECT_EQ(complaint([&, t = text] { whole_number_from(t, 0, 1000); }),
+              std::string("'") + text + "' is not a whole number from 0 to 1000; write " + written);
+  const struct {
+    const char *text, *written;
+  } real[] = {{"+1.50", "1.5"},
+              {".5", "0.5"},
+              {"5.", "5"},
+              {"1,5", "1.5"},
+              {"1e1", "10"},
+              {"-.5", "-0.5"},
+              {"007", "7"},
+              {"-00", "0"},
+              {"1,5,2", "it as 12 or 1.5"},
+              {"1e3", "it as 12 or 1.5"},
+              {"inf", "it as 12 or 1.5"},
+              {"1.5.2", "it as 12 or 1.5"}};
+  for (const auto& [text, written] : real)
+    EXPECT_EQ(complaint([&, t = text] { real_number_from(t, -15, 15); }),
+              std::string("'") + text + "' is not a number from -15 to 15; write " + written);
 }
 
 TEST(PlainValues, NumbersReadBackAsTheSame) {
