@@ -344,6 +344,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   }
   if (parser->convert_command->parsed()) {
     check_convert_flags(parser->convert);
+    parser->convert.arguments.assign(arguments.begin() + 1, arguments.end());
     return parser->convert;
   }
   throw UsageError("no command; 'herr --help' lists the commands");

@@ -17,6 +17,7 @@
 #include "server/process/terminal.h"
 #include "server/process/version.h"
 #include "server/settings/flag_values.h"
+#include "server/text/shell_word.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/import/check/bare_formats.h"
@@ -155,6 +156,13 @@ StreamSummary summary_of(const ImportedStream& stream) {
   return summary;
 }
 
+// The line that was typed, with the gaze, over the session that it made.
+std::string command_with_gaze(const ConvertOptions& options, const fs::path& gaze) {
+  std::string line = "herr convert";
+  for (const std::string& word : options.arguments) line += " " + shell_word(word);
+  return line + " --gaze " + shell_path(gaze) + (options.overwrite ? "" : " --overwrite");
+}
+
 // `gaze`: a file of it that lies beside the head's and was not named.
 void judge(const PlausibilityMeter& meter, const ConvertOptions& options, const std::optional<fs::path>& gaze,
            ConvertReport& report) {
@@ -171,10 +179,10 @@ void judge(const PlausibilityMeter& meter, const ConvertOptions& options, const 
   for (const Finding& finding : findings.sorted()) report.warnings.push_back(finding.text());
   if (report.rows.has_gaze) return;
   if (gaze)
-    report.warnings.push_back(
-        printable(poses.filename().string()) + " holds no gaze, but " + printable(gaze->string()) +
-        " lies beside it: give --gaze with that file to take it (without, the eyes look "
-        "straight ahead)");
+    report.warnings.push_back(printable(poses.filename().string()) + " holds no gaze, but " +
+                              printable(gaze->string()) +
+                              " lies beside it (without it the eyes look straight ahead); to take it: " +
+                              command_with_gaze(options, *gaze));
   else
     report.warnings.push_back("no gaze was recorded: the eyes look straight ahead");
 }

@@ -31,6 +31,7 @@ struct FeedOptions {
 };
 
 struct ConvertOptions {
+  std::vector<std::string> arguments;         // as they were typed after `herr convert`
   std::filesystem::path head;                 // the recording: a file, or a recorder's folder
   std::filesystem::path out;                  // the session's folder
   std::optional<std::filesystem::path> gaze;  // a file of its own

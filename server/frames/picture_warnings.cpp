@@ -107,7 +107,9 @@ std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,
   if (nearest != nullptr)
     text += ", the nearest object" + (nearest->name.empty() ? "" : " \"" + printable(nearest->name) + "\"") +
             " is " + fixed_text(least_deg, 0) + " degrees away";
-  return text + "; move it, or set world_from_session";
+  return text +
+         "; move it, or set world_from_session ('herr inspect SESSION --scene FILE' prints one that brings "
+         "it into view)";
 }
 
 }  // namespace herr

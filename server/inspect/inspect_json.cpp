@@ -222,7 +222,8 @@ Json scene_json(const InspectReport& report) {
                        {"instances", object.instances},
                        {"triangles", object.triangles},
                        {"voxels", object.voxels},
-                       {"catcher", object.catcher}});
+                       {"catcher", object.catcher},
+                       {"in_view_share", object.in_view ? Json(*object.in_view) : Json()}});
   Json grids = Json::array();
   for (const GridFacts& grid : scene.grids)
     grids.push_back({{"name", grid.name},
@@ -264,6 +265,15 @@ Json scene_json(const InspectReport& report) {
           {"objects", objects}};
 }
 
+Json in_view_json(const SceneInView& in_view) {
+  Json json{{"subject_share", in_view.subject_share}, {"world_from_session", nullptr}};
+  if (!in_view.proposal) return json;
+  const glm::dquat& q = in_view.proposal->orientation;
+  json["world_from_session"] = {{"position", vector_json(in_view.proposal->position)},
+                                {"orientation_xyzw", {q.x, q.y, q.z, q.w}}};
+  return json;
+}
+
 Json probe_dump_json(const ProbeDump& dump) {
   Json files = Json::array();
   for (const ProbeDump::File& file : dump.files) files.push_back(file.name);
@@ -299,6 +309,7 @@ Json inspect_json(const InspectReport& report) {
   if (report.session) json["session"] = session_json(report);
   json["profile"] = {{"name", report.profile.name}, {"display_hz", report.profile.display_hz}};
   if (report.scene) json["scene"] = scene_json(report);
+  if (report.in_view) json["in_view"] = in_view_json(*report.in_view);
   json["settings"] = settings_text(report.settings, report.has_camera_feed());
   if (report.plan) json["plan"] = plan_json(*report.plan);
   if (report.acuity) json["acuity"] = acuity_json(*report.acuity);

@@ -1,5 +1,7 @@
 #include "server/inspect/inspect_report.h"
 
+#include <algorithm>
+#include <cctype>
 #include <system_error>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "server/frames/picture_warnings.h"
 #include "server/inspect/event_findings.h"
 #include "server/process/exit_code.h"
+#include "server/text/shell_word.h"
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
@@ -22,6 +25,11 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
                              DefaultLight::above, options.asset_roots);
     report.scene = facts_of(scene);
     report.plan = plan_frame(scene, options.render, session_has_camera);
+    if (report.session && report.session->head.median().rows() > 0) {
+      const MedianPose& poses = report.session->head.median();
+      report.in_view =
+          look_at_scene(scene, poses.kept(), poses.pose(), report.profile, report.scene->objects);
+    }
     for (const std::string& warning : scene.warnings)
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));
     for (const std::string& warning :
@@ -83,6 +91,24 @@ bool is_scene(const std::filesystem::path& path) {
   return path_exists(path) && !is_folder(path) && !is_header(path);  // opening it says what else is wrong
 }
 
+bool has_scene_ending(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".json" || ending == ".gltf" || ending == ".glb" || ending == ".vox";
+}
+
+// A table, a log: the way from it to a session.
+InputError no_session_yet(const std::filesystem::path& path) {
+  const std::filesystem::path above = std::filesystem::absolute(path).parent_path().parent_path();
+  if (path_exists(above / "session.json"))
+    return InputError(path, 0, "is one stream of a session",
+                      "inspect the session: 'herr inspect " + shell_path(above) + "'");
+  return InputError(path, 0, "is neither a session nor a scene",
+                    "make a session of a recording: 'herr convert " + shell_path(path) +
+                        " OUT', or name a .scene.json, .gltf, .glb or .vox file");
+}
+
 void add_acuity(InspectReport& report) {
   report.acuity = acuity_facts(report.settings, report.profile);
   if (report.acuity && report.session && report.frames)
@@ -104,6 +130,10 @@ InspectReport inspected(const InspectOptions& options) {
                      " is a scene itself; leave the flag out, or name a session");
   report.profile = scaled_profile(
       options.profile.empty() ? xr1_profile() : load_display_profile(options.profile), options.profile_scale);
+  if (!has_scene_ending(options.path)) {
+    report.findings.add(Severity::error, no_session_yet(options.path));
+    return report;
+  }
   report.scene_file = options.path;
   inspect_scene(options, false, report);
   return report;

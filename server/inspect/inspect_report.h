@@ -10,6 +10,7 @@
 #include "server/inspect/acuity/acuity_facts.h"
 #include "server/inspect/inspect_options.h"
 #include "server/inspect/scene_facts.h"
+#include "server/inspect/scene_in_view.h"
 #include "server/settings/frame_range.h"
 #include "sessions/format/display_profile.h"
 #include "sessions/inspect/session_inspection.h"
@@ -23,6 +24,7 @@ struct InspectReport {
   std::optional<FrameRange> frames;          // that replay would render; none where the span is not known
   std::filesystem::path scene_file;          // empty: none is named
   std::optional<SceneFacts> scene;           // none: not named, or it cannot be read
+  std::optional<SceneInView> in_view;        // of the recording's poses, where there are both
   std::optional<FramePlan> plan;             // as soon as there is a scene
   RenderSettings settings;
   std::optional<AcuityFacts> acuity;  // none without foveation

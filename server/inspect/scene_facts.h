@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct SceneObject {
   std::string name;
   std::int64_t instances = 0, triangles = 0, voxels = 0;
   bool catcher = false;
+  // Share of a recording's poses that have it in view (scene_in_view.h); none without one, and of catchers.
+  std::optional<double> in_view;
 };
 
 // A grid of voxels, however often it is placed.

@@ -25,13 +25,30 @@ std::string objects_text(const SceneFacts& scene) {
     const SceneObject& object = scene.objects[i];
     text += "  " + left_aligned(object.name.empty() ? "(no name)" : printable(object.name), 30) +
             right_aligned(std::to_string(object.instances), 8) +
-            right_aligned(std::to_string(object.triangles), 12) + (object.catcher ? "  catcher" : "") + "\n";
+            right_aligned(std::to_string(object.triangles), 12) +
+            (object.in_view ? right_aligned(fixed_text(100 * *object.in_view, 0) + " %", 10) : "") +
+            (object.catcher ? "  catcher" : "") + "\n";
   }
   if (scene.objects.size() > kObjectsShown)
     text += "  and " + std::to_string(scene.objects.size() - kObjectsShown) + " more\n";
-  const std::string head =
-      "  " + left_aligned("object", 30) + right_aligned("parts", 8) + right_aligned("triangles", 12) + "\n";
+  const bool in_view = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                   [](const SceneObject& object) { return object.in_view.has_value(); });
+  const std::string head = "  " + left_aligned("object", 30) + right_aligned("parts", 8) +
+                           right_aligned("triangles", 12) + (in_view ? right_aligned("in view", 10) : "") +
+                           "\n";
   return text.empty() ? "" : head + text;
+}
+
+// Where the recording should stand, if it looks past the scene.
+std::string in_view_text(const InspectReport& report) {
+  if (!report.in_view) return "";
+  std::string text =
+      "  in view: of the recorded poses, by the object's box at the start; what hides it is not looked at\n";
+  if (!report.in_view->proposal) return text;
+  return text + "  the head looks past it: its middle is in view in " +
+         fixed_text(100 * report.in_view->subject_share, 0) +
+         " % of the poses; to turn the recording towards it, write into the scene document\n    " +
+         world_from_session_text(*report.in_view->proposal) + "\n";
 }
 
 std::string grids_text(const SceneFacts& scene) {
@@ -95,7 +112,7 @@ std::string scene_text(const InspectReport& report) {
       "bounds", point(scene.bounds.lower) + " to " + point(scene.bounds.upper) + " m" +
                     (scene.catchers > 0 && scene.catchers < scene.instances ? ", without catchers" : ""));
   text += named_line("files", std::to_string(scene.files.size()));
-  return text + objects_text(scene) + "\n";
+  return text + objects_text(scene) + in_view_text(report) + "\n";
 }
 
 }  // namespace herr

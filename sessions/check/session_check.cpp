@@ -229,9 +229,10 @@ void check_session_folder(const std::filesystem::path& folder) {
     throw InputError(folder, 0, "cannot be examined: " + facts.error.message(),
                      "check the path and its permissions");
   if (facts.kind != FileKind::folder)
-    throw InputError(folder, 0, "is not a folder",
-                     "name the folder that holds session.json; a recording is made a session by 'herr "
-                     "convert'");
+    throw InputError(
+        folder, 0, "is not a folder",
+        "name the folder that holds session.json; a recording is made a session by 'herr convert " +
+            printable(folder.string()) + " OUT'");
   if (!path_exists(folder / "session.json"))
     throw InputError(folder, 0, "holds no session.json: it is not a session",
                      "name " + sessions_below(folder));

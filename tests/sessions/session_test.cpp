@@ -25,7 +25,7 @@ TEST(OpeningASession, SaysWhatIsWrongWithTheFolder) {
   EXPECT_INPUT_ERROR(Session::open(folder / "absent"), "there is no such session folder");
   folder.write("file", "x");
   EXPECT_INPUT_ERROR(Session::open(folder / "file"), "is not a folder");
-  EXPECT_INPUT_ERROR(Session::open(folder / "file"), "a recording is made a session by 'herr convert'");
+  EXPECT_INPUT_ERROR(Session::open(folder / "file"), "a recording is made a session by 'herr convert ");
   EXPECT_INPUT_ERROR(Session::open(folder.path()), "holds no session.json");
   folder.write("session.json", test::header_json());
   EXPECT_INPUT_ERROR(Session::open(folder.path()),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <vector>
 
 #include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
@@ -45,22 +46,34 @@ bool is_gaze_of(FormatRequest request, const fs::path& gaze) {
   return reads_gaze(request);
 }
 
+// "walk_gaze.csv" of "walk_head.csv"; "walk_gaze.csv", "walk-gaze.csv" and "gaze.csv" of "walk.csv".
+std::vector<std::string> names_beside(const fs::path& head) {
+  const std::string name = head.filename().string(), lower = lower_case(name);
+  std::vector<std::string> names;
+  for (const std::string word : kHeadWords) {
+    const std::size_t at = lower.rfind(word);
+    if (at == std::string::npos) continue;
+    for (const std::string gaze_word : kGazeWords)
+      names.push_back(name.substr(0, at) + written_as(name.substr(at, word.size()), gaze_word) +
+                      name.substr(at + word.size()));
+  }
+  const std::string stem = head.stem().string(), ending = head.extension().string();
+  for (const std::string gaze_word : kGazeWords) {
+    for (const char* between : {"_", "-", "."}) names.push_back(stem + between + gaze_word + ending);
+    names.push_back(gaze_word + ending);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::optional<fs::path> gaze_beside(const FormatRequest& request) {
   const fs::path& head = request.files.head;
   if (head.empty() || request.files.gaze || request.still.gaze || request.still.head || reads_gaze(request))
     return std::nullopt;
-  const std::string name = head.filename().string(), lower = lower_case(name);
-  for (const std::string word : kHeadWords) {
-    const std::size_t at = lower.rfind(word);
-    if (at == std::string::npos) continue;
-    for (const std::string gaze_word : kGazeWords) {
-      const std::string other = written_as(name.substr(at, word.size()), gaze_word);
-      const fs::path beside =
-          head.parent_path() / (name.substr(0, at) + other + name.substr(at + word.size()));
-      if (is_file(beside) && is_gaze_of(request, beside)) return beside;
-    }
+  for (const std::string& name : names_beside(head)) {
+    const fs::path beside = head.parent_path() / name;
+    if (beside != head && is_file(beside) && is_gaze_of(request, beside)) return beside;
   }
   return std::nullopt;
 }

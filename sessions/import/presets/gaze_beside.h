@@ -10,8 +10,9 @@
 namespace herr {
 
 // A file whose name is the head's with "gaze", "eye" or "eyes" in place of "head", "pose", "poses" or
-// "trajectory", in the same folder, which together with the head has the format that `request` asks for. None
-// where the request names a gaze, has none that moves, or has its gaze in the head's file.
+// "trajectory", or with one of those behind it ("walk_gaze.csv" of "walk.csv"), or "gaze.csv" and the like,
+// in the same folder, which together with the head has the format that `request` asks for. None where the
+// request names a gaze, has none that moves, or has its gaze in the head's file.
 std::optional<std::filesystem::path> gaze_beside(const FormatRequest& request);
 
 }  // namespace herr

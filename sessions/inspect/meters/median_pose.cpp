@@ -1,7 +1,9 @@
 #include "sessions/inspect/meters/median_pose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace herr {
 namespace {
@@ -12,44 +14,51 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-glm::dvec3 median_of(const std::vector<glm::dvec3>& vectors) {
+template <typename Vector>
+glm::dvec3 median_of(const std::vector<Pose>& poses, const Vector& vector) {
   glm::dvec3 result(0.0);
-  if (vectors.empty()) return result;
-  std::vector<double> values(vectors.size());
+  if (poses.empty()) return result;
+  std::vector<double> values(poses.size());
   for (int axis = 0; axis < 3; ++axis) {
-    std::transform(vectors.begin(), vectors.end(), values.begin(),
-                   [axis](const glm::dvec3& v) { return v[axis]; });
+    std::transform(poses.begin(), poses.end(), values.begin(),
+                   [&](const Pose& pose) { return vector(pose)[axis]; });
     result[axis] = median(values);
   }
   return result;
 }
 
-void keep_every_other(std::vector<glm::dvec3>& vectors) {
+void keep_every_other(std::vector<Pose>& poses) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < vectors.size(); i += 2) vectors[kept++] = vectors[i];
-  vectors.resize(kept);
+  for (std::size_t i = 0; i < poses.size(); i += 2) poses[kept++] = poses[i];
+  poses.resize(kept);
 }
 
 }  // namespace
 
 void MedianPose::add(const Pose& world_from_head) {
   if (rows_++ % stride_ != 0) return;
-  places_.push_back(world_from_head.position);
-  forwards_.push_back(world_from_head.orientation * glm::dvec3(0, 0, -1));
-  if (places_.size() <= kMostKept) return;
-  keep_every_other(places_);
-  keep_every_other(forwards_);
+  kept_.push_back(world_from_head);
+  if (kept_.size() <= kMostKept) return;
+  keep_every_other(kept_);
   stride_ *= 2;
 }
 
 glm::dvec3 MedianPose::place_m() const {
-  return median_of(places_);
+  return median_of(kept_, [](const Pose& pose) { return pose.position; });
 }
 
 glm::dvec3 MedianPose::forward() const {
-  const glm::dvec3 middle = median_of(forwards_);
+  const glm::dvec3 middle =
+      median_of(kept_, [](const Pose& pose) { return pose.orientation * glm::dvec3(0, 0, -1); });
   const double length = glm::length(middle);
   return length > 0 ? middle / length : glm::dvec3(0.0);
+}
+
+Pose MedianPose::pose() const {
+  const glm::dvec3 ahead = forward();
+  if (ahead == glm::dvec3(0.0)) return {place_m(), Pose{}.orientation};
+  const double yaw = std::atan2(-ahead.x, -ahead.z), pitch = std::asin(std::clamp(ahead.y, -1.0, 1.0));
+  return {place_m(), glm::angleAxis(yaw, glm::dvec3(0, 1, 0)) * glm::angleAxis(pitch, glm::dvec3(1, 0, 0))};
 }
 
 }  // namespace herr

@@ -21,11 +21,16 @@ class MedianPose {
   // Of the head's forward, -Z: the median of each coordinate, brought to length 1. (0, 0, 0) where these
   // cancel out, or without rows.
   glm::dvec3 forward() const;
+  // Both: at place_m(), upright, turned about +Y and then up or down so that -Z is forward(), if there is
+  // one.
+  Pose pose() const;
+  // Every row, or evenly spaced ones of more than kMostKept.
+  const std::vector<Pose>& kept() const { return kept_; }
 
   static constexpr std::size_t kMostKept = 4096;
 
  private:
-  std::vector<glm::dvec3> places_, forwards_;  // of every stride_-th row
+  std::vector<Pose> kept_;  // every stride_-th row
   std::int64_t rows_ = 0, stride_ = 1;
 };
 

@@ -277,14 +277,26 @@ void write_split_recording(const fs::path& folder, bool gaze) {
 
 TEST_F(ConvertProgram, GazeThatLiesBesideTheHeadIsNamedAndProposed) {
   write_split_recording(root(), true);
-  const Outcome alone = convert("walk_head.csv s");
+  const Outcome alone = convert("walk_head.csv s --profile xr1-half");
   EXPECT_EQ(alone.exit_code, 0) << alone.err;
-  EXPECT_NE(alone.out.find("walk_head.csv holds no gaze, but walk_gaze.csv lies beside it: give --gaze"),
+  EXPECT_NE(alone.out.find(
+                "walk_head.csv holds no gaze, but walk_gaze.csv lies beside it (without it the eyes look "
+                "straight ahead); to take it: herr convert walk_head.csv s --profile xr1-half --gaze "
+                "walk_gaze.csv --overwrite\n"),
             std::string::npos)
       << alone.out;
   EXPECT_EQ(alone.out.find("no gaze was recorded"), std::string::npos) << alone.out;
   EXPECT_EQ(content_of(root() / "s/session.json").find("\"still\""), std::string::npos)
       << "nobody knows that it was not recorded";
+  // The line is one to type.
+  EXPECT_EQ(convert("walk_head.csv s --profile xr1-half --gaze walk_gaze.csv --overwrite").exit_code, 0);
+  EXPECT_TRUE(fs::exists(root() / "s/gaze/data.csv"));
+  // A head whose name says nothing of a head has its gaze beside it, too.
+  fs::copy_file(root() / "walk_head.csv", root() / "walk.csv");
+  const std::string plain = convert("walk.csv t").out;
+  EXPECT_NE(plain.find("to take it: herr convert walk.csv t --gaze walk_gaze.csv --overwrite\n"),
+            std::string::npos)
+      << plain;
   const Outcome check = convert("--check walk_head.csv");
   EXPECT_NE(
       check.out.find("recommended: herr convert walk_head.csv OUT --gaze walk_gaze.csv --preset jov2023"),

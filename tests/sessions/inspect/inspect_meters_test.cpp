@@ -39,6 +39,23 @@ TEST(FindingList, TakesNumbersAndQuotedNamesForTheSameKind) {
   EXPECT_EQ(findings.sorted()[0].count, 2);
 }
 
+// Turned by 90 degrees about +Y the head looks along -X, and 30 degrees down: (-cos 30, -sin 30, 0).
+TEST(MedianPose, IsAnUprightPoseThatLooksAlongTheMedian) {
+  MedianPose median;
+  EXPECT_EQ(median.pose(), Pose{});
+  const double half = 3.14159265358979323846 / 12;
+  const Pose row{
+      {1, 2, 3},
+      glm::dquat(std::sqrt(0.5), 0, std::sqrt(0.5), 0) * glm::dquat(std::cos(half), -std::sin(half), 0, 0)};
+  for (int i = 0; i < 3; ++i) median.add(row);
+  EXPECT_EQ(median.pose().position, glm::dvec3(1, 2, 3));
+  const glm::dvec3 ahead = median.pose().orientation * glm::dvec3(0, 0, -1);
+  EXPECT_NEAR(ahead.x, -std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(ahead.y, -0.5, 1e-12);
+  EXPECT_NEAR((median.pose().orientation * glm::dvec3(1, 0, 0)).y, 0, 1e-12);  // upright
+  EXPECT_EQ(median.kept().size(), 3u);
+}
+
 TEST(MedianPose, IsExactUpTo4096RowsAndEvenlyThinnedBeyond) {
   MedianPose few;
   EXPECT_EQ(few.place_m(), glm::dvec3(0.0));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -275,25 +276,46 @@ bool add_matrices(const SniffedTable& table, RotationRoles& found) {
   return !matrices.empty();
 }
 
-// Four numbers side by side that are a unit quaternion, in columns whose names do not say so.
+// How far the columns are from a unit vector, in the mean of the rows that are numbers and not all zero.
+double unit_error(const SniffedTable& table, const std::vector<std::size_t>& columns) {
+  double error = 0, rows = 0;
+  for (std::size_t row = 0; row < table.fields.size(); ++row) {
+    double sum = 0;
+    for (const std::size_t column : columns)
+      sum += column_of(table, column)[row] * column_of(table, column)[row];
+    if (!(sum > 1e-12)) continue;
+    error += std::abs(std::sqrt(sum) - 1);
+    ++rows;
+  }
+  return rows > 0 ? error / rows : 1;
+}
+
+// Four numbers side by side that are a unit quaternion, in columns whose names do not say so. Beside a number
+// that is nearly 0 three of them may be nearly one, too, with a coordinate: the nearest to one are taken.
 void add_bare_quaternions(const SniffedTable& table, const TimeRole& time, RotationRoles& found) {
+  std::vector<std::size_t> best;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t first = 0; first + 4 <= table.columns(); ++first) {
     const std::vector<std::size_t> columns{first, first + 1, first + 2, first + 3};
     if (std::find(time.columns.begin(), time.columns.end(), first) != time.columns.end()) continue;
     if (unit_share(table, columns) < kNearlyAllRows) continue;
-    for (const RotationKind kind : {RotationKind::quaternion_xyzw, RotationKind::quaternion_wxyz})
-      found.roles.push_back({kind,
-                             columns,
-                             {},
-                             1,
-                             false,
-                             false,
-                             false,
-                             "The head's rotation stands in " + table.called(first) + " to " +
-                                 table.called(first + 3) + ", as a unit quaternion with w " +
-                                 (kind == RotationKind::quaternion_xyzw ? "last." : "first.")});
-    return;
+    const double error = unit_error(table, columns);
+    if (error >= least) continue;
+    least = error;
+    best = columns;
   }
+  if (best.empty()) return;
+  for (const RotationKind kind : {RotationKind::quaternion_xyzw, RotationKind::quaternion_wxyz})
+    found.roles.push_back({kind,
+                           best,
+                           {},
+                           1,
+                           false,
+                           false,
+                           false,
+                           "The head's rotation stands in " + table.called(best.front()) + " to " +
+                               table.called(best.back()) + ", as a unit quaternion with w " +
+                               (kind == RotationKind::quaternion_xyzw ? "last." : "first.")});
 }
 
 }  // namespace

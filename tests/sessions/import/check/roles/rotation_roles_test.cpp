@@ -105,6 +105,24 @@ TEST(RotationRoles, AsksForTheOrderOfABareMatrixOfNine) {
   EXPECT_FALSE(named.rotations.roles.at(0).column_major);
 }
 
+// Columns 4 to 7 are a quaternion, w first, exactly of length 1; with the z of the place, at most 0.05, in
+// place of its last number, at most 0.03, the four before are one to 0.2 %.
+TEST(RotationRoles, TakesTheFourNumbersThatAreNearestToAUnitQuaternion) {
+  std::string text = "t,x,y,z,a,b,c,d\n";
+  for (int i = 0; i < 60; ++i) {
+    const double half = 0.3 * std::sin(0.1 * i), last = 0.03 * std::cos(0.2 * i);
+    const double rest = std::sqrt(1 - last * last);
+    text += text_of_numbers({0.01 * i, 0.01 * i, 1.6, 0.05 * std::sin(0.07 * i), rest * std::cos(half), 0,
+                             rest * std::sin(half), last}) +
+            "\n";
+  }
+  const Found found = found_in(text);
+  ASSERT_EQ(found.rotations.roles.size(), 2u);
+  for (const RotationRole& role : found.rotations.roles)
+    EXPECT_EQ(role.columns, (std::vector<std::size_t>{4, 5, 6, 7}));
+  EXPECT_EQ(found.rotations.roles[1].kind, RotationKind::quaternion_wxyz);
+}
+
 TEST(RotationRoles, FindsForwardAndUp) {
   std::string text = "t,head_forward_x,head_forward_y,head_forward_z,head_up_x,head_up_y,head_up_z\n";
   for (int i = 0; i < 30; ++i)
