@@ -46,11 +46,11 @@ glm::dquat facing(const JsonObject& root, const glm::dvec3& position) {
 }
 
 glm::dquat turned(const JsonObject& root) {
-  if (root.has("up")) root.fail("up", "belongs to look_at_m", "leave it out beside orientation");
-  const std::vector<double> q = root.numbers("orientation", 4, -2, 2);
+  if (root.has("up")) root.fail("up", "belongs to look_at_m", "leave it out beside orientation_xyzw");
+  const std::vector<double> q = root.numbers("orientation_xyzw", 4, -2, 2);
   const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
   if (!(std::abs(length - 1) <= kUnitLength)) {
-    root.fail("orientation", "has the length " + shown_number(length),
+    root.fail("orientation_xyzw", "has the length " + shown_number(length),
               "give a unit quaternion [qx, qy, qz, qw]");
   }
   return glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]));
@@ -62,13 +62,14 @@ void read_pose(const JsonObject& root, OutsideView& view) {
     root.fail("space", "is '" + printable(space) + "'", "write scene or session");
   view.space = space == "scene" ? OutsideSpace::scene : OutsideSpace::session;
   view.space_from_camera.position = root.vec3("position_m", -kFarthestView_m, kFarthestView_m);
-  if (root.has("look_at_m") == root.has("orientation")) {
-    root.fail(root.has("orientation") ? "orientation" : "look_at_m",
-              root.has("orientation") ? "stands beside look_at_m" : "is missing, and so is orientation",
-              "give one of the two: look_at_m [x, y, z], or orientation [qx, qy, qz, qw]");
+  if (root.has("look_at_m") == root.has("orientation_xyzw")) {
+    root.fail(
+        root.has("orientation_xyzw") ? "orientation_xyzw" : "look_at_m",
+        root.has("orientation_xyzw") ? "stands beside look_at_m" : "is missing, and so is orientation_xyzw",
+        "give one of the two: look_at_m [x, y, z], or orientation_xyzw [qx, qy, qz, qw]");
   }
   view.space_from_camera.orientation =
-      root.has("orientation") ? turned(root) : facing(root, view.space_from_camera.position);
+      root.has("orientation_xyzw") ? turned(root) : facing(root, view.space_from_camera.position);
 }
 
 void read_picture(const JsonObject& root, OutsideView& view) {
@@ -100,8 +101,8 @@ void read_picture(const JsonObject& root, OutsideView& view) {
 OutsideView load_view_file(const std::filesystem::path& file) {
   const JsonDocument document(file);
   const JsonObject root = document.root();
-  root.allow_only({"name", "space", "position_m", "look_at_m", "up", "orientation", "fov_deg", "width_px",
-                   "height_px", "samples", "see_through_colour", "overlay", "frusta_m"});
+  root.allow_only({"name", "space", "position_m", "look_at_m", "up", "orientation_xyzw", "fov_deg",
+                   "width_px", "height_px", "samples", "see_through_colour", "overlay", "frusta_m"});
   OutsideView view;
   read_name(root, view);
   read_pose(root, view);

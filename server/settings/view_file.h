@@ -1,6 +1,6 @@
 // The file of --view: where a camera outside the headset stands and what its picture is like. Strict JSON:
 // {"name", "space": "scene|session", "position_m": [x, y, z], "look_at_m": [x, y, z] with "up": [x, y, z], or
-// "orientation": [qx, qy, qz, qw], "fov_deg", "width_px", "height_px", "samples", "see_through_colour",
+// "orientation_xyzw": [qx, qy, qz, qw], "fov_deg", "width_px", "height_px", "samples", "see_through_colour",
 // "overlay", "frusta_m"}. Before: the flag. After: open_session hands it to the renderer.
 #pragma once
 

@@ -26,9 +26,9 @@ class DarkPictures : public ::testing::Test {
   Outcome herr(const std::string& arguments) const { return run_program(root(), arguments); }
   Outcome replay(const std::string& more) const {
     return herr(
-        "replay session --profile small.json --polar 64x32 --no-probes --frames 3 --format none "
-        "--contact-sheet none --overwrite " +
-        more);
+        with_more("replay session --profile small.json --polar 64x32 --no-probes --frames 3 --format none "
+                  "--contact-sheet none --overwrite ",
+                  more));
   }
   // A scene of its own, beside the small one.
   void write_scene(const std::string& rest) const {
@@ -56,6 +56,27 @@ TEST_F(DarkPictures, CatchersWithoutAFeedAreAWarningOfEveryCommandThatDraws) {
   write_text(root() / "session/session.json", json.dump());
   EXPECT_TRUE(says(herr("inspect session").out, kNotDrawn));
   EXPECT_TRUE(says(replay("").err, kNotDrawn));
+  // Nor has a distance of the feed an effect.
+  const std::string no_feed =
+      "--feed-distance: session has no camera, so there is no feed to show; leave it out";
+  EXPECT_FALSE(says(replay("").err, "--feed-distance"));
+  EXPECT_TRUE(says(replay("--feed-distance 3").err, no_feed));
+  EXPECT_TRUE(says(herr("inspect session --feed-distance 3").out, no_feed));
+}
+
+TEST_F(DarkPictures, LampsThatLightNothingAreAWarningOfEveryCommandThatDraws) {
+  write_scene(
+      R"("shapes": [{"name": "crate", "box": {"centre": [0, 1, -2], "half_extents": [0.5, 0.5, 0.5]}}],
+    "lights": [{"name": "off", "centre": [0, 3, 0], "intensity_w_sr": [0, 0, 0]},
+               {"name": "lamp", "centre": [0.4, 1, -2], "intensity_w_sr": [9, 9, 9]}])");
+  for (const std::string& text :
+       {replay("--scene scene/other.scene.json").err, herr("inspect scene/other.scene.json").out,
+        herr("look scene/other.scene.json --size 32x32 --samples 1 --out p.png").err}) {
+    EXPECT_TRUE(says(text, "light \"off\" has intensity 0 and lights nothing; write")) << text;
+    EXPECT_TRUE(
+        says(text, "light \"lamp\" stands inside \"crate\", which is opaque and hides its light; move"))
+        << text;
+  }
 }
 
 TEST_F(DarkPictures, AReplayThatShowsNoObjectSaysWhereTheHeadLooked) {

@@ -24,9 +24,9 @@ class Exposed : public ::testing::Test {
   const fs::path& root() const { return folder_.path(); }
   Outcome replay(const std::string& flags) const {
     return run_program(root(),
-                       "replay walk --profile small.profile.json --preset direct --polar 128x64 --threads 2 "
-                       "--contact-sheet none " +
-                           flags);
+                       with_more("replay walk --profile small.profile.json --preset direct --polar 128x64 "
+                                 "--threads 2 --contact-sheet none ",
+                                 flags));
   }
   nlohmann::json settings(const std::string& out) const {
     return nlohmann::json::parse(content_of(root() / out / "walk" / "summary.json"))["settings"];

@@ -105,6 +105,45 @@ TEST_F(InspectProgram, RefusesAMissingSceneAndOneThatIsBroken) {
   EXPECT_EQ(herr("inspect nowhere").err, herr("replay nowhere --format none").err);
 }
 
+TEST_F(InspectProgram, ATableNamesTheCommandThatMakesASessionOfIt) {
+  write_whole_file(root() / "my walk.csv", "t,x\n0,1\n");
+  const Outcome table = herr("inspect 'my walk.csv'");
+  EXPECT_EQ(table.exit_code, 3);
+  EXPECT_NE(table.err.find(
+                "my walk.csv: is neither a session nor a scene; make a session of a recording: 'herr convert "
+                "'my walk.csv' OUT', or name a .scene.json"),
+            std::string::npos)
+      << table.err;
+  const Outcome stream = herr("inspect session/pose/data.csv");
+  EXPECT_EQ(stream.exit_code, 3);
+  EXPECT_NE(stream.err.find("is one stream of a session; inspect the session: 'herr inspect "),
+            std::string::npos)
+      << stream.err;
+}
+
+// The triangle stands two metres ahead; by half a turn about y it stands behind, and the line that inspect
+// prints brings it back: the head stays where it is, at (0, 1, 0), and is turned by half a turn again.
+TEST_F(InspectProgram, SaysWhichObjectsAreInViewAndHowToTurnTheRecording) {
+  const Outcome ahead = herr("inspect session");
+  EXPECT_NE(ahead.out.find("in view\n"), std::string::npos) << ahead.out;
+  EXPECT_EQ(ahead.out.find("the head looks past it"), std::string::npos) << ahead.out;
+  auto scene = nlohmann::json::parse(content_of(root() / "scene/small.scene.json"));
+  scene["world_from_session"] = {{"position", {0, 0, 0}}, {"orientation_xyzw", {0, 1, 0, 0}}};
+  write_whole_file(root() / "scene/small.scene.json", scene.dump());
+  const auto report = nlohmann::json::parse(herr("inspect session --json").out);
+  EXPECT_EQ(report["in_view"]["subject_share"], 0);
+  for (const auto& object : report["scene"]["objects"])
+    if (!object["catcher"]) EXPECT_EQ(object["in_view_share"], 0) << object;
+  const std::string text = herr("inspect session").out;
+  const std::size_t line = text.find("\"world_from_session\": {");
+  ASSERT_NE(line, std::string::npos) << text;
+  scene.update(nlohmann::json::parse("{" + text.substr(line, text.find('\n', line) - line) + "}"));
+  write_whole_file(root() / "scene/small.scene.json", scene.dump());
+  const auto turned = nlohmann::json::parse(herr("inspect session --json").out);
+  EXPECT_EQ(turned["in_view"]["subject_share"], 1);
+  EXPECT_TRUE(turned["in_view"]["world_from_session"].is_null());
+}
+
 TEST_F(InspectProgram, TakesACutOffLineForAnErrorOnlyWhenStrict) {
   append("session/gaze/data.csv", "1500");
   const Outcome lenient = herr("inspect session");

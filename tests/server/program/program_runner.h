@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,23 @@ inline Outcome run_line(const std::filesystem::path& folder, const std::string& 
 inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments,
                            const std::string& before = "") {
   return run_line(folder, before + " " + test::program_path() + " " + arguments);
+}
+
+// Flags of a command line and what comes on top of them: a flag stands once, so those of `base` that `more`
+// has, too, are left out with their values. Words are parted by spaces.
+inline std::string with_more(const std::string& base, const std::string& more) {
+  const auto words_of = [](const std::string& text) {
+    std::istringstream words(text);
+    return std::vector<std::string>{std::istream_iterator<std::string>(words), {}};
+  };
+  const std::vector<std::string> added = words_of(more);
+  std::string line;
+  bool leave_out = false;
+  for (const std::string& word : words_of(base)) {
+    if (word.starts_with("--")) leave_out = std::find(added.begin(), added.end(), word) != added.end();
+    if (!leave_out) line += word + " ";
+  }
+  return line + more;
 }
 
 inline long lines_in(const std::string& text) {

@@ -43,7 +43,7 @@ class StudyProgram : public testing::Test {
            "--minutes 5"
            " --only polar,light_samples,adaptive_samples";
   }
-  Outcome study(const std::string& more) { return run_program(root(), arguments() + " " + more); }
+  Outcome study(const std::string& more) { return run_program(root(), with_more(arguments() + " ", more)); }
 
   TemporaryFolder folder_;
 };
@@ -217,9 +217,10 @@ class StabilityProgram : public testing::Test {
   fs::path root() const { return folder_.path(); }
   Outcome stability(const std::string& more) {
     const std::string source = test::source_dir();
-    return run_program(root(), "study --stability '" + source + "/sessions/samples/desk-walk' --scene '" +
-                                   source + "/scenes/samples/shapes.scene.json' --profile tiny.json " +
-                                   "--polar 256x128 " + more);
+    return run_program(
+        root(), with_more("study --stability '" + source + "/sessions/samples/desk-walk' --scene '" + source +
+                              "/scenes/samples/shapes.scene.json' --profile tiny.json --polar 256x128 ",
+                          more));
   }
 
   TemporaryFolder folder_;

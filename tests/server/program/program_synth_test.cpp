@@ -38,10 +38,11 @@ class SynthProgram : public ::testing::Test {
     return run_program(root(), arguments, before);
   }
   Outcome replay(const std::string& session, const std::string& flags) const {
-    return herr(
+    return herr(with_more(
         "replay " + session +
-        " --profile small.profile.json --preset direct --polar 64x32 --frames 2 --overwrite --out o-" +
-        session + " --contact-sheet none " + flags);
+            " --profile small.profile.json --preset direct --polar 64x32 --frames 2 --overwrite --out o-" +
+            session + " --contact-sheet none ",
+        flags));
   }
   // What lies in the folder beside what the test itself put there.
   std::vector<std::string> made() const {

@@ -127,7 +127,7 @@ class Resume : public ::testing::Test {
     return {exit_code, herr.out(), content_of(root() / "stderr.txt")};
   }
   static Outcome resume(const std::string& out, const std::string& more = "") {
-    return replay(kFlags + "--out " + out + " --resume " + more);
+    return replay(with_more(kFlags + "--out " + out + " --resume ", more));
   }
   static nlohmann::json summary(const std::string& out) {
     return nlohmann::json::parse(content_of(root() / out / "walk/summary.json"));

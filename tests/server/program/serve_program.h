@@ -7,11 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/paths.h"
@@ -34,9 +36,15 @@ class ServeProgram : public ::testing::Test {
   const std::filesystem::path& root() const { return folder_.path(); }
 
   void start(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(),
-                     {test::program_path(), "serve", "walk", "--profile", "small.profile.json", "--preset",
-                      "direct", "--polar", "128x64", "--threads", "2"});
+    std::vector<std::string> line{test::program_path(), "serve", "walk"};
+    const std::vector<std::pair<std::string, std::string>> usual{{"--profile", "small.profile.json"},
+                                                                 {"--preset", "direct"},
+                                                                 {"--polar", "128x64"},
+                                                                 {"--threads", "2"}};
+    for (const auto& [flag, value] : usual)
+      if (std::find(arguments.begin(), arguments.end(), flag) == arguments.end())
+        line.insert(line.end(), {flag, value});
+    arguments.insert(arguments.begin(), line.begin(), line.end());
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);

@@ -62,7 +62,7 @@ TEST_F(ViewFile, UpTurnsThePictureAboutTheDirectionOfView) {
 
 TEST_F(ViewFile, EveryFieldIsTaken) {
   const OutsideView view = load(R"({"name": "gallery_2", "space": "session", "position_m": [0, 0, 0],
-"orientation": [0, 0.70710678, 0, 0.70710678], "fov_deg": 20.5, "width_px": 320, "height_px": 200, "samples": 3,
+"orientation_xyzw": [0, 0.70710678, 0, 0.70710678], "fov_deg": 20.5, "width_px": 320, "height_px": 200, "samples": 3,
 "see_through_colour": "00ff10", "overlay": false, "frusta_m": 2.5})");
   EXPECT_EQ(view.name, "gallery_2");
   EXPECT_EQ(view.space, OutsideSpace::session);
@@ -84,12 +84,13 @@ TEST_F(ViewFile, EachMistakeIsNamedByItsField) {
   };
   EXPECT_NE(complaint("{" + there + "}").find("position_m"), std::string::npos);
   EXPECT_NE(complaint(R"({"position_m": [0, 1, 5]})").find("look_at_m"), std::string::npos);
-  EXPECT_NE(with(R"("orientation": [0, 0, 0, 1])").find("orientation stands beside look_at_m"),
-            std::string::npos);
-  EXPECT_NE(complaint(R"({"position_m": [0, 1, 5], "orientation": [0, 0, 0, 2]})").find("has the length 2"),
+  EXPECT_NE(with(R"("orientation_xyzw": [0, 0, 0, 1])").find("orientation_xyzw stands beside look_at_m"),
             std::string::npos);
   EXPECT_NE(
-      complaint(R"({"position_m": [0, 1, 5], "orientation": [0, 0, 0, 1], "up": [0, 1, 0]})").find("up"),
+      complaint(R"({"position_m": [0, 1, 5], "orientation_xyzw": [0, 0, 0, 2]})").find("has the length 2"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint(R"({"position_m": [0, 1, 5], "orientation_xyzw": [0, 0, 0, 1], "up": [0, 1, 0]})").find("up"),
       std::string::npos);
   EXPECT_NE(complaint(R"({"position_m": [1, 2, 3], "look_at_m": [1, 2, 3]})").find("look_at_m is position_m"),
             std::string::npos);

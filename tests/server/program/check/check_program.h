@@ -36,10 +36,9 @@ class ProgramCheck : public ::testing::Test {
   }
 
   Outcome check(const std::string& arguments) {
-    return run_program(root(),
-                       "check session --profile small.json --preset direct --polar 32x16 --threads 1 --isa "
-                       "sse4 --frames 6 " +
-                           arguments);
+    return run_program(root(), with_more("check session --profile small.json --preset direct --polar 32x16 "
+                                         "--threads 1 --isa sse4 --frames 6 ",
+                                         arguments));
   }
 
  private:

@@ -27,14 +27,15 @@ class ReplayProgram : public ::testing::Test {
     return run_program(root(), arguments, before);
   }
   Outcome replay(const std::string& flags, const std::string& before = "") const {
-    return replay_of("walk", "--threads 2 " + flags, before);
+    return replay_of("walk", with_more("--threads 2 ", flags), before);
   }
   // Direct light alone, on a small display.
   Outcome replay_of(const std::string& sessions, const std::string& flags,
                     const std::string& before = "") const {
-    return herr(
-        "replay " + sessions + " --profile small.profile.json --preset direct --polar 128x64 " + flags,
-        before);
+    return herr(with_more("replay " + sessions +
+                              " --profile small.profile.json --preset direct --polar 128x64 ",
+                          flags),
+                before);
   }
 
   nlohmann::json summary(const std::string& out, const std::string& session = "walk") const {
