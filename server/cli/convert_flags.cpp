@@ -140,7 +140,8 @@ void check_convert_flags(const ConvertOptions& options) {
   if (!options.preset.empty() && !options.map.empty())
     throw UsageError("--preset: --map is given too; give the name of a format (" +
                      joined(built_in_map_names()) + ") or a column map");
-  if (options.show_map && options.preset.empty()) throw UsageError("--show-map: give --preset NAME");
+  if (options.show_map && options.preset.empty())
+    throw UsageError("--show-map: give --preset with one of " + joined(built_in_map_names()));
   if (options.show_map) return;
   if (options.head.empty()) throw UsageError("HEAD: missing; give the recording");
   if (!options.write_map.empty() && !options.check) throw UsageError("--write-map: give --check too");

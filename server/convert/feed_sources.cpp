@@ -98,7 +98,9 @@ std::vector<FeedSource> feed_sources(const FeedOptions& options, const std::vect
   if (const std::string flag = flag_about_pictures(options); cameras == 0 && !flag.empty())
     throw UsageError(flag + ": there are no pictures; give --camera DIR");
   if (options.loop && !options.hz)
-    throw UsageError("--camera-loop: pictures with stamps of their own cannot be looped; give --camera-hz");
+    throw UsageError(
+        "--camera-loop: pictures with stamps of their own cannot be looped; give --camera-hz with "
+        "the rate at which they shall be shown, for example 30");
   if (cameras > 0) check_counts(options, cameras);
   std::vector<FeedSource> sources;
   for (std::size_t i = 0; i < cameras; ++i) sources.push_back(source_of(options, found, i));

@@ -156,6 +156,15 @@ void ask_axes(const Candidates& candidates, const std::vector<const AxisCandidat
   verdict.questions.push_back("Where the axes point: the data fit those of " + names_of(left) +
                               " alike, as nobody walks ahead in it for long and no gaze tells "
                               "(\"world_axes\" and \"head_axes\" in the map).");
+  const auto any_reads = [&](RotationKind kind) {
+    return std::any_of(left.begin(), left.end(), [&](const AxisCandidate* one) {
+      return !one->map->head.empty() && one->map->head.front().rotation_kind == kind;
+    });
+  };
+  if (any_reads(RotationKind::quaternion_xyzw) && any_reads(RotationKind::quaternion_wxyz))
+    verdict.questions.push_back(
+        "Whether w is the quaternion's first or last number: with other axes the data fit both "
+        "(\"quaternion_wxyz\" or \"quaternion_xyzw\" in the map).");
 }
 
 void ask_gaze_axes(const std::vector<const AxisCandidate*>& left, AxisVerdict& verdict) {

@@ -290,6 +290,16 @@ double unit_error(const SniffedTable& table, const std::vector<std::size_t>& col
   return rows > 0 ? error / rows : 1;
 }
 
+double mean_size(const SniffedTable& table, std::size_t column) {
+  double sum = 0, rows = 0;
+  for (const double value : column_of(table, column)) {
+    if (!std::isfinite(value)) continue;
+    sum += std::abs(value);
+    ++rows;
+  }
+  return rows > 0 ? sum / rows : 0;
+}
+
 // Four numbers side by side that are a unit quaternion, in columns whose names do not say so. Beside a number
 // that is nearly 0 three of them may be nearly one, too, with a coordinate: the nearest to one are taken.
 void add_bare_quaternions(const SniffedTable& table, const TimeRole& time, RotationRoles& found) {
@@ -305,7 +315,11 @@ void add_bare_quaternions(const SniffedTable& table, const TimeRole& time, Rotat
     best = columns;
   }
   if (best.empty()) return;
-  for (const RotationKind kind : {RotationKind::quaternion_xyzw, RotationKind::quaternion_wxyz})
+  // Of a head that seldom turns far from where it began w is near 1: that order is tried first.
+  const bool first_is_large = mean_size(table, best.front()) > 0.7 && mean_size(table, best.back()) < 0.3;
+  using enum RotationKind;
+  for (const RotationKind kind : first_is_large ? std::array{quaternion_wxyz, quaternion_xyzw}
+                                                : std::array{quaternion_xyzw, quaternion_wxyz})
     found.roles.push_back({kind,
                            best,
                            {},
