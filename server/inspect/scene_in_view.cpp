@@ -121,8 +121,8 @@ SceneInView look_at_scene(const Scene& scene, const std::vector<Pose>& poses, co
 }
 
 std::string world_from_session_text(const Pose& pose) {
-  const auto rounded = [](double value, double step) {
-    return shortest_text(std::round(value / step) * step + 0.0);
+  const auto rounded = [](double value, double parts) {
+    return shortest_text(std::round(value * parts) / parts + 0.0);  // -0 is 0
   };
   const glm::dvec3& p = pose.position;
   const glm::dquat& q = pose.orientation;

@@ -132,8 +132,11 @@ TEST_F(InspectProgram, SaysWhichObjectsAreInViewAndHowToTurnTheRecording) {
   write_whole_file(root() / "scene/small.scene.json", scene.dump());
   const auto report = nlohmann::json::parse(herr("inspect session --json").out);
   EXPECT_EQ(report["in_view"]["subject_share"], 0);
-  for (const auto& object : report["scene"]["objects"])
-    if (!object["catcher"]) EXPECT_EQ(object["in_view_share"], 0) << object;
+  for (const auto& object : report["scene"]["objects"]) {
+    if (!object["catcher"]) {
+      EXPECT_EQ(object["in_view_share"], 0) << object;
+    }
+  }
   const std::string text = herr("inspect session").out;
   const std::size_t line = text.find("\"world_from_session\": {");
   ASSERT_NE(line, std::string::npos) << text;
