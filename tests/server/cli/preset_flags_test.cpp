@@ -85,7 +85,7 @@ TEST(PresetFlags, OtherFlagsOverrideAPresetWhereverTheyStand) {
       EXPECT_EQ(settings(command, flags).occlusion_rays, 0);
     }
   }
-  EXPECT_FALSE(settings("replay", {"--preset", "paper", "--preset", "direct"}).probes.on) << "the last one";
+  EXPECT_THROW(parsed("replay", {"--preset", "paper", "--preset", "direct"}), UsageError) << "which one?";
 }
 
 TEST(PresetFlags, AnUnknownNameNamesTheNearest) {
