@@ -99,7 +99,7 @@ TEST_F(ReplayMessages, AFlagThatDoesNothingIsWarnedOfOnceAndNotToldAsActing) {
             "herr: warning: --polar acuity: no effect with --foveation off, which has no polar buffer; "
             "leave it out\n"
             "herr: warning: --first-light-samples 8: no effect with --light-samples 4, which are traced at "
-            "once; give more of them, or leave it out\n");
+            "once; give --light-samples 9 or more, or leave it out\n");
   EXPECT_EQ(outcome.out.find("acuity"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("first light"), std::string::npos) << outcome.out;
 }
