@@ -55,7 +55,9 @@ void warn_of_idle_settings(const RenderSettings& settings) {
   RenderSettings given = settings, defaults;
   std::vector<std::string> lines = idle_settings(settings_of(given), settings_of(defaults));
   for (std::string& line : lines) {
-    if (line.starts_with("--first-light-samples ") && settings.light_samples <= settings.adaptive_min_samples)
+    const bool gives_value = settings.light_samples <= settings.adaptive_min_samples &&
+                             settings.adaptive_min_samples < kMostAdaptiveSamples;
+    if (line.starts_with("--first-light-samples ") && gives_value)
       line = line.substr(0, line.find(": ")) + ": no effect with --light-samples " +
              std::to_string(settings.light_samples) + ", which are traced at once; give --light-samples " +
              std::to_string(settings.adaptive_min_samples + 1) + " or more";
