@@ -59,7 +59,8 @@ struct RenderSettings {
   LightSampler light_sampler = LightSampler::jittered;
   int occlusion_rays = 1;           // short rays of ambient occlusion per first hit; 0: none
   double occlusion_radius_m = 0.3;  // how far they reach
-  // Further rays through each polar sample at an edge, of surfaces or of hard shadows, 0 ... 16; 0: none.
+  // Further rays through each polar sample at an edge, of surfaces or of hard shadows, an even number up to
+  // 16; half as many where the edge is faint. 0: none.
   int edge_samples = 0;
   // Rays from the eye are this many times as wide as their samples: textures and voxels are read at the level
   // that this asks for. 0: the finest.

@@ -21,15 +21,20 @@ double nearest2(int points, int step) {
   return nearest;
 }
 
-std::array<EdgePlaces::Step, EdgePlaces::kNeighbours> neighbours_of(const CellPlace& place) {
-  std::array<EdgePlaces::Step, EdgePlaces::kNeighbours> cells{
+struct Step {
+  int column, row;
+};
+
+// The cells around one, nearest to a place in it first.
+std::array<Step, EdgePlaces::kNeighbours> neighbours_of(const CellPlace& place) {
+  std::array<Step, EdgePlaces::kNeighbours> cells{
       {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-  const auto distance2 = [&](const EdgePlaces::Step& cell) {
+  const auto distance2 = [&](const Step& cell) {
     const double x = cell.column - place.column, y = cell.row - place.row;
     return x * x + y * y;
   };
   std::stable_sort(cells.begin(), cells.end(),
-                   [&](const auto& a, const auto& b) { return distance2(a) < distance2(b); });
+                   [&](const Step& a, const Step& b) { return distance2(a) < distance2(b); });
   return cells;
 }
 
@@ -42,16 +47,9 @@ std::vector<CellPlace> lattice_places(int count) {
     if (nearest2(points, step) > nearest2(points, best) + 1e-9) best = step;
   }
   std::vector<CellPlace> places;
-  // Of points on a border, which belong to two cells, every other one is taken on the other side.
-  bool other_column = false, other_row = false;
-  const auto placed = [](double x, bool& other) {
-    if (x > -0.5) return x;
-    other = !other;
-    return other ? -0.5 : 0.5;
-  };
   for (int i = 1; i < points; ++i) {
-    places.push_back({placed(wrapped(static_cast<double>(i) / points), other_column),
-                      placed(wrapped(static_cast<double>(i * best % points) / points), other_row)});
+    places.push_back(
+        {wrapped(static_cast<double>(i) / points), wrapped(static_cast<double>(i * best % points) / points)});
   }
   return places;
 }
@@ -59,11 +57,19 @@ std::vector<CellPlace> lattice_places(int count) {
 EdgePlaces::EdgePlaces(int max_width, int max_height, int count)
     : columns_(static_cast<std::size_t>(max_width)),
       rows_(static_cast<std::size_t>(max_height)),
-      places_(lattice_places(count)) {
-  const std::size_t places = places_.size();
-  for (const CellPlace& place : places_) neighbours_.push_back(neighbours_of(place));
-  for (std::vector<float>* table : {&sin_theta_, &cos_theta_}) table->resize(places * columns_);
-  for (std::vector<float>* table : {&sin_phi_, &cos_phi_}) table->resize(places * rows_);
+      all_{0, count},
+      few_{count, std::max(2, count / 4 * 2)},
+      places_(lattice_places(all_.count)) {
+  for (const CellPlace& place : lattice_places(few_.count)) places_.push_back(place);
+  for (const CellPlace& place : places_) {
+    const auto cells = neighbours_of(place);
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      neighbour_column_[n].push_back(cells[n].column);
+      neighbour_row_[n].push_back(cells[n].row);
+    }
+  }
+  for (std::vector<float>* table : {&sin_theta_, &cos_theta_}) table->resize(places_.size() * columns_);
+  for (std::vector<float>* table : {&sin_phi_, &cos_phi_}) table->resize(places_.size() * rows_);
 }
 
 void EdgePlaces::divide_circle(int height) {

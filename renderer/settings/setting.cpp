@@ -179,10 +179,12 @@ void check_range(const Setting& setting) {
     const std::optional<double> value = number->get();
     if (!value || fits(*number, *value)) return;
     const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
-    refuse_value(setting,
-                 "lie in [" + number_text(number->lowest, number->step) + ", " +
-                     number_text(number->highest, number->step) + "]" + unit,
-                 number_text(*value, number->step));
+    refuse_value(
+        setting,
+        (number->step > 1 ? "be a multiple of " + std::to_string(number->step) + " in [" : "lie in [") +
+            number_text(number->lowest, number->step) + ", " + number_text(number->highest, number->step) +
+            "]" + unit,
+        number_text(*value, number->step));
   }
   if (const auto* size = std::get_if<SizeSetting>(&setting.value)) {
     check_between(label + " width", *size->width_per_eye, 1, size->widest_per_eye);

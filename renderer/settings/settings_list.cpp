@@ -79,8 +79,9 @@ std::vector<Setting> of_rays(RenderSettings& s) {
                   [&s] { return adaptive_beside(s); }),
       idle_beside(
           {"edge_samples", "--edge-samples", "", Group::rays, Effect::error_for_time,
-           "further rays through each polar sample at an edge of surfaces or of hard shadows; 0: none",
-           whole(s.edge_samples, 0, kMostEdgeSamples)},
+           "further rays through polar samples at edges of surfaces and hard shadows, half as many where the "
+           "edge is faint; even; 0: none",
+           number_setting(s.edge_samples, 0, kMostEdgeSamples, 2)},
           [&s] { return where(s.edge_samples > 0 && !is_foveated(s), kNoPolarBuffer); }),
       {"occlusion_rays", "--occlusion-rays", "", Group::rays, Effect::error_for_time,
        "short rays of ambient occlusion per hit; 0: none", whole(s.occlusion_rays, 0, 64)},

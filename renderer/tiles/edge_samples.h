@@ -17,8 +17,8 @@ struct alignas(64) EdgeSamples {
   static constexpr int kStride = kTileSide + 2;
   static constexpr std::int32_t kNone = -2, kMissed = -1;
   // Bits of `marks`: a neighbour shows another surface; the same one, where another light is blocked; the
-  // same one, which looks much different there.
-  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2, kShadingEdge = 4;
+  // same one, which looks much different there; and that the first two are worth all further rays.
+  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2, kShadingEdge = 4, kStrongEdge = 8;
 
   // Index of sample (column, row) of the tile in pictures, each in [-1, kTileSide].
   static constexpr int at(int column, int row) { return (row + 1) * kStride + column + 1; }
@@ -28,11 +28,14 @@ struct alignas(64) EdgeSamples {
     Picture<float> x, y, z;
   };
 
-  // Samples at edges: column and row in the tile, and what their rays have added up to.
+  // Samples at edges: column and row in the tile, what one of their rays counts, and what these add up to.
   Lane<std::int32_t> column, row;
+  Lane<float> share;
   Lane3 light_sum, ratio_sum;
-  // Rays whose hits are lit anew: where they go, (place << 16) + sample in the list above, and the cell of
-  // the sample nearby whose short rays count for them.
+  // Further rays that wait: (place << 16) + sample in the list above. A sample's own lie side by side.
+  Lane<std::int32_t> rays;
+  // Rays whose hits are lit anew: where they go, a number as above, and the cell of the sample nearby whose
+  // short rays count for them.
   Lane<std::int32_t> anew, anew_cell;
   Lane3 anew_direction;
   Lane<std::int32_t> blocked_at;  // `blocked` per hit, while the tile is lit
@@ -46,7 +49,7 @@ struct alignas(64) EdgeSamples {
   Picture<float> open, open_without;  // as HitBatch::open
   Picture3 light, ratio;              // the texel
 
-  int count = 0, anew_count = 0;
+  int count = 0, ray_count = 0, anew_count = 0;
   bool notes = false;        // the tile's samples are in work, their first layer
   bool lights_anew = false;  // the list of hits that are lit anew is
   // Where the tile's packets lie: those of hits that are lit anew take their places.

@@ -1,6 +1,6 @@
 // Further rays through samples at edges, and which of the samples around shows what each meets: coverage
-// apart from shading, as in hardware multisampling. Lanes are samples; each place of their cells is one
-// packet. Before: edge_picture. After: find_edges, smooth_edges.
+// apart from shading, as in hardware multisampling. Lanes are rays; those of a sample lie side by side, which
+// keeps packets narrow. Before: edge_picture. After: find_edges, smooth_edges.
 #pragma once
 
 #include "renderer/surfaces/normals-inl.h"
@@ -11,12 +11,14 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-// As many samples of the list as fit a packet.
-struct EdgeGroup {
+// As many further rays as fit a packet.
+struct EdgeRays {
   MF lanes;
-  VI x, y;    // column and row of the polar buffer
-  VI cell;    // index in pictures
-  VU key;     // random numbers: frame, eye and sample
+  VI code;    // EdgeSamples::rays
+  VI place;   // of the cell
+  VI x, y;    // column and row of the sample in the polar buffer
+  VI cell;    // its index in pictures
+  VU key;     // random numbers: frame, eye, sample and place
   VF spread;  // of their cones
   SeenSurface own;
 };
@@ -34,20 +36,28 @@ HWY_INLINE VI cells_at(VI column, VI row) {
                  hn::Add(column, hn::Set(kI, EdgeSamples::at(0, 0))));
 }
 
-HWY_INLINE EdgeGroup edge_group(const TileJob& job, int start) {
+HWY_INLINE VU key_of_place(VU key, VI place) {
+  return hash(hn::Xor(key, hn::Mul(hn::BitCast(kU, place), hn::Set(kU, 0x9e3779b1u))), kEdgeSalt);
+}
+
+// Those of the list from `slot` on, a multiple of kLanes.
+HWY_INLINE EdgeRays edge_rays(const TileJob& job, int slot) {
   const EdgeSamples& samples = *job.scratch->edges;
-  EdgeGroup group;
-  group.lanes = first_lanes(samples.count - start);
-  const auto used = hn::RebindMask(kI, group.lanes);
-  const VI column = hn::IfThenElseZero(used, hn::Load(kI, &samples.column[static_cast<std::size_t>(start)])),
-           row = hn::IfThenElseZero(used, hn::Load(kI, &samples.row[static_cast<std::size_t>(start)]));
-  group.x = hn::Add(column, hn::Set(kI, job.x0));
-  group.y = hn::Add(row, hn::Set(kI, job.y0));
-  group.cell = cells_at(column, row);
-  group.key = key_of(*job.grid, group.x, group.y);
-  group.spread = spread_at(*job.grid, group.x);
-  group.own = seen_at(samples, group.cell);
-  return group;
+  EdgeRays rays;
+  rays.lanes = first_lanes(samples.ray_count - slot);
+  rays.code = hn::IfThenElseZero(hn::RebindMask(kI, rays.lanes),
+                                 hn::Load(kI, &samples.rays[static_cast<std::size_t>(slot)]));
+  rays.place = hn::ShiftRight<16>(rays.code);
+  const VI sample = hn::And(rays.code, hn::Set(kI, 0xffff));
+  const VI column = hn::GatherIndex(kI, samples.column.data(), sample),
+           row = hn::GatherIndex(kI, samples.row.data(), sample);
+  rays.x = hn::Add(column, hn::Set(kI, job.x0));
+  rays.y = hn::Add(row, hn::Set(kI, job.y0));
+  rays.cell = cells_at(column, row);
+  rays.key = key_of_place(key_of(*job.grid, rays.x, rays.y), rays.place);
+  rays.spread = spread_at(*job.grid, rays.x);
+  rays.own = seen_at(samples, rays.cell);
+  return rays;
 }
 
 HWY_INLINE V3 direction_at(const RayGrid& grid, VF sin_theta, VF cos_theta, VF sin_phi, VF cos_phi) {
@@ -62,13 +72,14 @@ HWY_INLINE V3 sample_directions(const RayGrid& grid, VI x, VI y) {
       grid, hn::GatherIndex(kF, samples.sin_theta(), x), hn::GatherIndex(kF, samples.cos_theta(), x),
       hn::GatherIndex(kF, samples.sin_phi4(), row), hn::GatherIndex(kF, samples.cos_phi4(), row));
 }
-// Through place `k` of the group's cells.
-HWY_INLINE V3 direction_through(const RayGrid& grid, const EdgeGroup& group, int k) {
+// Through their places of cells.
+HWY_INLINE V3 directions_of(const RayGrid& grid, const EdgeRays& rays) {
   const EdgePlaces& places = *grid.edge_places;
-  return direction_at(grid, hn::GatherIndex(kF, places.sin_theta(k), group.x),
-                      hn::GatherIndex(kF, places.cos_theta(k), group.x),
-                      hn::GatherIndex(kF, places.sin_phi(k), group.y),
-                      hn::GatherIndex(kF, places.cos_phi(k), group.y));
+  const VI x = hn::Add(hn::Mul(rays.place, hn::Set(kI, places.columns())), rays.x),
+           y = hn::Add(hn::Mul(rays.place, hn::Set(kI, places.rows())), rays.y);
+  return direction_at(grid, hn::GatherIndex(kF, places.sin_theta(), x),
+                      hn::GatherIndex(kF, places.cos_theta(), x), hn::GatherIndex(kF, places.sin_phi(), y),
+                      hn::GatherIndex(kF, places.cos_phi(), y));
 }
 
 // Rays of `wanted` that are not finite, and so not of `traced`, are counted.
@@ -137,19 +148,22 @@ HWY_INLINE SeenSurface trace_to_surface(const TileJob& job, const V3& direction,
 
 // Looks for a sample that shows `met`, the ray's own first, then the others around it, nearest first; with
 // `blocked` the same lights must be blocked there. Lanes that found one leave `open`.
-HWY_INLINE void find_sample(const TileJob& job, const EdgeGroup& group, int k, const SeenSurface& met,
+HWY_INLINE void find_sample(const TileJob& job, const EdgeRays& rays, const SeenSurface& met,
                             const VI* blocked, MF& open, VI& found) {
   const EdgeSamples& samples = *job.scratch->edges;
+  const EdgePlaces& places = *job.grid->edge_places;
   const auto take = [&](VI cells, MF shows) HWY_ATTR {
     if (blocked) shows = hn::And(shows, hn::RebindMask(kF, hn::Eq(gather(samples.blocked, cells), *blocked)));
     shows = hn::And(open, shows);
     found = hn::IfThenElse(hn::RebindMask(kI, shows), cells, found);
     open = hn::AndNot(shows, open);
   };
-  take(group.cell, on_one_surface(met, group.own));
-  for (const EdgePlaces::Step& step : job.grid->edge_places->neighbours(k)) {
+  take(rays.cell, on_one_surface(met, rays.own));
+  for (int n = 0; n < EdgePlaces::kNeighbours; ++n) {
     if (hn::AllFalse(kF, open)) return;
-    const VI cells = hn::Add(group.cell, hn::Set(kI, step.row * EdgeSamples::kStride + step.column));
+    const VI column = hn::GatherIndex(kI, places.neighbour_column(n), rays.place),
+             row = hn::GatherIndex(kI, places.neighbour_row(n), rays.place);
+    const VI cells = hn::Add(rays.cell, hn::Add(hn::Mul(row, hn::Set(kI, EdgeSamples::kStride)), column));
     const MF same = hn::RebindMask(kF, hn::Eq(gather(samples.surface, cells), met.surface));
     if (hn::AllFalse(kF, hn::And(open, same))) continue;
     take(cells, on_one_surface(met, seen_at(samples, cells)));

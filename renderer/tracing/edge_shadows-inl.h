@@ -11,8 +11,8 @@ namespace herr {
 namespace HWY_NAMESPACE {
 
 // Which of `lanes`, hits `met`, something blocks from the light's only sample.
-HWY_NOINLINE inline MF blocked_from(const TileJob& job, const LightRecord& light, const EdgeGroup& group,
-                                    int k, const SeenSurface& met, MF lanes) {
+HWY_NOINLINE inline MF blocked_from(const TileJob& job, const LightRecord& light, const EdgeRays& rays,
+                                    const SeenSurface& met, MF lanes) {
   const FramePlan& plan = *job.shading->plan;
   const V3 to_light = light.kind == LightKind::sun ? scale(set3(light.direction), set(-light.reach))
                                                    : sub(set3(light.centre), met.position);
@@ -28,10 +28,10 @@ HWY_NOINLINE inline MF blocked_from(const TileJob& job, const LightRecord& light
   set_rays(packet, origin, direction, kShadowRayEnd, kAllMask);
   if (plan.voxels) {
     const V3 way = sub(met.position, set3(job.grid->origin));
-    const VF width = hn::Mul(group.spread, hn::Sqrt(dot(way, way)));
+    const VF width = hn::Mul(rays.spread, hn::Sqrt(dot(way, way)));
     const VF length = hn::Sqrt(hn::Max(dot(direction, direction), set(1e-30f)));
     hn::Store(footprint_code(hn::Div(width, length), hn::Zero(kF)), kU, packet.id);
-    set_chance(packet, hash(group.key, kEdgeSalt + light.key + static_cast<std::uint32_t>(k)));
+    set_chance(packet, hash(rays.key, light.key));
   }
   set_valid(valid, lanes);
   job.counters->rays[RayKind::edge_shadow] += static_cast<std::int64_t>(hn::CountTrue(kF, lanes));
@@ -46,7 +46,7 @@ HWY_NOINLINE inline MF blocked_from(const TileJob& job, const LightRecord& light
 }
 
 // Lanes that found a sample at the border of a shadow look again, for one that sees the same lights.
-HWY_NOINLINE inline void look_into_shadows(const TileJob& job, const EdgeGroup& group, int k, SeenSurface met,
+HWY_NOINLINE inline void look_into_shadows(const TileJob& job, const EdgeRays& rays, SeenSurface met,
                                            MF lanes, VI& found) {
   const EdgeSamples& samples = *job.scratch->edges;
   const VI safe = hn::IfThenElseZero(hn::RebindMask(kI, lanes), found);
@@ -61,11 +61,11 @@ HWY_NOINLINE inline void look_into_shadows(const TileJob& job, const EdgeGroup& 
     if (number >= kMostEdgeLights) break;
     const VI bit = hn::Set(kI, 1 << number++);
     if (light.samples > 1) continue;
-    const MF at = blocked_from(job, light, group, k, met, asks);
+    const MF at = blocked_from(job, light, rays, met, asks);
     blocked = hn::Or(blocked, hn::IfThenElseZero(hn::RebindMask(kI, at), bit));
   }
   MF open = hn::And(asks, hn::RebindMask(kF, hn::Ne(gather(samples.blocked, safe), blocked)));
-  if (!hn::AllFalse(kF, open)) find_sample(job, group, k, met, &blocked, open, found);
+  if (!hn::AllFalse(kF, open)) find_sample(job, rays, met, &blocked, open, found);
 }
 
 }  // namespace HWY_NAMESPACE

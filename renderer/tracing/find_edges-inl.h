@@ -15,9 +15,11 @@ namespace HWY_NAMESPACE {
 struct Contrast {
   float share, dark, ratio_step;
 };
-constexpr Contrast kEdgeContrast{1.0f / 24, 1.0f / 16, 1.0f / 32};
+constexpr Contrast kEdgeContrast{1.0f / 12, 1.0f / 16, 1.0f / 32};
+// From which on all further rays pay; half as many do below.
+constexpr Contrast kStrongContrast{3.0f / 5, 1.0f / 16, 1.0f / 8};
 // From which on samples of one surface are taken to stand for no more than themselves.
-constexpr Contrast kShadingContrast{1.0f / 5, 1.0f / 5, 1.0f / 5};
+constexpr Contrast kShadingContrast{1.0f / 4, 1.0f / 4, 1.0f / 4};
 
 HWY_INLINE MF look_different(const EdgeSamples& samples, int a, int b, float white, const Contrast& least) {
   const auto at_a = static_cast<std::size_t>(a), at_b = static_cast<std::size_t>(b);
@@ -38,16 +40,18 @@ HWY_INLINE void mark(EdgeSamples& samples, int first, VI marks) {
 }
 
 // Marks samples [a, a + kLanes) and their neighbours [b, b + kLanes) that show different things.
-HWY_INLINE void mark_edges(EdgeSamples& samples, const SeenSurface& at_a, int a, int b, float white) {
-  const SeenSurface at_b = seen_from(samples, b);
+HWY_INLINE void mark_edges(EdgeSamples& samples, int a, int b, float white) {
   const VI none = hn::Set(kI, EdgeSamples::kNone);
-  const MF known = hn::RebindMask(kF, hn::And(hn::Ne(at_a.surface, none), hn::Ne(at_b.surface, none)));
+  const VI surface_a = hn::LoadU(kI, &samples.surface[static_cast<std::size_t>(a)]),
+           surface_b = hn::LoadU(kI, &samples.surface[static_cast<std::size_t>(b)]);
+  const MF known = hn::RebindMask(kF, hn::And(hn::Ne(surface_a, none), hn::Ne(surface_b, none)));
+  const MF lit = hn::And(known, look_different(samples, a, b, white, kEdgeContrast));
+  if (hn::AllFalse(kF, lit)) return;
+  const SeenSurface at_a = seen_from(samples, a), at_b = seen_from(samples, b);
   const VI blocked_a = hn::LoadU(kI, &samples.blocked[static_cast<std::size_t>(a)]),
            blocked_b = hn::LoadU(kI, &samples.blocked[static_cast<std::size_t>(b)]);
   const MF one = on_one_surface(at_a, at_b);
   const MF shadow = hn::And(one, hn::RebindMask(kF, hn::Ne(blocked_a, blocked_b)));
-  const MF lit = hn::And(known, look_different(samples, a, b, white, kEdgeContrast));
-  if (hn::AllFalse(kF, lit)) return;
   const MF shading =
       hn::And(hn::And(lit, hn::AndNot(shadow, one)), look_different(samples, a, b, white, kShadingContrast));
   const auto marked = [](MF where, std::int32_t as)
@@ -55,8 +59,11 @@ HWY_INLINE void mark_edges(EdgeSamples& samples, const SeenSurface& at_a, int a,
   const VI found = hn::Or(marked(hn::AndNot(one, lit), EdgeSamples::kSurfaceEdge),
                           hn::Or(marked(hn::And(shadow, lit), EdgeSamples::kShadowEdge),
                                  marked(shading, EdgeSamples::kShadingEdge)));
-  mark(samples, a, found);
-  mark(samples, b, found);
+  const MF border = hn::And(hn::Or(hn::Not(one), shadow), lit);
+  const MF strong = hn::And(border, look_different(samples, a, b, white, kStrongContrast));
+  const VI marks = hn::Or(found, marked(strong, EdgeSamples::kStrongEdge));
+  mark(samples, a, marks);
+  mark(samples, b, marks);
 }
 
 // Marks samples (column, row) of the tile whose neighbours in another tile, (columns, rows) away, show
@@ -85,7 +92,9 @@ HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int column
   const MF other = hn::AndNot(on_one_surface(own, met), lanes);
   if (hn::AllFalse(kF, other)) return;
   alignas(64) std::int32_t marks[kMaxLanes], at[kMaxLanes];
-  hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, other), hn::Set(kI, EdgeSamples::kSurfaceEdge)), kI, marks);
+  hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, other),
+                               hn::Set(kI, EdgeSamples::kSurfaceEdge | EdgeSamples::kStrongEdge)),
+            kI, marks);
   hn::Store(cells, kI, at);
   const int along = columns == 0 ? 1 : EdgeSamples::kStride;
   for (int i = 0; i < kLanes; ++i) {
@@ -142,9 +151,8 @@ HWY_NOINLINE void find_edges(const TileJob& job) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; column += kLanes) {
       const int at = EdgeSamples::at(column, row);
-      const SeenSurface here = seen_from(samples, at);
-      mark_edges(samples, here, at, at + 1, white);
-      mark_edges(samples, here, at, at + EdgeSamples::kStride, white);
+      mark_edges(samples, at, at + 1, white);
+      mark_edges(samples, at, at + EdgeSamples::kStride, white);
     }
   }
   look_around<kDetail>(job, columns, rows);

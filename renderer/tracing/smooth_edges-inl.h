@@ -30,60 +30,84 @@ HWY_NOINLINE inline void note_texels(const TileJob& job) {
   }
 }
 
-HWY_NOINLINE inline void store_noted(const TileJob& job) {
-  const EdgeSamples& samples = *job.scratch->edges;
-  for (int p = 0; p < samples.packets; ++p) {
-    const int x = samples.packet_x[static_cast<std::size_t>(p)],
-              y = samples.packet_y[static_cast<std::size_t>(p)];
-    alignas(64) std::int32_t kind[kMaxLanes];
-    from_picture(samples.kind, x - job.x0, y - job.y0, kind);
-    const Texel texel{from_picture(samples.light, x - job.x0, y - job.y0),
-                      from_picture(samples.ratio, x - job.x0, y - job.y0)};
-    store_texels(job.grid->sink, x, y, hn::Load(kI, kind), texel);
+// Adds up what rays show; `values`: light and ratio, `codes` as EdgeSamples::rays.
+HWY_INLINE void add_shown(EdgeSamples& samples, const std::int32_t* codes, int rays,
+                          const float (&values)[6][kMaxLanes]) {
+  for (int i = 0; i < rays; ++i) {
+    const auto sample = static_cast<std::size_t>(codes[i] & 0xffff);
+    samples.light_sum.x[sample] += values[0][i];
+    samples.light_sum.y[sample] += values[1][i];
+    samples.light_sum.z[sample] += values[2][i];
+    samples.ratio_sum.x[sample] += values[3][i];
+    samples.ratio_sum.y[sample] += values[4][i];
+    samples.ratio_sum.z[sample] += values[5][i];
   }
+}
+HWY_INLINE void add_shown(EdgeSamples& samples, const std::int32_t* codes, int rays, const V3& light,
+                          const V3& ratio) {
+  alignas(64) float values[6][kMaxLanes];
+  const VF channels[6] = {light.x, light.y, light.z, ratio.x, ratio.y, ratio.z};
+  for (int c = 0; c < 6; ++c) hn::Store(channels[c], kF, values[c]);
+  add_shown(samples, codes, rays, values);
+}
+
+// Lists the further rays of samples from `next` on, as many as there is room for; returns the sample after.
+HWY_NOINLINE inline int queue_edge_rays(const TileJob& job, int next) {
+  EdgeSamples& samples = *job.scratch->edges;
+  const EdgePlaces& places = *job.grid->edge_places;
+  samples.ray_count = 0;
+  for (; next < samples.count && samples.ray_count + places.all().count <= kTileRays; ++next) {
+    const auto i = static_cast<std::size_t>(next);
+    const auto cell = static_cast<std::size_t>(EdgeSamples::at(samples.column[i], samples.row[i]));
+    const bool strong = (samples.marks[cell] & EdgeSamples::kStrongEdge) != 0;
+    const EdgePlaces::Set& set = strong ? places.all() : places.few();
+    for (int k = set.first; k < set.first + set.count; ++k) {
+      samples.rays[static_cast<std::size_t>(samples.ray_count++)] = (k << 16) + next;
+    }
+    samples.share[i] = 1.0f / static_cast<float>(1 + set.count);
+    samples.light_sum.x[i] = samples.light.x[cell];
+    samples.light_sum.y[i] = samples.light.y[cell];
+    samples.light_sum.z[i] = samples.light.z[cell];
+    samples.ratio_sum.x[i] = samples.ratio.x[cell];
+    samples.ratio_sum.y[i] = samples.ratio.y[cell];
+    samples.ratio_sum.z[i] = samples.ratio.z[cell];
+  }
+  return next;
 }
 
 // Adds rays to the list of those whose hits are lit anew; `cells`: of samples nearby.
-HWY_INLINE void push_anew(EdgeSamples& samples, const V3& direction, VI cells, int start, int k, MF lanes) {
+HWY_INLINE void push_anew(EdgeSamples& samples, const V3& direction, VI cells, VI code, MF lanes) {
   const auto at = static_cast<std::size_t>(samples.anew_count);
   const auto whole = hn::RebindMask(kI, lanes);
   hn::StoreU(hn::Compress(direction.x, lanes), kF, &samples.anew_direction.x[at]);
   hn::StoreU(hn::Compress(direction.y, lanes), kF, &samples.anew_direction.y[at]);
   hn::StoreU(hn::Compress(direction.z, lanes), kF, &samples.anew_direction.z[at]);
-  const VI code = hn::Add(hn::Iota(kI, 0), hn::Set(kI, start + (k << 16)));
   hn::StoreU(hn::Compress(code, whole), kI, &samples.anew[at]);
   hn::StoreU(hn::Compress(cells, whole), kI, &samples.anew_cell[at]);
   samples.anew_count += static_cast<int>(hn::CountTrue(kF, lanes));
 }
 
-// The further rays of samples [start, start + kLanes) of the list.
+// The listed rays from `slot` on.
 template <SurfaceDetail kDetail>
-HWY_NOINLINE void trace_edge_group(const TileJob& job, int start) {
+HWY_NOINLINE void trace_edge_rays(const TileJob& job, int slot) {
   EdgeSamples& samples = *job.scratch->edges;
-  const EdgeGroup group = edge_group(job, start);
-  V3 light = gather(samples.light, group.cell), ratio = gather(samples.ratio, group.cell);
-  const V3 origin = set3(job.grid->origin);
-  for (int k = 0; k < job.grid->edge_places->count(); ++k) {
-    const V3 direction = direction_through(*job.grid, group, k);
-    const MF lanes = hn::And(group.lanes, traceable(origin, direction));
-    count_invalid(job, group.lanes, lanes);
-    const VU chance = hash(group.key, kEdgeSalt + static_cast<std::uint32_t>(k));
-    const SeenSurface met = trace_to_surface<kDetail>(job, direction, chance, group.spread, lanes);
-    // What cannot be traced counts as the sample itself.
-    VI found = group.cell;
-    MF unseen = lanes;
-    find_sample(job, group, k, met, nullptr, unseen, found);
-    const VI mark = hn::And(gather(samples.marks, found), hn::Set(kI, EdgeSamples::kShadingEdge));
-    const MF anew = hn::Or(unseen, hn::And(lanes, hn::RebindMask(kF, hn::Ne(mark, hn::Zero(kI)))));
-    look_into_shadows(job, group, k, met, hn::AndNot(anew, lanes), found);
-    push_anew(samples, direction, found, start, k, anew);
-    const V3 more_light = gather(samples.light, found), more_ratio = gather(samples.ratio, found);
-    const VF counts = hn::IfThenZeroElse(anew, set(1.0f));
-    light = mul_add(counts, more_light, light);
-    ratio = mul_add(counts, more_ratio, ratio);
-  }
-  store3(light, samples.light_sum, start);
-  store3(ratio, samples.ratio_sum, start);
+  const EdgeRays rays = edge_rays(job, slot);
+  const V3 direction = directions_of(*job.grid, rays);
+  const MF lanes = hn::And(rays.lanes, traceable(set3(job.grid->origin), direction));
+  count_invalid(job, rays.lanes, lanes);
+  const SeenSurface met = trace_to_surface<kDetail>(job, direction, rays.key, rays.spread, lanes);
+  // What cannot be traced counts as the sample itself.
+  VI found = rays.cell;
+  MF unseen = lanes;
+  find_sample(job, rays, met, nullptr, unseen, found);
+  const VI mark = hn::And(gather(samples.marks, found), hn::Set(kI, EdgeSamples::kShadingEdge));
+  const MF anew = hn::Or(unseen, hn::And(lanes, hn::RebindMask(kF, hn::Ne(mark, hn::Zero(kI)))));
+  look_into_shadows(job, rays, met, hn::AndNot(anew, lanes), found);
+  push_anew(samples, direction, found, rays.code, anew);
+  const VF counts = hn::IfThenZeroElse(anew, set(1.0f));
+  add_shown(samples, &samples.rays[static_cast<std::size_t>(slot)],
+            std::min(kLanes, samples.ray_count - slot), scale(gather(samples.light, found), counts),
+            scale(gather(samples.ratio, found), counts));
 }
 
 // Makes packets of the rays whose hits are lit anew; returns how many.
@@ -104,9 +128,7 @@ HWY_NOINLINE inline int queue_anew(const TileJob& job) {
     const V3 direction = load3(samples.anew_direction, slot);
     RayHit& packet = packets_of(scratch)[p];
     set_rays(packet, origin, direction);
-    const VU place = hn::BitCast(kU, hn::ShiftRight<16>(code));
-    const VU key =
-        hash(hn::Xor(key_of(*job.grid, x, y), hn::Mul(place, hn::Set(kU, 0x9e3779b1u))), kEdgeSalt);
+    const VU key = key_of_place(key_of(*job.grid, x, y), hn::ShiftRight<16>(code));
     hn::Store(key, kU, &hits.key[slot]);
     if (job.shading->plan->voxels) set_chance(packet.ray, key);
     set_valid(scratch.packet_valid[static_cast<std::size_t>(p)].data(), used);
@@ -140,40 +162,38 @@ HWY_NOINLINE void light_anew(const TileJob& job) {
   for (int p = 0; p < packets; ++p) {
     ResolvedPacket at;
     resolve_packet(job, p, at);
-    alignas(64) float values[6][kMaxLanes];
-    const VF channels[6] = {at.texel.light.x, at.texel.light.y, at.texel.light.z,
-                            at.texel.ratio.x, at.texel.ratio.y, at.texel.ratio.z};
-    for (int c = 0; c < 6; ++c) hn::Store(channels[c], kF, values[c]);
-    const int rays = std::min(kLanes, samples.anew_count - p * kLanes);
-    for (int i = 0; i < rays; ++i) {
-      const auto sample =
-          static_cast<std::size_t>(samples.anew[static_cast<std::size_t>(p * kLanes + i)] & 0xffff);
-      samples.light_sum.x[sample] += values[0][i];
-      samples.light_sum.y[sample] += values[1][i];
-      samples.light_sum.z[sample] += values[2][i];
-      samples.ratio_sum.x[sample] += values[3][i];
-      samples.ratio_sum.y[sample] += values[4][i];
-      samples.ratio_sum.z[sample] += values[5][i];
-    }
+    const int slot = p * kLanes;
+    add_shown(samples, &samples.anew[static_cast<std::size_t>(slot)],
+              std::min(kLanes, samples.anew_count - slot), at.texel.light, at.texel.ratio);
   }
   samples.anew_count = 0;
   job.cycles->lap(Stage::resolve);
 }
 
 // Replaces the texels of samples at edges by the means over all their rays.
-HWY_NOINLINE inline void take_means(const TileJob& job) {
-  EdgeSamples& samples = *job.scratch->edges;
-  const float share = 1.0f / static_cast<float>(1 + job.grid->edge_places->count());
+HWY_NOINLINE inline void take_means(EdgeSamples& samples) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(samples.count); ++i) {
     const auto cell = static_cast<std::size_t>(EdgeSamples::at(samples.column[i], samples.row[i]));
-    for (Lane<float> Lane3::*from : {&Lane3::x, &Lane3::y, &Lane3::z}) {
-      EdgeSamples::Picture<float> EdgeSamples::Picture3::*to = from == &Lane3::x ? &EdgeSamples::Picture3::x
-                                                               : from == &Lane3::y
-                                                                   ? &EdgeSamples::Picture3::y
-                                                                   : &EdgeSamples::Picture3::z;
-      (samples.light.*to)[cell] = share * (samples.light_sum.*from)[i];
-      (samples.ratio.*to)[cell] = share * (samples.ratio_sum.*from)[i];
-    }
+    const float share = samples.share[i];
+    samples.light.x[cell] = share * samples.light_sum.x[i];
+    samples.light.y[cell] = share * samples.light_sum.y[i];
+    samples.light.z[cell] = share * samples.light_sum.z[i];
+    samples.ratio.x[cell] = share * samples.ratio_sum.x[i];
+    samples.ratio.y[cell] = share * samples.ratio_sum.y[i];
+    samples.ratio.z[cell] = share * samples.ratio_sum.z[i];
+  }
+}
+
+HWY_NOINLINE inline void store_noted(const TileJob& job) {
+  const EdgeSamples& samples = *job.scratch->edges;
+  for (int p = 0; p < samples.packets; ++p) {
+    const int x = samples.packet_x[static_cast<std::size_t>(p)],
+              y = samples.packet_y[static_cast<std::size_t>(p)];
+    alignas(64) std::int32_t kind[kMaxLanes];
+    from_picture(samples.kind, x - job.x0, y - job.y0, kind);
+    const Texel texel{from_picture(samples.light, x - job.x0, y - job.y0),
+                      from_picture(samples.ratio, x - job.x0, y - job.y0)};
+    store_texels(job.grid->sink, x, y, hn::Load(kI, kind), texel);
   }
 }
 
@@ -184,13 +204,13 @@ HWY_NOINLINE void smooth_edges(const TileJob& job) {
   note_texels(job);
   job.cycles->lap(Stage::resolve);
   find_edges<kDetail>(job);
-  const int most = job.grid->edge_places->count() * kLanes;
-  for (int start = 0; start < samples.count; start += kLanes) {
-    if (samples.anew_count + most > kTileRays) light_anew<kDetail, kLobe>(job);
-    trace_edge_group<kDetail>(job, start);
+  for (int next = 0; next < samples.count;) {
+    next = queue_edge_rays(job, next);
+    if (samples.anew_count + samples.ray_count > kTileRays) light_anew<kDetail, kLobe>(job);
+    for (int slot = 0; slot < samples.ray_count; slot += kLanes) trace_edge_rays<kDetail>(job, slot);
   }
   light_anew<kDetail, kLobe>(job);
-  take_means(job);
+  take_means(samples);
   job.cycles->lap(Stage::edges);
   store_noted(job);
 }

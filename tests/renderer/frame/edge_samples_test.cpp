@@ -85,17 +85,16 @@ TEST(EdgeSamplesTest, FourPlacesAndTheMiddleAreTheRotatedGrid) {
     EXPECT_NEAR(places[i].column, kFive[i == 0 ? 1 : i == 1 ? 2 : i == 2 ? 3 : 4][0], 1e-12) << i;
     EXPECT_NEAR(places[i].row, kFive[i == 0 ? 1 : i == 1 ? 2 : i == 2 ? 3 : 4][1], 1e-12) << i;
   }
-  for (int count = 1; count <= kMostEdgeSamples; ++count) {
+  // A mean that lay beside the sample would shift the picture.
+  for (int count = 2; count <= kMostEdgeSamples; count += 2) {
     double column = 0, row = 0;
     for (const CellPlace& place : lattice_places(count)) {
-      EXPECT_LE(std::abs(place.column), 0.5);
-      EXPECT_LE(std::abs(place.row), 0.5);
+      EXPECT_LT(std::abs(place.column), 0.5);
+      EXPECT_LT(std::abs(place.row), 0.5);
       column += place.column, row += place.row;
     }
-    // A point on the cell's border has no counterpart on the other side: the mean is off by half a cell over
-    // the number of points.
-    EXPECT_LE(std::abs(column), 0.5 + 1e-12);
-    EXPECT_LE(std::abs(row), 0.5 + 1e-12);
+    EXPECT_NEAR(column, 0, 1e-12) << count;
+    EXPECT_NEAR(row, 0, 1e-12) << count;
   }
 }
 
