@@ -69,14 +69,34 @@ class SampleEdgesTest : public testing::Test {
     for (int i = 0; i < 4; ++i) renderer->skip_frame(sample_, state_);
     return renderer;
   }
-  Picture pass(Renderer& renderer, const CellPlace& place) const {
+  Picture pass(Renderer& renderer, const FrameSample& sample, const CellPlace& place) const {
     PixelPass pass;
     pass.cell = place;
     RenderedFrame frame;
-    renderer.render_pass(sample_, state_, pass, frame);
+    renderer.render_pass(sample, state_, pass, frame);
     edge_share_ =
         static_cast<double>(frame.counters.edge_samples) / static_cast<double>(frame.counters.polar_samples);
     return picture_of(frame);
+  }
+  // The mean over sixteen places of every cell.
+  Picture reference_of(Renderer& plain, const FrameSample& sample) const {
+    Picture reference;
+    constexpr int kSide = 4;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const Picture one =
+          pass(plain, sample, {(i % kSide + 0.5) / kSide - 0.5, (i / kSide + 0.5) / kSide - 0.5});
+      if (reference.empty()) reference.resize(one.size());
+      for (std::size_t p = 0; p < one.size(); ++p) {
+        for (std::size_t c = 0; c < 3; ++c) reference[p][c] += one[p][c] / (kSide * kSide);
+      }
+    }
+    limit_to_white(reference);
+    return reference;
+  }
+  Picture shown_by(Renderer& renderer, const FrameSample& sample) const {
+    Picture picture = pass(renderer, sample, {});
+    limit_to_white(picture);
+    return picture;
   }
   Bands rmse(const Picture& picture, const Picture& reference, const glm::dvec3& gaze) const {
     Bands squares{}, counts{};
@@ -108,33 +128,41 @@ class SampleEdgesTest : public testing::Test {
   mutable double edge_share_ = 0;
 };
 
-// The goal of edge samples, measured 0.46 to 0.55 on xr1.
-TEST_F(SampleEdgesTest, FourFurtherRaysLeaveLessThanSixTenthsOfTheError) {
-  const auto plain = renderer_with(0);
-  Picture reference;
-  constexpr int kSide = 4;
-  for (int i = 0; i < kSide * kSide; ++i) {
-    const Picture one = pass(*plain, {(i % kSide + 0.5) / kSide - 0.5, (i / kSide + 0.5) / kSide - 0.5});
-    if (reference.empty()) reference.resize(one.size());
-    for (std::size_t p = 0; p < one.size(); ++p) {
-      for (std::size_t c = 0; c < 3; ++c) reference[p][c] += one[p][c] / (kSide * kSide);
-    }
+Picture difference(const Picture& a, const Picture& b) {
+  Picture out(a.size());
+  for (std::size_t p = 0; p < a.size(); ++p) {
+    for (std::size_t c = 0; c < 3; ++c) out[p][c] = a[p][c] - b[p][c];
   }
-  limit_to_white(reference);
-  const glm::dvec3 gaze = plain->internals().eyes[0].gaze.gaze;
-  const auto error_of = [&](Renderer& renderer) {
-    Picture picture = pass(renderer, {});
-    limit_to_white(picture);
-    return rmse(picture, reference, gaze);
-  };
-  const Bands before = error_of(*plain), after = error_of(*renderer_with(4));
-  std::cout << 100 * edge_share_ << " % of samples lie at edges\n";
+  return out;
+}
+
+void expect_shares_below(const Bands& before, const Bands& after, double most, const char* what) {
   for (std::size_t band = 0; band < before.size(); ++band) {
-    std::cout << kBandEdgesDeg[band] << " to " << kBandEdgesDeg[band + 1] << " degrees: RMSE " << before[band]
-              << " without, " << after[band] << " with four further rays: " << after[band] / before[band]
-              << "\n";
-    EXPECT_LT(after[band], 0.6 * before[band]);
+    std::cout << what << ", " << kBandEdgesDeg[band] << " to " << kBandEdgesDeg[band + 1]
+              << " degrees: " << before[band] << " without, " << after[band]
+              << " with four further rays: " << after[band] / before[band] << "\n";
+    EXPECT_LT(after[band], most * before[band]);
   }
+}
+
+// The goal of edge samples: less than six tenths of the error in a still picture, and of what it changes from
+// one frame of a turning head to the next. Measured 0.48 to 0.58; on xr1, the error, 0.53 to 0.56.
+TEST_F(SampleEdgesTest, FourFurtherRaysLeaveLessThanSixTenthsOfErrorAndFlicker) {
+  const auto plain = renderer_with(0), smooth = renderer_with(4);
+  FrameSample turned = sample_;
+  turned.head.world_from_head.orientation =
+      sample_.head.world_from_head.orientation * glm::angleAxis(glm::radians(0.3), glm::dvec3{0, 1, 0});
+  const Picture still = reference_of(*plain, sample_), later = reference_of(*plain, turned);
+  const auto errors_of = [&](Renderer& renderer) {
+    return std::array{difference(shown_by(renderer, sample_), still),
+                      difference(shown_by(renderer, turned), later)};
+  };
+  const auto before = errors_of(*plain), after = errors_of(*smooth);
+  std::cout << 100 * edge_share_ << " % of samples lie at edges\n";
+  const glm::dvec3 gaze = plain->internals().eyes[0].gaze.gaze;
+  const Picture nothing(still.size());
+  expect_shares_below(rmse(before[0], nothing, gaze), rmse(after[0], nothing, gaze), 0.6, "error");
+  expect_shares_below(rmse(before[1], before[0], gaze), rmse(after[1], after[0], gaze), 0.6, "flicker");
 }
 
 }  // namespace
