@@ -66,8 +66,12 @@ HWY_INLINE void mark_edges(EdgeSamples& samples, int a, int b, float white) {
   mark(samples, b, marks);
 }
 
+// One of kLookEvery samples along a side of the tile asks for its neighbour in another tile, in the name of
+// as many to the left and right.
+constexpr int kLookEvery = 4;
+
 // Marks samples (column, row) of the tile whose neighbours in another tile, (columns, rows) away, show
-// another surface, and those beside them along the border.
+// another surface, and those around them along the side.
 template <SurfaceDetail kDetail>
 HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int columns, int rows, MF lanes) {
   EdgeSamples& samples = *job.scratch->edges;
@@ -91,35 +95,40 @@ HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int column
       trace_to_surface<kDetail>(job, direction, key_of(grid, x, y), spread_at(grid, x), lanes);
   const MF other = hn::AndNot(on_one_surface(own, met), lanes);
   if (hn::AllFalse(kF, other)) return;
-  alignas(64) std::int32_t marks[kMaxLanes], at[kMaxLanes];
+  alignas(64) std::int32_t marks[kMaxLanes], at[kMaxLanes], place[kMaxLanes];
   hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, other),
                                hn::Set(kI, EdgeSamples::kSurfaceEdge | EdgeSamples::kStrongEdge)),
             kI, marks);
   hn::Store(cells, kI, at);
+  hn::Store(columns == 0 ? column : row, kI, place);
   const int along = columns == 0 ? 1 : EdgeSamples::kStride;
   for (int i = 0; i < kLanes; ++i) {
     if (marks[i] == 0) continue;
-    for (const int step : {-along, 0, along}) {
-      const auto cell = static_cast<std::size_t>(at[i] + step);
+    const int last = std::min(kLookEvery / 2, kTileSide - 1 - place[i]);
+    for (int step = std::max(-kLookEvery / 2, -place[i]); step <= last; ++step) {
+      const auto cell = static_cast<std::size_t>(at[i] + step * along);
       if (samples.kind[cell] != static_cast<std::int32_t>(HitKind::none)) samples.marks[cell] |= marks[i];
     }
   }
 }
 
-// The four sides of the tile, every other sample of each. Beyond the innermost and the outermost column there
-// is nothing to see.
+// The four sides of the tile. Beyond the innermost and the outermost column there is nothing to see.
 template <SurfaceDetail kDetail>
 HWY_INLINE void look_around(const TileJob& job, int columns, int rows) {
-  const VI step = hn::Add(hn::Iota(kI, 0), hn::Iota(kI, 0));
-  for (int start = 0; start < columns; start += 2 * kLanes) {
-    const VI column = hn::Add(step, hn::Set(kI, start));
-    const MF lanes = first_lanes((columns - start + 1) / 2);
+  const auto places = [](int first, int count) HWY_ATTR {
+    const VI place = hn::Mul(hn::Add(hn::Iota(kI, 0), hn::Set(kI, first)), hn::Set(kI, kLookEvery));
+    return hn::Min(hn::Add(place, hn::Set(kI, kLookEvery / 2)), hn::Set(kI, count - 1));
+  };
+  const auto looks = [](int count) { return (count + kLookEvery - 1) / kLookEvery; };
+  for (int first = 0; first < looks(columns); first += kLanes) {
+    const VI column = places(first, columns);
+    const MF lanes = first_lanes(looks(columns) - first);
     look_outside<kDetail>(job, column, hn::Zero(kI), 0, -1, lanes);
     look_outside<kDetail>(job, column, hn::Set(kI, rows - 1), 0, 1, lanes);
   }
-  for (int start = 0; start < rows; start += 2 * kLanes) {
-    const VI row = hn::Add(step, hn::Set(kI, start));
-    const MF lanes = first_lanes((rows - start + 1) / 2);
+  for (int first = 0; first < looks(rows); first += kLanes) {
+    const VI row = places(first, rows);
+    const MF lanes = first_lanes(looks(rows) - first);
     if (job.x0 > 0) look_outside<kDetail>(job, hn::Zero(kI), row, -1, 0, lanes);
     if (job.x0 + columns >= job.grid->sink.width) continue;
     look_outside<kDetail>(job, hn::Set(kI, columns - 1), row, 1, 0, lanes);
