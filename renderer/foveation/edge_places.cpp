@@ -62,6 +62,7 @@ EdgePlaces::EdgePlaces(int max_width, int max_height, int count)
       places_(lattice_places(all_.count)) {
   for (const CellPlace& place : lattice_places(few_.count)) places_.push_back(place);
   for (const CellPlace& place : places_) {
+    sides_.push_back((place.column < 0 ? kLeft : kRight) | (place.row < 0 ? kAbove : kBelow));
     const auto cells = neighbours_of(place);
     for (std::size_t n = 0; n < cells.size(); ++n) {
       neighbour_column_[n].push_back(cells[n].column);

@@ -22,6 +22,8 @@ class EdgePlaces {
     int first = 0, count = 0;
   };
   static constexpr int kNeighbours = 8;
+  // Sides of a cell: where columns and rows count down, and up.
+  static constexpr std::int32_t kLeft = 1, kRight = 2, kAbove = 4, kBelow = 8;
 
   // Allocates for widths up to `max_width`, heights up to `max_height` and `count` places of a cell, an even
   // number above 0.
@@ -33,6 +35,9 @@ class EdgePlaces {
   const Set& all() const { return all_; }
   const Set& few() const { return few_; }
   std::int64_t bytes() const;
+  // The two sides next to place k. Where the cells beyond them show what the cell's sample shows, the place
+  // does, too, unless something smaller than a cell lies there: a half plane that holds all three holds it.
+  std::int32_t sides(int k) const { return sides_[static_cast<std::size_t>(k)]; }
 
   // Per place: the cell around that is the n-th nearest to it, 0 the nearest, in columns and rows from its
   // own.
@@ -57,6 +62,7 @@ class EdgePlaces {
   std::size_t columns_, rows_;
   Set all_, few_;
   std::vector<CellPlace> places_;
+  std::vector<std::int32_t> sides_;
   std::array<std::vector<std::int32_t>, kNeighbours> neighbour_column_, neighbour_row_;
   std::vector<float> sin_theta_, cos_theta_, sin_phi_, cos_phi_;
 };

@@ -17,8 +17,10 @@ struct alignas(64) EdgeSamples {
   static constexpr int kStride = kTileSide + 2;
   static constexpr std::int32_t kNone = -2, kMissed = -1;
   // Bits of `marks`: a neighbour shows another surface; the same one, where another light is blocked; the
-  // same one, which looks much different there; and that the first two are worth all further rays.
-  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2, kShadingEdge = 4, kStrongEdge = 8;
+  // same one, which looks much different there; and that the first two are worth all further rays. From
+  // kFirstSide on: EdgePlaces' sides where the first two lie.
+  static constexpr std::int32_t kSurfaceEdge = 1, kShadowEdge = 2, kShadingEdge = 4, kStrongEdge = 8,
+                                kFirstSide = 16;
 
   // Index of sample (column, row) of the tile in pictures, each in [-1, kTileSide].
   static constexpr int at(int column, int row) { return (row + 1) * kStride + column + 1; }

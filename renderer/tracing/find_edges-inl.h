@@ -39,8 +39,10 @@ HWY_INLINE void mark(EdgeSamples& samples, int first, VI marks) {
   hn::StoreU(hn::Or(hn::LoadU(kI, to), marks), kI, to);
 }
 
-// Marks samples [a, a + kLanes) and their neighbours [b, b + kLanes) that show different things.
-HWY_INLINE void mark_edges(EdgeSamples& samples, int a, int b, float white) {
+// Marks samples [a, a + kLanes) and their neighbours [b, b + kLanes) that show different things; the latter
+// lie on `side` of the former, and these on `other_side` of them.
+HWY_INLINE void mark_edges(EdgeSamples& samples, int a, int b, std::int32_t side, std::int32_t other_side,
+                           float white) {
   const VI none = hn::Set(kI, EdgeSamples::kNone);
   const VI surface_a = hn::LoadU(kI, &samples.surface[static_cast<std::size_t>(a)]),
            surface_b = hn::LoadU(kI, &samples.surface[static_cast<std::size_t>(b)]);
@@ -62,8 +64,8 @@ HWY_INLINE void mark_edges(EdgeSamples& samples, int a, int b, float white) {
   const MF border = hn::And(hn::Or(hn::Not(one), shadow), lit);
   const MF strong = hn::And(border, look_different(samples, a, b, white, kStrongContrast));
   const VI marks = hn::Or(found, marked(strong, EdgeSamples::kStrongEdge));
-  mark(samples, a, marks);
-  mark(samples, b, marks);
+  mark(samples, a, hn::Or(marks, marked(border, side * EdgeSamples::kFirstSide)));
+  mark(samples, b, hn::Or(marks, marked(border, other_side * EdgeSamples::kFirstSide)));
 }
 
 // One of kLookEvery samples along a side of the tile asks for its neighbour in another tile, in the name of
@@ -96,9 +98,13 @@ HWY_NOINLINE void look_outside(const TileJob& job, VI column, VI row, int column
   const MF other = hn::AndNot(on_one_surface(own, met), lanes);
   if (hn::AllFalse(kF, other)) return;
   alignas(64) std::int32_t marks[kMaxLanes], at[kMaxLanes], place[kMaxLanes];
-  hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, other),
-                               hn::Set(kI, EdgeSamples::kSurfaceEdge | EdgeSamples::kStrongEdge)),
-            kI, marks);
+  const std::int32_t side = columns < 0   ? EdgePlaces::kLeft
+                            : columns > 0 ? EdgePlaces::kRight
+                            : rows < 0    ? EdgePlaces::kAbove
+                                          : EdgePlaces::kBelow;
+  const VI found =
+      hn::Set(kI, EdgeSamples::kSurfaceEdge | EdgeSamples::kStrongEdge | side * EdgeSamples::kFirstSide);
+  hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, other), found), kI, marks);
   hn::Store(cells, kI, at);
   hn::Store(columns == 0 ? column : row, kI, place);
   const int along = columns == 0 ? 1 : EdgeSamples::kStride;
@@ -160,8 +166,8 @@ HWY_NOINLINE void find_edges(const TileJob& job) {
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; column += kLanes) {
       const int at = EdgeSamples::at(column, row);
-      mark_edges(samples, at, at + 1, white);
-      mark_edges(samples, at, at + EdgeSamples::kStride, white);
+      mark_edges(samples, at, at + 1, EdgePlaces::kRight, EdgePlaces::kLeft, white);
+      mark_edges(samples, at, at + EdgeSamples::kStride, EdgePlaces::kBelow, EdgePlaces::kAbove, white);
     }
   }
   look_around<kDetail>(job, columns, rows);

@@ -52,6 +52,7 @@ HWY_INLINE void add_shown(EdgeSamples& samples, const std::int32_t* codes, int r
 }
 
 // Lists the further rays of samples from `next` on, as many as there is room for; returns the sample after.
+// Places away from all edges count as the sample itself.
 HWY_NOINLINE inline int queue_edge_rays(const TileJob& job, int next) {
   EdgeSamples& samples = *job.scratch->edges;
   const EdgePlaces& places = *job.grid->edge_places;
@@ -59,18 +60,25 @@ HWY_NOINLINE inline int queue_edge_rays(const TileJob& job, int next) {
   for (; next < samples.count && samples.ray_count + places.all().count <= kTileRays; ++next) {
     const auto i = static_cast<std::size_t>(next);
     const auto cell = static_cast<std::size_t>(EdgeSamples::at(samples.column[i], samples.row[i]));
-    const bool strong = (samples.marks[cell] & EdgeSamples::kStrongEdge) != 0;
-    const EdgePlaces::Set& set = strong ? places.all() : places.few();
+    const std::int32_t marks = samples.marks[cell];
+    const bool everywhere = (marks & EdgeSamples::kShadingEdge) != 0;
+    const EdgePlaces::Set& set = (marks & EdgeSamples::kStrongEdge) != 0 ? places.all() : places.few();
+    int own = 1;
     for (int k = set.first; k < set.first + set.count; ++k) {
-      samples.rays[static_cast<std::size_t>(samples.ray_count++)] = (k << 16) + next;
+      if (everywhere || (marks & (places.sides(k) * EdgeSamples::kFirstSide)) != 0) {
+        samples.rays[static_cast<std::size_t>(samples.ray_count++)] = (k << 16) + next;
+      } else {
+        ++own;
+      }
     }
     samples.share[i] = 1.0f / static_cast<float>(1 + set.count);
-    samples.light_sum.x[i] = samples.light.x[cell];
-    samples.light_sum.y[i] = samples.light.y[cell];
-    samples.light_sum.z[i] = samples.light.z[cell];
-    samples.ratio_sum.x[i] = samples.ratio.x[cell];
-    samples.ratio_sum.y[i] = samples.ratio.y[cell];
-    samples.ratio_sum.z[i] = samples.ratio.z[cell];
+    const auto times = static_cast<float>(own);
+    samples.light_sum.x[i] = times * samples.light.x[cell];
+    samples.light_sum.y[i] = times * samples.light.y[cell];
+    samples.light_sum.z[i] = times * samples.light.z[cell];
+    samples.ratio_sum.x[i] = times * samples.ratio.x[cell];
+    samples.ratio_sum.y[i] = times * samples.ratio.y[cell];
+    samples.ratio_sum.z[i] = times * samples.ratio.z[cell];
   }
   return next;
 }
