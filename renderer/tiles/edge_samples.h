@@ -34,8 +34,9 @@ struct alignas(64) EdgeSamples {
   Lane<std::int32_t> column, row;
   Lane<float> share;
   Lane3 light_sum, ratio_sum;
-  // Further rays that wait: (place << 16) + sample in the list above. A sample's own lie side by side.
-  Lane<std::int32_t> rays;
+  // Further rays that wait, and those of samples whose surface looks much different beside them, which are
+  // lit anew whatever they meet: (place << 16) + sample in the list above. A sample's own lie side by side.
+  Lane<std::int32_t> rays, rays_lit_anew;
   // Rays whose hits are lit anew: where they go, a number as above, and the cell of the sample nearby whose
   // short rays count for them.
   Lane<std::int32_t> anew, anew_cell;
@@ -51,7 +52,7 @@ struct alignas(64) EdgeSamples {
   Picture<float> open, open_without;  // as HitBatch::open
   Picture3 light, ratio;              // the texel
 
-  int count = 0, ray_count = 0, anew_count = 0;
+  int count = 0, ray_count = 0, lit_anew_count = 0, anew_count = 0;
   bool notes = false;        // the tile's samples are in work, their first layer
   bool lights_anew = false;  // the list of hits that are lit anew is
   // Where the tile's packets lie: those of hits that are lit anew take their places.

@@ -40,13 +40,13 @@ HWY_INLINE VU key_of_place(VU key, VI place) {
   return hash(hn::Xor(key, hn::Mul(hn::BitCast(kU, place), hn::Set(kU, 0x9e3779b1u))), kEdgeSalt);
 }
 
-// Those of the list from `slot` on, a multiple of kLanes.
-HWY_INLINE EdgeRays edge_rays(const TileJob& job, int slot) {
+// Those of a list of `count` from `slot` on, a multiple of kLanes.
+HWY_INLINE EdgeRays edge_rays(const TileJob& job, const Lane<std::int32_t>& list, int count, int slot) {
   const EdgeSamples& samples = *job.scratch->edges;
   EdgeRays rays;
-  rays.lanes = first_lanes(samples.ray_count - slot);
-  rays.code = hn::IfThenElseZero(hn::RebindMask(kI, rays.lanes),
-                                 hn::Load(kI, &samples.rays[static_cast<std::size_t>(slot)]));
+  rays.lanes = first_lanes(count - slot);
+  rays.code =
+      hn::IfThenElseZero(hn::RebindMask(kI, rays.lanes), hn::Load(kI, &list[static_cast<std::size_t>(slot)]));
   rays.place = hn::ShiftRight<16>(rays.code);
   const VI sample = hn::And(rays.code, hn::Set(kI, 0xffff));
   const VI column = hn::GatherIndex(kI, samples.column.data(), sample),

@@ -56,16 +56,21 @@ HWY_INLINE void add_shown(EdgeSamples& samples, const std::int32_t* codes, int r
 HWY_NOINLINE inline int queue_edge_rays(const TileJob& job, int next) {
   EdgeSamples& samples = *job.scratch->edges;
   const EdgePlaces& places = *job.grid->edge_places;
-  samples.ray_count = 0;
-  for (; next < samples.count && samples.ray_count + places.all().count <= kTileRays; ++next) {
+  samples.ray_count = samples.lit_anew_count = 0;
+  const auto room = [&] {
+    return samples.ray_count + samples.lit_anew_count + places.all().count <= kTileRays;
+  };
+  for (; next < samples.count && room(); ++next) {
     const auto i = static_cast<std::size_t>(next);
     const auto cell = static_cast<std::size_t>(EdgeSamples::at(samples.column[i], samples.row[i]));
     const std::int32_t marks = samples.marks[cell];
-    const bool everywhere = (marks & EdgeSamples::kShadingEdge) != 0;
+    const bool anew = (marks & EdgeSamples::kShadingEdge) != 0;
     const EdgePlaces::Set& set = (marks & EdgeSamples::kStrongEdge) != 0 ? places.all() : places.few();
     int own = 1;
     for (int k = set.first; k < set.first + set.count; ++k) {
-      if (everywhere || (marks & (places.sides(k) * EdgeSamples::kFirstSide)) != 0) {
+      if (anew) {
+        samples.rays_lit_anew[static_cast<std::size_t>(samples.lit_anew_count++)] = (k << 16) + next;
+      } else if ((marks & (places.sides(k) * EdgeSamples::kFirstSide)) != 0) {
         samples.rays[static_cast<std::size_t>(samples.ray_count++)] = (k << 16) + next;
       } else {
         ++own;
@@ -95,11 +100,32 @@ HWY_INLINE void push_anew(EdgeSamples& samples, const V3& direction, VI cells, V
   samples.anew_count += static_cast<int>(hn::CountTrue(kF, lanes));
 }
 
+// Adds `rays` of a list that count as `cells`, where `counts` is 1 and not 0.
+HWY_INLINE void add_cells(EdgeSamples& samples, const std::int32_t* codes, int rays, VI cells, VF counts) {
+  add_shown(samples, codes, std::min(rays, kLanes), scale(gather(samples.light, cells), counts),
+            scale(gather(samples.ratio, cells), counts));
+}
+
+HWY_NOINLINE inline void push_lit_anew(const TileJob& job) {
+  EdgeSamples& samples = *job.scratch->edges;
+  const int count = samples.lit_anew_count;
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const EdgeRays rays = edge_rays(job, samples.rays_lit_anew, count, slot);
+    const V3 direction = directions_of(*job.grid, rays);
+    const MF lanes = hn::And(rays.lanes, traceable(set3(job.grid->origin), direction));
+    count_invalid(job, rays.lanes, lanes);
+    push_anew(samples, direction, rays.cell, rays.code, lanes);
+    // What cannot be traced counts as the sample itself.
+    add_cells(samples, &samples.rays_lit_anew[static_cast<std::size_t>(slot)], count - slot, rays.cell,
+              hn::IfThenZeroElse(lanes, set(1.0f)));
+  }
+}
+
 // The listed rays from `slot` on.
 template <SurfaceDetail kDetail>
 HWY_NOINLINE void trace_edge_rays(const TileJob& job, int slot) {
   EdgeSamples& samples = *job.scratch->edges;
-  const EdgeRays rays = edge_rays(job, slot);
+  const EdgeRays rays = edge_rays(job, samples.rays, samples.ray_count, slot);
   const V3 direction = directions_of(*job.grid, rays);
   const MF lanes = hn::And(rays.lanes, traceable(set3(job.grid->origin), direction));
   count_invalid(job, rays.lanes, lanes);
@@ -112,10 +138,8 @@ HWY_NOINLINE void trace_edge_rays(const TileJob& job, int slot) {
   const MF anew = hn::Or(unseen, hn::And(lanes, hn::RebindMask(kF, hn::Ne(mark, hn::Zero(kI)))));
   look_into_shadows(job, rays, met, hn::AndNot(anew, lanes), found);
   push_anew(samples, direction, found, rays.code, anew);
-  const VF counts = hn::IfThenZeroElse(anew, set(1.0f));
-  add_shown(samples, &samples.rays[static_cast<std::size_t>(slot)],
-            std::min(kLanes, samples.ray_count - slot), scale(gather(samples.light, found), counts),
-            scale(gather(samples.ratio, found), counts));
+  add_cells(samples, &samples.rays[static_cast<std::size_t>(slot)], samples.ray_count - slot, found,
+            hn::IfThenZeroElse(anew, set(1.0f)));
 }
 
 // Makes packets of the rays whose hits are lit anew; returns how many.
@@ -214,7 +238,10 @@ HWY_NOINLINE void smooth_edges(const TileJob& job) {
   find_edges<kDetail>(job);
   for (int next = 0; next < samples.count;) {
     next = queue_edge_rays(job, next);
-    if (samples.anew_count + samples.ray_count > kTileRays) light_anew<kDetail, kLobe>(job);
+    if (samples.anew_count + samples.ray_count + samples.lit_anew_count > kTileRays) {
+      light_anew<kDetail, kLobe>(job);
+    }
+    push_lit_anew(job);
     for (int slot = 0; slot < samples.ray_count; slot += kLanes) trace_edge_rays<kDetail>(job, slot);
   }
   light_anew<kDetail, kLobe>(job);
