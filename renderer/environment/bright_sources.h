@@ -1,7 +1,8 @@
-// Parts of an environment picture that outshine the rest, as light from few directions. A sun of a thousand
-// times the sky's radiance shows in a wide highlight as an exact lobe of its own; what is left of the picture
-// is so even that a few look-ups of its filtered forms stand for the lobe.
-// Source of the division: Debevec, "A Median Cut Algorithm for Light Probe Sampling", 2005.
+// Small parts of an environment picture that outshine the rest, as light from discs: suns, lamps. What is
+// left of the picture is so even that a few look-ups of its filtered forms stand for a lobe, and GGX has a
+// closed form over a disc (highlights/disc_lobe-inl.h).
+// Source of the division: Debevec, "A Median Cut Algorithm for Light Probe Sampling", 2005; cut here where
+// the parts are smallest, not where they are equal.
 #pragma once
 
 #include <vector>
@@ -11,11 +12,18 @@
 
 namespace herr {
 
-// What exceeds this times the picture's mean belongs to a bright source.
+// What exceeds this times the picture's mean may belong to a bright source.
 inline constexpr double kBrightTimesMean = 8.0;
+// Radians from the middle of a source to its rim at most: what is wider is even enough for the picture.
+inline constexpr double kWidestRim = 0.1;
+inline constexpr int kMostParts = 128;  // of each source
 
-// Takes what is too bright out of `picture`, hue and all, and returns it: kMostBrightSources at most, as seen
-// in an unturned picture. Empty where nothing is.
-std::vector<BrightSource> take_bright_sources(SkyPicture& picture);
+struct BrightLight {
+  std::vector<BrightSource> sources;  // kMostBrightSources at most, as seen in an unturned picture
+  std::vector<BrightDisc> parts;
+};
+
+// Takes the bright sources out of `picture`, what is too bright of them, hue and all. Empty where nothing is.
+BrightLight take_bright_sources(SkyPicture& picture);
 
 }  // namespace herr

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
+#include "renderer/environment/blurred_picture.h"
 #include "renderer/environment/bright_sources.h"
 
 namespace herr {
@@ -13,12 +15,9 @@ namespace {
 
 // Of roughness 0.05: half a texel of the finest level wide. Towards roughness 0 the picture itself is shown.
 constexpr float kFirstAlpha = 0.0025f;
-constexpr int kWidestPicture = 1024, kWidestLevel = 512, kNarrowestLevel = 32;
+constexpr int kWidestPicture = 1024, kWidestLevel = 1024, kNarrowestLevel = 32;
 // Texels of a level along what its lobe turns directions by; interpolation shows no corners.
 constexpr double kTexelsPerAlpha = 1.0 / 0.7;
-// Sources stand apart in lobes whose alpha is at least this times the half turn to their rim: they are then
-// shown as an equal disc would be to a hundredth of the lobe's height.
-constexpr float kAlphasOfSource = 2.0f;
 
 double alpha_of(int level) {
   return kFirstAlpha * std::pow(1.0 / kFirstAlpha, level / (kMostFilteredLevels - 1.0));
@@ -35,98 +34,6 @@ int power_of_two(double at_least, int least, int most) {
   int width = least;
   while (width < most && width < at_least) width *= 2;
   return width;
-}
-
-// Where a texel of a level looks in the pyramid: so many columns on, at a height; rows of a level share it.
-struct Tap {
-  double columns = 0;  // of the whole turn, [0, 1)
-  double height = 0;   // [0, 1] from the zenith
-  int level = 0;
-  float finer = 1, weight = 0;
-};
-
-// Rings around the mirrored direction, wider outwards, on which the lobe hardly changes.
-struct Ring {
-  double middle, solid_angle, weight;
-  int places;
-};
-
-// GGX seen head on, n = v = r, over the directions: D / 4, weighed by the other half of Smith's masking.
-double lobe(double off, double alpha2) {
-  const double half = std::cos(0.5 * off), cosine = std::cos(off);
-  const double bottom = half * half * (alpha2 - 1) + 1;
-  const double masked = 2 * cosine / (cosine + std::sqrt(alpha2 + (1 - alpha2) * cosine * cosine));
-  return alpha2 / (bottom * bottom) * masked;
-}
-
-std::vector<Ring> rings_of(double alpha) {
-  constexpr double kWider = 1.45;
-  std::vector<Ring> rings;
-  double inner = 0, outer = 0.5 * alpha;
-  while (inner < glm::half_pi<double>()) {
-    outer = std::min(outer, glm::half_pi<double>());
-    const double centre = 0.5 * (inner + outer), a2 = alpha * alpha;
-    const double mean = (lobe(inner, a2) + 4 * lobe(centre, a2) + lobe(outer, a2)) / 6;
-    const double solid_angle = glm::two_pi<double>() * (std::cos(inner) - std::cos(outer));
-    rings.push_back(
-        {inner == 0 ? outer * 0.7071 : centre, solid_angle, mean * solid_angle, inner == 0 ? 6 : 12});
-    inner = outer;
-    outer *= kWider;
-  }
-  return rings;
-}
-
-struct Frame {
-  glm::dvec3 right, up, ahead;
-};
-Frame frame_of(const glm::dvec3& ahead) {
-  const glm::dvec3 side = std::abs(ahead.y) < 0.9 ? glm::dvec3{0, 1, 0} : glm::dvec3{1, 0, 0};
-  const glm::dvec3 right = glm::normalize(glm::cross(side, ahead));
-  return {right, glm::cross(ahead, right), ahead};
-}
-
-// The taps of the row of texels at `height`, for the one at azimuth 0.
-std::vector<Tap> taps_of(double height, const std::vector<Ring>& rings, int pyramid_levels, int full_width) {
-  const double polar = height * glm::pi<double>();
-  const Frame frame = frame_of({0, std::cos(polar), -std::sin(polar)});
-  double all = 0;
-  for (const Ring& ring : rings) all += ring.weight;
-  std::vector<Tap> taps;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const Ring& ring = rings[r];
-    for (int place = 0; place < ring.places; ++place) {
-      const double turn = glm::two_pi<double>() * (place + 0.5 * static_cast<double>(r % 2)) / ring.places;
-      const glm::dvec3 d = frame.ahead * std::cos(ring.middle) +
-                           (frame.right * std::cos(turn) + frame.up * std::sin(turn)) * std::sin(ring.middle);
-      Tap tap;
-      const double column = std::atan2(d.x, -d.z) / glm::two_pi<double>();
-      tap.columns = column - std::floor(column);
-      tap.height = std::atan2(std::hypot(d.x, d.z), d.y) / glm::pi<double>();
-      tap.weight = static_cast<float>(ring.weight / all / ring.places);
-      // Texels as large as what the tap stands for; square at the equator, and lower than wide nowhere.
-      const double side = std::sqrt(ring.solid_angle / ring.places);
-      const double level =
-          std::clamp(std::log2(side * full_width / glm::two_pi<double>()), 0.0, pyramid_levels - 1.0);
-      tap.level = std::min(static_cast<int>(level), pyramid_levels - 2);
-      tap.finer = static_cast<float>(1 - (level - tap.level));
-      taps.push_back(tap);
-    }
-  }
-  return taps;
-}
-
-void add(const SkyPicture& picture, double column, double height, float weight, std::array<float, 4>& sum) {
-  const double x = column * picture.width - 0.5, y = height * picture.height - 0.5;
-  const auto left = static_cast<int>(std::floor(x)), upper = static_cast<int>(std::floor(y));
-  const auto tx = static_cast<float>(x - left), ty = static_cast<float>(y - upper);
-  const int mask = picture.width - 1, last = picture.height - 1;  // the width is a power of two
-  const int x0 = left & mask, x1 = (left + 1) & mask;
-  const int y0 = std::clamp(upper, 0, last), y1 = std::clamp(upper + 1, 0, last);
-  const auto &a = picture.at(x0, y0), &b = picture.at(x1, y0), &c = picture.at(x0, y1),
-             &d = picture.at(x1, y1);
-  const float wa = weight * (1 - tx) * (1 - ty), wb = weight * tx * (1 - ty), wc = weight * (1 - tx) * ty,
-              wd = weight * tx * ty;
-  for (std::size_t i = 0; i < 4; ++i) sum[i] += wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i];
 }
 
 // Light that each direction's surface receives, over pi.
@@ -152,6 +59,41 @@ SkyPicture evenly_lit(const SkyPicture& picture) {
   return out;
 }
 
+glm::dvec3 evenly_lit_by(const std::vector<BrightDisc>& discs, const glm::dvec3& n) {
+  glm::dvec3 sum{0.0};
+  for (const BrightDisc& disc : discs) {
+    const double cosine = glm::dot(n, {disc.direction[0], disc.direction[1], disc.direction[2]});
+    if (cosine <= 0) continue;
+    sum += cosine * glm::one_over_pi<double>() *
+           glm::dvec3{disc.irradiance[0], disc.irradiance[1], disc.irradiance[2]};
+  }
+  return sum;
+}
+
+// Bilinear, in a direction of the world.
+std::array<float, 4> seen_in(const SkyPicture& picture, const glm::dvec3& d, float turn) {
+  const double column = std::atan2(d.x, -d.z) / glm::two_pi<double>() + 0.5 + double{turn};
+  const double x = (column - std::floor(column)) * picture.width - 0.5,
+               y = std::atan2(std::hypot(d.x, d.z), d.y) / glm::pi<double>() * picture.height - 0.5;
+  const auto left = static_cast<int>(std::floor(x)), upper = static_cast<int>(std::floor(y));
+  const auto tx = static_cast<float>(x - left), ty = static_cast<float>(y - upper);
+  const int mask = picture.width - 1, last = picture.height - 1;
+  std::array<float, 4> sum{};
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) {
+      const float weight = (i == 0 ? 1 - tx : tx) * (j == 0 ? 1 - ty : ty);
+      const std::array<float, 4>& texel = picture.at((left + i) & mask, std::clamp(upper + j, 0, last));
+      for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * texel[c];
+    }
+  }
+  return sum;
+}
+
+glm::dvec3 turned_back(const glm::dvec3& d, float turn) {
+  const double angle = double{turn} * glm::two_pi<double>(), c = std::cos(angle), s = std::sin(angle);
+  return {c * d.x - s * d.z, d.y, s * d.x + c * d.z};
+}
+
 const SkyPicture& of_width(const std::vector<SkyPicture>& pyramid, int width) {
   for (const SkyPicture& picture : pyramid) {
     if (picture.width <= width) return picture;
@@ -169,65 +111,53 @@ EnvironmentRecord as_record(const SkyPicture& picture, float turn) {
 FilteredEnvironment::FilteredEnvironment(const EnvironmentImage& picture, int probe_rays,
                                          const ParallelFor& parallel) {
   const int width = power_of_two(picture.width_px, 64, kWidestPicture);
-  std::vector<SkyPicture> whole = pyramid_of(resampled(picture, width, parallel));
-  SkyPicture dimmed = whole.front();
-  const std::vector<BrightSource> sources = take_bright_sources(dimmed);
-  record_.source_count = static_cast<int>(sources.size());
-  std::copy(sources.begin(), sources.end(), record_.sources);
-  float widest = 0;
-  for (const BrightSource& source : sources) widest = std::max(widest, std::sqrt(source.half_turn2));
+  SkyPicture dimmed = resampled(picture, width, parallel);
+  const std::vector<SkyPicture> whole = pyramid_of(dimmed);
+  BrightLight bright = take_bright_sources(dimmed);
+  parts_ = std::move(bright.parts);
+  record_.source_count = static_cast<int>(bright.sources.size());
+  std::copy(bright.sources.begin(), bright.sources.end(), record_.sources);
   record_.levels = kMostFilteredLevels;
   record_.first_alpha = kFirstAlpha;
   record_.levels_per_octave = static_cast<float>((kMostFilteredLevels - 1) / std::log2(1.0 / kFirstAlpha));
-  // The finest level, towards which sharper lobes fade from the picture itself, has the sources always.
-  record_.first_without_sources = 1;
-  while (record_.first_without_sources < kMostFilteredLevels &&
-         alpha_of(record_.first_without_sources) < double{kAlphasOfSource * widest}) {
-    ++record_.first_without_sources;
+  const std::vector<SkyPicture> rest = pyramid_of(std::move(dimmed));
+  filter_levels(rest, parallel);
+  even_rest_ = evenly_lit(of_width(rest, 64));
+  even_ = even_rest_;
+  for (int y = 0; y < even_.height; ++y) {
+    for (int x = 0; x < even_.width; ++x) {
+      const glm::dvec3 more = evenly_lit_by(parts_, even_.direction(x + 0.5, y + 0.5));
+      std::array<float, 4>& texel = even_.texels[static_cast<std::size_t>(y * even_.width + x)];
+      for (int c = 0; c < 3; ++c) texel[static_cast<std::size_t>(c)] += static_cast<float>(more[c]);
+    }
   }
-  if (sources.empty()) record_.first_without_sources = kMostFilteredLevels;
-  filter_levels(whole, pyramid_of(std::move(dimmed)), parallel);
-  even_ = evenly_lit(of_width(whole, 64));
   if (probe_rays <= 0) return;
   // As many texels as rays, or up to four times: rays that leave no gaps between them.
   const double spacing = std::sqrt(4 * glm::pi<double>() / probe_rays);
-  coarse_ = of_width(whole, power_of_two(glm::two_pi<double>() / spacing, 4, width));
+  const int rays_around = power_of_two(glm::two_pi<double>() / spacing, 4, width);
+  coarse_ = of_width(whole, rays_around);
+  coarse_rest_ = of_width(rest, rays_around);
+  for (std::size_t i = 0; i < coarse_.texels.size(); ++i) {
+    const std::array<float, 4>& all = coarse_.texels[i];
+    std::array<float, 4>& left = coarse_rest_.texels[i];
+    left[3] = std::max((all[0] + all[1] + all[2] - left[0] - left[1] - left[2]) / 3, 0.0f);
+  }
 }
 
-void FilteredEnvironment::filter_levels(const std::vector<SkyPicture>& whole,
-                                        const std::vector<SkyPicture>& rest, const ParallelFor& parallel) {
-  int texels = 0;
-  std::vector<int> first_row{0};
-  for (int k = 0; k < record_.levels; ++k) {
+void FilteredEnvironment::filter_levels(const std::vector<SkyPicture>& from, const ParallelFor& parallel) {
+  for (int k = 0, texels = 0; k < record_.levels; ++k) {
     const double wanted = glm::two_pi<double>() * kTexelsPerAlpha / alpha_of(k);
-    record_.width[k] = power_of_two(wanted, kNarrowestLevel, std::min(kWidestLevel, whole.front().width));
+    record_.width[k] = power_of_two(wanted, kNarrowestLevel, std::min(kWidestLevel, from.front().width));
     record_.height[k] = record_.width[k] / 2;
     record_.first_texel[k] = texels;
     texels += record_.width[k] * record_.height[k];
-    first_row.push_back(first_row.back() + record_.height[k]);
+    texels_.resize(4 * static_cast<std::size_t>(texels));
   }
-  texels_.resize(4 * static_cast<std::size_t>(texels));
-  parallel(first_row.back(), [&](int row) {
-    const auto k =
-        static_cast<int>(std::upper_bound(first_row.begin(), first_row.end(), row) - first_row.begin() - 1);
-    const auto level = static_cast<std::size_t>(k);
-    const std::vector<SkyPicture>& from = k < record_.first_without_sources ? whole : rest;
-    const int width = record_.width[level], y = row - first_row[level];
-    const std::vector<Tap> taps = taps_of((y + 0.5) / record_.height[level], rings_of(made_alpha(k, width)),
-                                          static_cast<int>(from.size()), from.front().width);
-    for (int x = 0; x < width; ++x) {
-      std::array<float, 4> sum{};
-      for (const Tap& tap : taps) {
-        const double column = tap.columns + (x + 0.5) / width;
-        const auto finer = static_cast<std::size_t>(tap.level);
-        add(from[finer], column, tap.height, tap.weight * tap.finer, sum);
-        add(from[finer + 1], column, tap.height, tap.weight * (1 - tap.finer), sum);
-      }
-      float* texel =
-          texels_.data() + 4 * static_cast<std::size_t>(record_.first_texel[level] + y * width + x);
-      std::copy(sum.begin(), sum.end(), texel);
-    }
-  });
+  for (int k = 0; k < record_.levels; ++k) {
+    const SkyPicture level = blurred(from, made_alpha(k, record_.width[k]), record_.width[k], parallel);
+    float* texel = texels_.data() + 4 * static_cast<std::size_t>(record_.first_texel[k]);
+    for (const std::array<float, 4>& of : level.texels) texel = std::copy(of.begin(), of.end(), texel);
+  }
 }
 
 FilteredRecord FilteredEnvironment::record(float turn) const {
@@ -235,7 +165,10 @@ FilteredRecord FilteredEnvironment::record(float turn) const {
   out.texels = texels_.data();
   out.even = as_record(even_, turn);
   out.coarse = as_record(coarse_, turn);
+  out.parts = parts_.data();
   const double angle = double{turn} * glm::two_pi<double>(), c = std::cos(angle), s = std::sin(angle);
+  out.turn_cosine = static_cast<float>(c);
+  out.turn_sine = static_cast<float>(s);
   for (int i = 0; i < out.source_count; ++i) {
     const float* of = record_.sources[i].direction;
     const double x = of[0], z = of[2];
@@ -246,9 +179,24 @@ FilteredRecord FilteredEnvironment::record(float turn) const {
   return out;
 }
 
+glm::dvec4 FilteredEnvironment::seen_by_rays(const glm::dvec3& direction, float turn) const {
+  const std::array<float, 4> seen = seen_in(coarse_rest_, direction, turn);
+  return {seen[0], seen[1], seen[2], seen[3]};
+}
+
+glm::dvec3 FilteredEnvironment::even_rest(const glm::dvec3& normal, float turn) const {
+  const std::array<float, 4> lit = seen_in(even_rest_, normal, turn);
+  return {lit[0], lit[1], lit[2]};
+}
+
+glm::dvec3 FilteredEnvironment::even_sources(const glm::dvec3& normal, float turn) const {
+  return evenly_lit_by(parts_, turned_back(normal, turn));
+}
+
 std::int64_t FilteredEnvironment::bytes() const {
-  const std::size_t floats = texels_.size() + 4 * (even_.texels.size() + coarse_.texels.size());
-  return static_cast<std::int64_t>(sizeof(float) * floats);
+  const std::size_t floats =
+      texels_.size() + 8 * even_.texels.size() + 4 * (coarse_.texels.size() + coarse_rest_.texels.size());
+  return static_cast<std::int64_t>(sizeof(float) * floats + sizeof(BrightDisc) * parts_.size());
 }
 
 }  // namespace herr

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "renderer/environment/picture_pyramid.h"
@@ -22,12 +24,21 @@ class FilteredEnvironment {
   FilteredRecord record(float turn) const;
   std::int64_t bytes() const;
 
+  // What rays of probes see in a direction of the world: R, G, B without the bright sources, and the mean of
+  // what those send, each as wide as what a ray stands for.
+  glm::dvec4 seen_by_rays(const glm::dvec3& direction, float turn) const;
+  // Light that a surface facing the direction receives, over pi: without the bright sources, and theirs.
+  glm::dvec3 even_rest(const glm::dvec3& normal, float turn) const;
+  glm::dvec3 even_sources(const glm::dvec3& normal, float turn) const;
+
  private:
-  void filter_levels(const std::vector<SkyPicture>& whole, const std::vector<SkyPicture>& rest,
-                     const ParallelFor& parallel);
+  void filter_levels(const std::vector<SkyPicture>& from, const ParallelFor& parallel);
   FilteredRecord record_;
   std::vector<float> texels_;
-  SkyPicture even_, coarse_;
+  std::vector<BrightDisc> parts_;
+  SkyPicture even_, even_rest_;
+  SkyPicture coarse_,
+      coarse_rest_;  // as rays of probes see it: whole; the rest, and the brightness of sources
 };
 
 }  // namespace herr

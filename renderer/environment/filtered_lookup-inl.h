@@ -10,18 +10,22 @@ HWY_BEFORE_NAMESPACE();
 namespace herr {
 namespace HWY_NAMESPACE {
 
-struct FilteredLight {
-  V3 radiance;
-  VF sources;  // share of the bright sources that is not in it
-};
-
 constexpr float kSharpestAlpha = 1e-3f;  // of roughness 0: the picture itself
 
-// Between levels, where alpha lies in octaves between theirs. `direction`: unit, `alpha`: above 0, both in
-// every lane.
-HWY_INLINE FilteredLight filtered_light(const FilteredRecord& from, const EnvironmentRecord& sharp,
-                                        const V3& direction, VF alpha) {
-  const VF zero = hn::Zero(kF), one = set(1.0f);
+// How much of what a lobe shows comes by levels and sources: all from the first level's alpha on, less of
+// narrower ones, by their tails.
+HWY_INLINE VF filtered_share(const FilteredRecord& from, VF alpha2) {
+  const float first = from.first_alpha * from.first_alpha, sharpest = kSharpestAlpha * kSharpestAlpha;
+  const float per_range = 1.0f / (first - sharpest);
+  const VF tails = hn::Mul(hn::Sub(alpha2, set(sharpest)), set(per_range));
+  return hn::Min(hn::Max(tails, hn::Zero(kF)), set(1.0f));
+}
+
+// Radiance without the bright sources' part of `share`, filtered_share(). Between levels, where alpha lies in
+// octaves between theirs. `direction`: unit, `alpha`: above 0, all in every lane.
+HWY_INLINE V3 filtered_light(const FilteredRecord& from, const EnvironmentRecord& sharp, const V3& direction,
+                             VF alpha, VF share) {
+  const VF one = set(1.0f);
   const PicturePlace place = picture_place(sharp.turn, direction);
   const VF wider = hn::Mul(alpha, set(1.0f / from.first_alpha));
   const VF octaves = hn::Mul(hn::Log(kF, hn::Max(wider, one)), set(1.44269504f));
@@ -35,19 +39,12 @@ HWY_INLINE FilteredLight filtered_light(const FilteredRecord& from, const Enviro
                          hn::GatherIndex(kI, from.width, at), hn::GatherIndex(kI, from.height, at), place);
   };
   const V3 low = look(lower), high = look(upper);
-  FilteredLight out{mul_add(between, sub(high, low), low), zero};
-  const VF apart = hn::Sub(level, set(static_cast<float>(from.first_without_sources - 1)));
-  out.sources = hn::Min(hn::Max(apart, zero), one);
-  const MF narrow = hn::Lt(wider, one);
-  if (hn::AllFalse(kF, narrow)) return out;
+  const V3 blurred = mul_add(between, sub(high, low), low);
+  const MF narrow = hn::Lt(share, one);
+  if (hn::AllFalse(kF, narrow)) return blurred;
   const V3 seen =
       picture_texel(sharp.texels, hn::Zero(kI), hn::Set(kI, sharp.width), hn::Set(kI, sharp.height), place);
-  const float sharpest = kSharpestAlpha / from.first_alpha, per_range = 1.0f / (1.0f - sharpest * sharpest);
-  const VF tails =
-      hn::Max(hn::MulAdd(hn::Mul(wider, wider), set(per_range), set(-sharpest * sharpest * per_range)), zero);
-  const V3 blurred = mul_add(tails, sub(out.radiance, seen), seen);
-  out.radiance = select(narrow, blurred, out.radiance);
-  return out;
+  return select(narrow, mul_add(share, sub(blurred, seen), seen), blurred);
 }
 
 }  // namespace HWY_NAMESPACE

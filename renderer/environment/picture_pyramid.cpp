@@ -48,6 +48,13 @@ double SkyPicture::solid_angle(int y) const {
 SkyPicture resampled(const EnvironmentImage& picture, int width, const ParallelFor& parallel) {
   SkyPicture out{width, width / 2, {}};
   out.texels.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  if (picture.width_px == out.width && picture.height_px == out.height) {
+    for (std::size_t i = 0; i < out.texels.size(); ++i) {
+      std::copy_n(picture.rgba.data() + 4 * i, 3, out.texels[i].data());
+      out.texels[i][3] = 0;
+    }
+    return out;
+  }
   const int steps = std::max(2, 2 * ((picture.width_px + width - 1) / width));
   parallel(out.height, [&](int y) {
     for (int x = 0; x < out.width; ++x) {

@@ -28,7 +28,8 @@ struct SkyPicture {
 // Calls the job for each number below the count, on any thread.
 using ParallelFor = std::function<void(int count, const std::function<void(int)>& job)>;
 
-// The picture at `width` x `width` / 2 texels, the mean over each of what bilinear look-ups give.
+// The picture at `width` x `width` / 2 texels, the mean over each of what bilinear look-ups give; as it is
+// where it has that size.
 SkyPicture resampled(const EnvironmentImage& picture, int width, const ParallelFor& parallel);
 // Half as wide and high, by solid angle. The width is a power of two from 4 on.
 SkyPicture halved(const SkyPicture& picture);

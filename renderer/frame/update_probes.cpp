@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "renderer/environment/sky_of_rays.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
 #include "renderer/memory_use.h"
@@ -44,7 +45,8 @@ void Renderer::Impl::build_probes() {
   probe_lights.reserve(scene.lights.size());
   real_probe_lights.reserve(scene.lights.size());
   probe_radiance.resize(static_cast<std::size_t>(threads.count()));
-  for (auto& radiance : probe_radiance) radiance.resize(3 * static_cast<std::size_t>(settings.probes.rays));
+  for (auto& radiance : probe_radiance)
+    radiance.resize(kProbeRayLanes * static_cast<std::size_t>(settings.probes.rays));
   place_for_probes();
   ProbePlacement::settle(*probes, scene, *geometry, threads);
   if (scene.changes) {
@@ -71,6 +73,9 @@ void Renderer::Impl::aim_probes(const FrameSample& sample, const SceneState& sta
   probes->begin_frame(sample.t_ns, summed_power(state), most);
   probes->directions.aim(frame_key(sample.t_ns - sample.start_ns, kProbeKey, settings.seed),
                          probes->node_directions);
+  if (filtered_environment) {
+    aim_sky(probes->directions, probes->node_directions, *filtered_environment, shading.environment_map.turn);
+  }
   real_probe_lights.clear();
   light_records(state.lights, geometry->anchor(), probe_plan.light_sampling(1), light_reach(), probe_lights);
   // Catchers alone stand for the real room, in which no virtual light shines.

@@ -25,6 +25,15 @@ struct LobeAngles {
   VF n_l, n_v, n_h, l_h;
 };
 
+// Hammon's visibility: masking of both ways over 4 n.l n.v.
+HWY_INLINE VF visibility(const LobeAngles& at, VF alpha2) {
+  const VF tiny = set(1e-8f), alpha = hn::Sqrt(alpha2);
+  const VF smooth_view = hn::Mul(set(2.0f), hn::Mul(at.n_l, at.n_v));
+  return hn::Div(
+      set(0.5f),
+      hn::Max(hn::MulAdd(alpha, hn::Sub(hn::Add(at.n_l, at.n_v), smooth_view), smooth_view), tiny));
+}
+
 // GGX times visibility, of `alpha2`, at least as wide as rays and samples (see reflectance).
 HWY_INLINE VF ggx(const LobeAngles& at, const V3& n, VF alpha2, VF wide2) {
   const VF tiny = set(1e-8f);
@@ -32,15 +41,11 @@ HWY_INLINE VF ggx(const LobeAngles& at, const V3& n, VF alpha2, VF wide2) {
   const V3 c = cross(n, at.h);
   const VF spread = hn::Max(hn::MulAdd(hn::Mul(wide2, at.n_h), at.n_h, dot(c, c)), tiny);
   // GGX times n.h is 1 over all half vectors; what spreads light over a curved surface is 1 over all its
-  // normals: that share of it takes the factor n.h. It shades nothing: alpha in `shadowing` is the surface's.
+  // normals: that share of it takes the factor n.h. It shades nothing: alpha in `visibility` is the
+  // surface's.
   const VF height = hn::MulAdd(hn::Sub(wide2, alpha2), at.n_h, alpha2);
   const VF lobe = hn::Div(hn::Mul(height, set(kInvPi)), hn::Mul(spread, spread));
-  const VF alpha = hn::Sqrt(alpha2);
-  const VF smooth_view = hn::Mul(set(2.0f), hn::Mul(at.n_l, at.n_v));
-  const VF shadowing =
-      hn::Div(set(0.5f),
-              hn::Max(hn::MulAdd(alpha, hn::Sub(hn::Add(at.n_l, at.n_v), smooth_view), smooth_view), tiny));
-  return hn::Mul(lobe, shadowing);
+  return hn::Mul(lobe, visibility(at, alpha2));
 }
 
 // KHR_materials_anisotropy: alpha along the tangent is mix(alpha, 1, strength^2), across it alpha.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "renderer/environment/filtered_lookup-inl.h"
+#include "renderer/highlights/disc_lobe-inl.h"
 #include "renderer/highlights/lobe_albedo.h"
 #include "renderer/highlights/visible_normals-inl.h"
 #include "renderer/lighting/reflectance-inl.h"
@@ -77,20 +78,15 @@ HWY_NOINLINE inline void prepare_gloss(const FramePlan& plan, HitBatch& hits, in
 // each half stands at this share of the area of visible normals, and is as wide as the lobe is across.
 constexpr float kHalfLobe = 0.12f;
 
-struct LobeLight {
-  V3 radiance;  // mean over the lobe, per channel
-  VF sources;   // share of the bright sources that is not in it
-};
-
-HWY_INLINE LobeLight light_in_lobe(const ShadingInputs& shading, const HitBatch& hits, int slot, const V3& n,
-                                   const V3& v, VF n_v, const V3& f0, VF f90) {
+// Mean radiance over the lobe, per channel, without the bright sources' part of `share`.
+HWY_INLINE V3 light_in_lobe(const ShadingInputs& shading, const HitBatch& hits, int slot, const V3& n,
+                            const V3& v, VF n_v, const V3& f0, VF f90, VF share) {
   const VF zero = hn::Zero(kF), alpha2 = load(&hits.alpha2[slot]);
   DrawnLobe lobe;
   lobe.t = across_towards(n, v, n_v);
   lobe.alpha_t = lobe.alpha_b = hn::Sqrt(alpha2);
   set_up(lobe, n, v, n_v);
   V3 sum{zero, zero, zero}, weights = sum;
-  VF apart = zero, all = zero;
   for (const float side : {1.0f, -1.0f}) {
     const DrawnDirection at = draw(lobe, v, set(side), zero, set(kHalfLobe));
     const VF l_h = hn::Max(dot(at.direction, at.h), set(0.1f)), n_l = dot(n, at.direction);
@@ -100,35 +96,98 @@ HWY_INLINE LobeLight light_in_lobe(const ShadingInputs& shading, const HitBatch&
     const VF below =
         hn::Sqrt(hn::MulAdd(hn::NegMulAdd(alpha2, hn::Mul(n_l, n_l), hn::Mul(n_l, n_l)), set(1.0f), alpha2));
     const VF open = hn::Max(hn::Div(hn::Add(n_l, n_l), hn::Max(hn::Add(n_l, below), set(1e-6f))), set(1e-3f));
-    const FilteredLight light =
-        filtered_light(shading.filtered, shading.environment_map, at.direction, alpha);
+    const V3 light = filtered_light(shading.filtered, shading.environment_map, at.direction, alpha, share);
     const VF grazing = schlick_weight(l_h);
     const V3 weight = scale(mul_add(grazing, sub({f90, f90, f90}, f0), f0), open);
-    sum = {hn::MulAdd(weight.x, light.radiance.x, sum.x), hn::MulAdd(weight.y, light.radiance.y, sum.y),
-           hn::MulAdd(weight.z, light.radiance.z, sum.z)};
+    sum = {hn::MulAdd(weight.x, light.x, sum.x), hn::MulAdd(weight.y, light.y, sum.y),
+           hn::MulAdd(weight.z, light.z, sum.z)};
     weights = add(weights, weight);
-    apart = hn::MulAdd(open, light.sources, apart);
-    all = hn::Add(all, open);
   }
   const auto mean = [](VF total, VF weight) HWY_ATTR { return hn::Div(total, hn::Max(weight, set(1e-20f))); };
-  return {{mean(sum.x, weights.x), mean(sum.y, weights.y), mean(sum.z, weights.z)}, hn::Div(apart, all)};
+  return {mean(sum.x, weights.x), mean(sum.y, weights.y), mean(sum.z, weights.z)};
 }
 
-// Highlights of the bright sources, which the lobe takes by themselves.
-HWY_INLINE V3 sources_lit(const ShadingInputs& shading, const HitBatch& hits, int slot, const V3& n,
-                          const V3& v, const V3& f0, VF f90) {
-  const VF zero = hn::Zero(kF), alpha2 = load(&hits.alpha2[slot]);
-  V3 sum{zero, zero, zero};
-  for (int i = 0; i < shading.filtered.source_count; ++i) {
-    const BrightSource& source = shading.filtered.sources[i];
-    const V3 light = set3(source.direction);
-    const VF n_l = dot(n, light);
-    if (hn::AllFalse(kF, hn::Gt(n_l, zero))) continue;
-    const LobeAngles at = lobe_angles(n, v, light, hn::Max(n_l, zero));
-    const VF turn2 = hn::MulAdd(set(0.25f), turn2_between_rays(hits, slot, at.l_h), set(source.half_turn2));
-    const VF common = hn::Mul(ggx(at, n, alpha2, hn::Add(alpha2, turn2)), at.n_l);
-    const V3 colour = mul_add(schlick_weight(at.l_h), sub({f90, f90, f90}, f0), f0);
-    sum = add(sum, multiply(scale(colour, common), set3(source.irradiance)));
+// A lobe that discs light: of a hit, or turned with the picture.
+struct LitLobe {
+  V3 n, v, f0;
+  VF f90, alpha2;
+  float least_alpha2;  // narrower ones are shown by the picture
+};
+
+struct DiscLight {
+  VF lit;       // share of the irradiance, but for colour and Fresnel
+  VF grazing;   // Schlick's weight
+  MF near;      // the disc's shape shows
+  MF in_front;  // of the surface
+};
+
+// Where the square of the lobe's width and of its distance from a source is this many times that of its rim,
+// only its area shows.
+constexpr float kShapeShows2 = 24.0f;
+
+HWY_INLINE DiscLight light_of_disc(const HitBatch& hits, int slot, const LitLobe& lobe,
+                                   const BrightDisc& disc) {
+  const VF zero = hn::Zero(kF);
+  const V3 light = set3(disc.direction);
+  const VF n_l = dot(lobe.n, light);
+  DiscLight out{zero, zero, first_lanes(0), hn::Gt(n_l, zero)};
+  if (hn::AllFalse(kF, out.in_front)) return out;
+  const LobeAngles at = lobe_angles(lobe.n, lobe.v, light, hn::Max(n_l, zero));
+  const VF turn2 = hn::Mul(set(0.25f), turn2_between_rays(hits, slot, at.l_h));
+  const VF wide2 = hn::Max(hn::Add(lobe.alpha2, turn2), set(lobe.least_alpha2));
+  // Across the plane of light and viewer half vectors turn by 1 / l.h more: a disc of the same area.
+  const VF rim2 = hn::Div(set(disc.half_turn2), hn::Max(at.l_h, set(0.1f)));
+  const V3 off = cross(lobe.n, at.h);
+  // GGX is alpha^2 over the square of |n x h|^2 + (alpha n.h)^2. What spreads light over a curved surface is
+  // weighed by n.h, as in ggx().
+  const VF n_h2 = hn::Max(hn::Mul(at.n_h, at.n_h), set(1e-6f));
+  const VF off2 = dot(off, off), height2 = hn::Mul(wide2, n_h2);
+  const VF weighed = hn::Div(hn::MulAdd(turn2, at.n_h, hn::Sub(wide2, turn2)), height2);
+  const VF d = hn::Mul(ggx_over_disc(off2, height2, rim2), weighed);
+  out.lit = hn::Mul(d, hn::Mul(visibility(at, lobe.alpha2), at.n_l));
+  out.grazing = schlick_weight(at.l_h);
+  out.near = hn::Gt(hn::Mul(set(kShapeShows2), rim2), hn::Add(off2, height2));
+  return out;
+}
+
+HWY_INLINE V3 coloured(const LitLobe& lobe, const DiscLight& by, const float* irradiance) {
+  const V3 f90{lobe.f90, lobe.f90, lobe.f90};
+  return multiply(scale(mul_add(by.grazing, sub(f90, lobe.f0), lobe.f0), by.lit), set3(irradiance));
+}
+
+HWY_NOINLINE inline V3 lit_by_parts(const FilteredRecord& from, const HitBatch& hits, int slot,
+                                    const LitLobe& lobe, const BrightSource& source) {
+  // The picture's own directions: turned clockwise by its turn.
+  const auto unturned = [&](const V3& d) HWY_ATTR -> V3 {
+    const VF c = set(from.turn_cosine), s = set(from.turn_sine);
+    return {hn::NegMulAdd(s, d.z, hn::Mul(c, d.x)), d.y, hn::MulAdd(s, d.x, hn::Mul(c, d.z))};
+  };
+  LitLobe turned = lobe;
+  turned.n = unturned(lobe.n);
+  turned.v = unturned(lobe.v);
+  V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
+  for (int i = source.first_part; i < source.first_part + source.parts; ++i) {
+    const DiscLight by = light_of_disc(hits, slot, turned, from.parts[i]);
+    sum = add(sum, coloured(turned, by, from.parts[i].irradiance));
+  }
+  return sum;
+}
+
+// Highlights of the bright sources, which the lobe takes by themselves: as discs, and near each of those as
+// the parts that it is made of.
+HWY_INLINE V3 sources_lit(const FilteredRecord& from, const HitBatch& hits, int slot, const LitLobe& lobe,
+                          MF lanes) {
+  V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
+  for (int i = 0; i < from.source_count; ++i) {
+    const BrightSource& source = from.sources[i];
+    const DiscLight by = light_of_disc(hits, slot, lobe, source);
+    if (hn::AllFalse(kF, by.in_front)) continue;
+    V3 lit = coloured(lobe, by, source.irradiance);
+    const MF near = hn::And(by.near, lanes);
+    if (source.parts > 1 && !hn::AllFalse(kF, near)) {
+      lit = select(near, lit_by_parts(from, hits, slot, lobe, source), lit);
+    }
+    sum = add(sum, lit);
   }
   return sum;
 }
@@ -152,12 +211,17 @@ HWY_NOINLINE inline void show_environment(const ShadingInputs& shading, HitBatch
     const VF n_v = hn::Min(hn::Max(hn::Abs(dot(n, v)), set(1e-4f)), one);
     const V3 f0 = load3(hits.f0, slot), albedo = load3(gloss.albedo, slot);
     const VF f90 = grazing_reflectance(plan, hits, slot);
-    const LobeLight lobe = light_in_lobe(shading, hits, slot, n, v, n_v, f0, f90);
-    V3 shine = multiply(albedo, lobe.radiance);
-    if (shading.filtered.source_count > 0 && !hn::AllFalse(kF, hn::And(own, hn::Gt(lobe.sources, zero)))) {
+    const VF alpha2 = load(&hits.alpha2[slot]);
+    const VF turn2 = hn::Mul(set(0.25f), turn2_between_rays(hits, slot, n_v));
+    const VF by_levels = filtered_share(shading.filtered, hn::Add(alpha2, turn2));
+    V3 shine = multiply(albedo, light_in_lobe(shading, hits, slot, n, v, n_v, f0, f90, by_levels));
+    const MF sees_sources = hn::And(own, hn::Gt(by_levels, zero));
+    if (shading.filtered.source_count > 0 && !hn::AllFalse(kF, sees_sources)) {
       const V3 gain = scattered_again(f0, f90, load(&gloss.again[slot]));
-      const V3 lit = multiply(gain, sources_lit(shading, hits, slot, n, v, f0, f90));
-      shine = mul_add(lobe.sources, lit, shine);
+      const float least = shading.filtered.first_alpha * shading.filtered.first_alpha;
+      const LitLobe lobe{n, v, f0, f90, alpha2, least};
+      const V3 lit = multiply(gain, sources_lit(shading.filtered, hits, slot, lobe, sees_sources));
+      shine = mul_add(by_levels, lit, shine);
     }
     store3(only(own, shine), gloss.shine, slot);
     V3 around = shine;

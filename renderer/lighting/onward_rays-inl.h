@@ -128,7 +128,7 @@ HWY_INLINE V3 light_from_outside(const TileJob& job, HitBatch& hits, int slot, M
   ProbeSum sums[1];
   const LookupPoint at = lookup_point(*shading.probes, hits, slot, lanes);
   ask_probes<1>({shading.probes}, at, sums);
-  const V3 light = sums[0].radiance(shading, at);
+  const V3 light = sums[0].radiance(shading, *shading.probes, at);
   store3(viewer, hits.viewer, slot), store3(normal, hits.normal, slot);
   store3(side, hits.geometric_normal, slot);
   return light;

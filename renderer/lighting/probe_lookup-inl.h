@@ -267,6 +267,26 @@ HWY_INLINE VF standing_weight(const LookupPoint& at, const ProbeStand& stand, in
   return hn::IfThenElseZero(at.surface, hn::Mul(weight, stand.usable));
 }
 
+// What probes know of an open sky, told at nodes alone, against what the sky sends to the surface between
+// them: where they see all of it the difference is added whole, elsewhere the share of it that they see.
+HWY_INLINE V3 between_nodes(const ShadingInputs& shading, const ProbeView& view, const LookupPoint& at,
+                            const V3& known) {
+  V3 told{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
+  for (int tap = 0; tap < 3; ++tap) {
+    const VI node = hn::ShiftLeft<2>(at.light_taps.node[tap]);
+    const V3 sky{hn::GatherIndex(kF, view.sky, node), hn::GatherIndex(kF, view.sky + 1, node),
+                 hn::GatherIndex(kF, view.sky + 2, node)};
+    told = mul_add(at.light_taps.weight[tap], sky, told);
+  }
+  const V3 sent = environment_texel(shading.filtered.even, at.normal);
+  const auto channel = [](VF light, VF of_nodes, VF whole) HWY_ATTR {
+    const VF seen = hn::Min(hn::Div(light, hn::Max(of_nodes, set(1e-20f))), set(1.0f));
+    return hn::Max(hn::MulAdd(seen, hn::Sub(whole, of_nodes), light), hn::Zero(kF));
+  };
+  return {channel(known.x, told.x, sent.x), channel(known.y, told.y, sent.y),
+          channel(known.z, told.z, sent.z)};
+}
+
 // What one set of probes says about a point: a weighed sum, and the weights.
 struct ProbeSum {
   V3 light;
@@ -274,12 +294,13 @@ struct ProbeSum {
 
   // Mean radiance from all sides (irradiance / pi), without the lights' own. The environment answers where no
   // probe can and the surface faces out of the volume.
-  HWY_INLINE V3 radiance(const ShadingInputs& shading, const LookupPoint& at) const {
+  HWY_INLINE V3 radiance(const ShadingInputs& shading, const ProbeView& view, const LookupPoint& at) const {
     const VF one = set(1.0f);
     const VF scale_up = hn::Div(one, hn::Max(weights, set(kSmallestKnowledge)));
     const VF unknown = hn::Max(hn::NegMulAdd(weights, set(1.0f / kSmallestKnowledge), one), hn::Zero(kF));
     const VF open = hn::IfThenElseZero(hn::And(at.surface, at.cell.faces_out), unknown);
-    const V3 known = scale(light, scale_up);
+    V3 known = scale(light, scale_up);
+    if (view.sky != nullptr) known = between_nodes(shading, view, at, known);
     if (hn::AllFalse(kF, hn::Gt(open, hn::Zero(kF)))) return known;
     const V3 outside = shading.filtered.even.texels != nullptr
                            ? environment_texel(shading.filtered.even, at.normal)
@@ -329,13 +350,13 @@ HWY_NOINLINE inline void indirect_light(const TileJob& job, HitBatch& hits, int 
     if (shading.catcher_probes == nullptr || hn::AllFalse(kF, catcher)) {
       ProbeSum sums[1];
       ask_probes<1>({shading.probes}, at, sums);
-      store3(sums[0].radiance(shading, at), hits.indirect, slot);
+      store3(sums[0].radiance(shading, *shading.probes, at), hits.indirect, slot);
       continue;
     }
     ProbeSum sums[2];
     ask_probes<2>({shading.probes, shading.catcher_probes}, at, sums);
-    store3(sums[0].radiance(shading, at), hits.indirect, slot);
-    store3(sums[1].radiance(shading, at), hits.indirect_without, slot);
+    store3(sums[0].radiance(shading, *shading.probes, at), hits.indirect, slot);
+    store3(sums[1].radiance(shading, *shading.catcher_probes, at), hits.indirect_without, slot);
   }
 }
 

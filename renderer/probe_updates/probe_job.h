@@ -2,12 +2,17 @@
 // against last frame's light; then blended into what was gathered; published when all jobs are done.
 #pragma once
 
+#include <cstddef>
+
 #include "renderer/probes/probe_volume.h"
 #include "renderer/tiles/tile_job.h"
 
 namespace herr {
 
-// One channel of one direction, of all probes of a job.
+// Of each ray: three channels of the light it brings, and 1 where it met nothing, otherwise 0.
+inline constexpr std::size_t kProbeRayLanes = 4;
+
+// One of those of one direction, of all probes of a job.
 struct alignas(64) ProbeLanes {
   float of_probe[kProbeLanes];
 };
@@ -17,7 +22,7 @@ struct ProbeJob {
   ProbeVolume* volume = nullptr;
   int set = 0;
   int job = 0;
-  ProbeLanes* radiance = nullptr;  // of this worker: three channels a ray
+  ProbeLanes* radiance = nullptr;  // of this worker: kProbeRayLanes a ray
 };
 
 using ProbeKernel = void (*)(const ProbeJob&);

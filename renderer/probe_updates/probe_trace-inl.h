@@ -111,11 +111,12 @@ HWY_INLINE void store_radiance(const ProbeJob& job, int first, int rays) {
     light = {sound(light.x, bad), sound(light.y, bad), sound(light.z, bad)};
     bad = hn::And(bad, first_lanes(probes - slot % kProbeLanes));
     job.tile.counters->nonfinite_values += static_cast<std::int64_t>(hn::CountTrue(kF, bad));
-    ProbeLanes* to = job.radiance + 3 * ray;
+    ProbeLanes* to = job.radiance + kProbeRayLanes * ray;
     const int lane = slot % kProbeLanes;
     hn::Store(light.x, kF, to[0].of_probe + lane);
     hn::Store(light.y, kF, to[1].of_probe + lane);
     hn::Store(light.z, kF, to[2].of_probe + lane);
+    hn::Store(hn::IfThenElseZero(of_kind(hits, slot, HitKind::miss), set(1.0f)), kF, to[3].of_probe + lane);
   }
 }
 

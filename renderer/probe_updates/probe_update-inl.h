@@ -62,9 +62,13 @@ HWY_INLINE ProbeGroup probe_group(const ProbeJob& job, int first) {
 }
 
 HWY_INLINE V3 ray_light(const ProbeJob& job, const ProbeGroup& group, int ray) {
-  const ProbeLanes* channel = job.radiance + 3 * static_cast<std::size_t>(ray);
+  const ProbeLanes* channel = job.radiance + kProbeRayLanes * static_cast<std::size_t>(ray);
   return load3(channel[0].of_probe + group.first, channel[1].of_probe + group.first,
                channel[2].of_probe + group.first);
+}
+
+HWY_INLINE VF ray_open(const ProbeJob& job, const ProbeGroup& group, int ray) {
+  return load(job.radiance[kProbeRayLanes * static_cast<std::size_t>(ray) + 3].of_probe + group.first);
 }
 
 // Mean luminance of this frame's rays and its mean square.
@@ -116,17 +120,33 @@ HWY_INLINE Reaction reaction(const ProbeJob& job, const ProbeGroup& group, const
   return out;
 }
 
+// What rays bring to a node: weighted, and in a filtered environment by shares of the sky where they met
+// nothing.
+template <bool kSky>
+HWY_INLINE V3 light_of_node(const ProbeJob& job, const ProbeGroup& group, std::size_t node) {
+  const ProbeDirections& directions = job.volume->directions;
+  V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
+  const auto end = static_cast<std::size_t>(directions.first_weight[node + 1]);
+  for (auto i = static_cast<std::size_t>(directions.first_weight[node]); i < end; ++i) {
+    const auto [ray, weight] = directions.weights[i];
+    V3 light = ray_light(job, group, ray);
+    if constexpr (kSky) {
+      const VF open = ray_open(job, group, ray);
+      light = only(hn::Eq(open, hn::Zero(kF)), light);
+      sum = mul_add(open, set3(directions.sky[i].light), sum);
+    }
+    sum = mul_add(set(weight), light, sum);
+  }
+  return sum;
+}
+
 HWY_INLINE void blend_light(const ProbeJob& job, const ProbeGroup& group, VF kept) {
   const ProbeVolume& volume = *job.volume;
-  const ProbeDirections& directions = volume.directions;
+  const bool sky = !volume.directions.sky.empty();
   float* gathered = job.volume->sets[static_cast<std::size_t>(job.set)].gathered.data();
   const VI base = hn::Mul(group.probes, hn::Set(kI, kLightFloats));
   for (std::size_t node = 0; node < volume.node_directions.size(); ++node) {
-    V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
-    const auto end = static_cast<std::size_t>(directions.first_weight[node + 1]);
-    for (auto i = static_cast<std::size_t>(directions.first_weight[node]); i < end; ++i) {
-      sum = mul_add(set(directions.weights[i].weight), ray_light(job, group, directions.weights[i].ray), sum);
-    }
+    const V3 sum = sky ? light_of_node<true>(job, group, node) : light_of_node<false>(job, group, node);
     int channel = 0;
     for (const VF light : {sum.x, sum.y, sum.z}) {
       float* const to = gathered + channel++ * kLightChannel + node;

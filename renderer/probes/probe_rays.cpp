@@ -35,6 +35,7 @@ void ProbeDirections::allocate(int rays, int directions) {
   x.resize(n), y.resize(n), z.resize(n);
   first_weight.resize(static_cast<std::size_t>(directions) + 1);
   weights.reserve(n * static_cast<std::size_t>(directions));
+  sky.reserve(n * static_cast<std::size_t>(directions));
 }
 
 void ProbeDirections::aim(std::uint32_t frame_key, const std::vector<glm::dvec3>& node_directions) {
@@ -46,6 +47,7 @@ void ProbeDirections::aim(std::uint32_t frame_key, const std::vector<glm::dvec3>
     x[ray] = static_cast<float>(d.x), y[ray] = static_cast<float>(d.y), z[ray] = static_cast<float>(d.z);
   }
   weights.clear();
+  sky.clear();
   for (std::size_t node = 0; node < node_directions.size(); ++node) {
     first_weight[node] = static_cast<std::int32_t>(weights.size());
     const glm::vec3 n(node_directions[node]);

@@ -26,11 +26,18 @@ struct ProbeDirections {
   };
   std::vector<Weight> weights;
   std::vector<std::int32_t> first_weight;  // per direction, then the end
-  std::uint32_t key = 0;                   // random numbers of the frame
+  // Per weight what the ray brings, R, G, B, where it meets nothing; empty: the environment it sees, times
+  // its weight (environment/sky_of_rays.h).
+  struct SkyShare {
+    float light[3];
+  };
+  std::vector<SkyShare> sky;
+  std::vector<float> sky_nodes;  // with a sky, all of it: R, G, B, unused for each node of the irradiance map
+  std::uint32_t key = 0;         // random numbers of the frame
 
   // Allocates for `rays`, kFewestProbeRays ... kMostProbeRays (renderer/render_settings.h).
   void allocate(int rays, int directions);
-  // New frame; `node_directions` are those of the irradiance map. No allocation.
+  // New frame, without a sky; `node_directions` are those of the irradiance map. No allocation.
   void aim(std::uint32_t frame_key, const std::vector<glm::dvec3>& node_directions);
   int rays() const { return static_cast<int>(x.size()); }
 };

@@ -34,6 +34,7 @@ struct ProbeView {
   const float* places = nullptr;             // per probe x, y, z (metres from `lower`), 1 = usable or 0
   const std::uint32_t* distances = nullptr;  // per probe DistanceNodes::kCount words
   const std::uint32_t* light = nullptr;      // per probe LightNodes::kCount * kLightWords words
+  const float* sky = nullptr;  // an open sky at LightNodes::kCount nodes, R, G, B, unused; or none
 };
 
 }  // namespace herr

@@ -42,6 +42,7 @@ ProbeVolume::ProbeVolume(const ProbeGrid& grid_in, const ProbeSettings& settings
     if (LightNodes::first_of(node) == node) node_directions.push_back(LightNodes::direction(node));
   }
   directions.allocate(settings.rays, static_cast<int>(node_directions.size()));
+  directions.sky_nodes.resize(std::size_t{4} * LightNodes::kCount);
   for (ProbeSet& set : sets) {
     set.distances.resize(n * DistanceNodes::kCount);
     set.places.resize(n * 4);
@@ -176,6 +177,7 @@ ProbeView ProbeVolume::view(int set, const glm::dvec3& anchor) const {
   view.places = from.places.data();
   view.distances = from.distances.data();
   view.light = from.light.data();
+  view.sky = directions.sky.empty() ? nullptr : directions.sky_nodes.data();
   return view;
 }
 
@@ -227,6 +229,7 @@ std::int64_t ProbeVolume::bytes() const {
   std::int64_t sum = bytes_of(node_directions) + bytes_of(results) + bytes_of(order_) + bytes_of(selected_) +
                      bytes_of(keeps_) + bytes_of(updated_ns_);
   sum += 3 * bytes_of(directions.x) + bytes_of(directions.weights) + bytes_of(directions.first_weight);
+  sum += bytes_of(directions.sky) + bytes_of(directions.sky_nodes);
   sum += static_cast<std::int64_t>(near_.capacity() + relocated_.capacity()) / 8;
   for (const ProbeSet& set : sets) {
     sum += bytes_of(set.distances) + bytes_of(set.places) + bytes_of(set.light) + bytes_of(set.gathered) +

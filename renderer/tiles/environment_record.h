@@ -14,28 +14,34 @@ struct EnvironmentRecord {
 };
 
 inline constexpr int kMostFilteredLevels = 12;
-inline constexpr int kMostBrightSources = 16;
+inline constexpr int kMostBrightSources = 32;
 
-// A small part of the picture that outshines the rest: light from one direction.
-struct BrightSource {
-  float direction[3] = {};  // towards it, unit, in the world
+// Light from an even disc, as small as the sun or a lamp.
+struct BrightDisc {
+  float direction[3] = {};  // towards it, unit
   float irradiance[3] = {};
   float half_turn2 = 0;  // square of what a half vector turns from its middle to its rim
 };
 
+// A small part of the picture that outshines the rest: as a whole, and as what it is made of.
+struct BrightSource : BrightDisc {
+  int first_part = 0, parts = 0;
+};
+
 // The picture as GGX highlights of growing width show it head on: level k, of alpha first_alpha times
-// ratio^k, is the mean over the lobe of (n = v = r). Narrower lobes lie between the picture itself and level
-// 0, by their tails, which grow with alpha^2.
+// ratio^k, is the mean over the lobe of (n = v = r), without the bright sources, which lobes take by
+// themselves. Narrower lobes lie between the picture itself and level 0, by their tails, which grow with
+// alpha^2.
 struct FilteredRecord {
   const float* texels = nullptr;  // of all levels, as EnvironmentRecord's; null: none was made
   int levels = 0;
   float first_alpha = 0, levels_per_octave = 0;  // per doubling of alpha
   int first_texel[kMostFilteredLevels] = {}, width[kMostFilteredLevels] = {},
       height[kMostFilteredLevels] = {};
-  // Levels from this one on are without the bright sources, which wide lobes take by themselves.
-  int first_without_sources = kMostFilteredLevels;
   int source_count = 0;
-  BrightSource sources[kMostBrightSources];
+  BrightSource sources[kMostBrightSources];  // in the world
+  const BrightDisc* parts = nullptr;         // of all sources, in the unturned picture
+  float turn_cosine = 1, turn_sine = 0;      // of EnvironmentRecord::turn
   EnvironmentRecord even;    // mean radiance that a surface facing the direction receives: irradiance / pi
   EnvironmentRecord coarse;  // the picture as rays see it that stand for a whole texel of it
 };

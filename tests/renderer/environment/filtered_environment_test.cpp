@@ -117,9 +117,9 @@ double light_of(const float* texels, int width, int height) {
   return sum * glm::two_pi<double>() / width;
 }
 
-// A sun of 2 by 2 texels, half of all light, is in the finest level, which stands beside the sharp picture:
-// were it lit by the lobe as well, mirrors would show it twice.
-TEST(FilteredEnvironmentTest, TheFinestLevelHasASmallSun) {
+// A sun of 2 by 2 texels, half of all light, stands apart from every level: were it in one as well, surfaces
+// would show it twice.
+TEST(FilteredEnvironmentTest, ASmallSunIsShownOnce) {
   EnvironmentImage picture;
   picture.width_px = 1024;
   picture.height_px = 512;
@@ -131,32 +131,83 @@ TEST(FilteredEnvironmentTest, TheFinestLevelHasASmallSun) {
   }
   const FilteredEnvironment filtered(picture, 0, one_by_one);
   const FilteredRecord record = filtered.record(0);
-  ASSERT_GT(record.source_count, 0);
-  EXPECT_GE(record.first_without_sources, 1);
+  ASSERT_EQ(record.source_count, 1);
   const double all = light_of(picture.rgba.data(), 1024, 512);
-  // Half a texel of interpolation at the sun's latitude, and rings of its lobe: 3 %.
-  EXPECT_NEAR(light_of(record.texels, record.width[0], record.height[0]), all, 0.03 * all);
+  // Half a texel of interpolation at the sun's latitude, and rings of the lobes of what is left: 3 %.
+  for (const std::size_t level : {0, 4, 8}) {
+    const double rest =
+        light_of(record.texels + 4 * record.first_texel[level], record.width[level], record.height[level]);
+    EXPECT_NEAR(rest + double{record.sources[0].irradiance[0]}, all, 0.03 * all) << level;
+  }
 }
 
-// Sources are lit by the lobe itself, 1 / the lobe's sum of it each.
-TEST(FilteredEnvironmentTest, WideLevelsLackTheBrightSourcesAlone) {
+double angle2(const BrightDisc& disc, const glm::dvec3& d) {
+  const glm::dvec3 off = glm::dvec3{disc.direction[0], disc.direction[1], disc.direction[2]} - d;
+  return glm::dot(off, off);
+}
+
+// Two lamps of 4 by 4 texels, 10 degrees apart and three to one in power: each is one source of its own
+// place, size and parts.
+TEST(FilteredEnvironmentTest, EachLampIsASourceOfItsOwn) {
+  EnvironmentImage picture;
+  picture.width_px = 1024;
+  picture.height_px = 512;
+  picture.rgba.assign(std::size_t{4} * 1024 * 512, 1.0f);
+  const auto paint = [&](int left, int right, float value) {
+    for (int y = 254; y < 258; ++y) {
+      for (int x = left; x < right; ++x) {
+        for (int c = 0; c < 3; ++c) picture.rgba[static_cast<std::size_t>(4 * (y * 1024 + x) + c)] = value;
+      }
+    }
+  };
+  paint(500, 504, 3e4f);
+  paint(528, 532, 1e4f);
+  SkyPicture sky = resampled(picture, 1024, one_by_one);
+  const BrightLight bright = take_bright_sources(sky);
+  ASSERT_EQ(bright.sources.size(), 2u);
+  const double texel = glm::two_pi<double>() / 1024;
+  int parts = 0;
+  for (const BrightSource& source : bright.sources) {
+    const bool strong = &source == &bright.sources[0];  // what shows most comes first
+    const double azimuth = ((strong ? 502 : 530) - 512) * texel;
+    EXPECT_LT(angle2(source, {std::sin(azimuth), 0, -std::cos(azimuth)}), std::pow(0.05 * texel, 2));
+    const double irradiance = (strong ? 3e4 : 1e4) * 16 * texel * texel;
+    EXPECT_NEAR(double{source.irradiance[0]}, irradiance, 0.01 * irradiance);
+    // Four texels that fade to nothing a texel further: 15 / 12 for their middles and 1 / 6 for the fading,
+    // of the square of a texel's side, along each axis. A disc's rim has twice the mean square, and half
+    // vectors turn by half.
+    const double half_turn2 = (15.0 / 12 + 1.0 / 6) * texel * texel;
+    EXPECT_NEAR(double{source.half_turn2}, half_turn2, 0.02 * half_turn2);
+    EXPECT_EQ(source.first_part, parts);
+    parts += source.parts;
+  }
+  EXPECT_EQ(static_cast<int>(bright.parts.size()), parts);
+}
+
+// Sources are lit by the lobe itself, 1 / the lobe's sum of it each: as parts, which lobes of twice their
+// width do not tell from points.
+TEST(FilteredEnvironmentTest, LevelsLackTheBrightSourcesAlone) {
   const EnvironmentImage picture = picture_of(true);
   const FilteredEnvironment filtered(picture, 0, one_by_one);
   const FilteredRecord record = filtered.record(0);
   ASSERT_GT(record.source_count, 0);
-  ASSERT_LT(record.first_without_sources, record.levels);
-  for (int level = record.first_without_sources; level < record.levels; ++level) {
+  float widest = 0;
+  int parts = 0;
+  for (int i = 0; i < record.source_count; ++i) parts += record.sources[static_cast<std::size_t>(i)].parts;
+  for (int i = 0; i < parts; ++i) widest = std::max(widest, record.parts[i].half_turn2);
+  for (int level = 0; level < record.levels; ++level) {
     const double alpha2 = std::pow(alpha_of(record, level), 2);
+    if (alpha2 < 4 * double{widest}) continue;
     double whole = 0;
     constexpr int kSteps = 20000;
     for (int i = 0; i < kSteps; ++i)
       whole += lobe((i + 0.5) / kSteps, alpha2) * glm::two_pi<double>() / kSteps;
     for (const glm::dvec3& d : kDirections) {
       double shown = level_at(record, level, d);
-      for (int i = 0; i < record.source_count; ++i) {
-        const BrightSource& source = record.sources[static_cast<std::size_t>(i)];
-        const glm::dvec3 to{source.direction[0], source.direction[1], source.direction[2]};
-        shown += double{source.irradiance[0]} * lobe(glm::dot(d, to), alpha2) / whole;
+      for (int i = 0; i < parts; ++i) {
+        const BrightDisc& part = record.parts[i];
+        const glm::dvec3 to{part.direction[0], part.direction[1], part.direction[2]};
+        shown += double{part.irradiance[0]} * lobe(glm::dot(d, to), alpha2) / whole;
       }
       const double mean =
           mean_over(picture, [&](const glm::dvec3& l) { return lobe(glm::dot(d, l), alpha2); });
@@ -176,7 +227,8 @@ TEST(FilteredEnvironmentTest, TakenSourcesAndWhatIsLeftAreAllLight) {
   SkyPicture picture = resampled(picture_of(true), 256, one_by_one);
   const double before = all_light(picture);
   double taken = 0;
-  for (const BrightSource& source : take_bright_sources(picture)) taken += double{source.irradiance[1]};
+  for (const BrightSource& source : take_bright_sources(picture).sources)
+    taken += double{source.irradiance[1]};
   EXPECT_GT(taken, 0);
   EXPECT_NEAR(all_light(picture) + taken, before, 1e-5 * before);
 }

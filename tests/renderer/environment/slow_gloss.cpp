@@ -10,10 +10,6 @@ namespace {
 
 constexpr double kPi = glm::pi<double>();
 
-glm::dvec2 place_of(const glm::dvec3& d) {
-  return {std::atan2(d.x, -d.z) / (2 * kPi) + 0.5, std::acos(std::clamp(d.y, -1.0, 1.0)) / kPi};
-}
-
 double random_of(std::uint32_t seed, std::uint32_t counter) {
   std::uint64_t h = (std::uint64_t{seed} << 32 | counter) * 0x9e3779b97f4a7c15u;
   h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9u;
@@ -26,6 +22,15 @@ glm::dvec2 spread(int i, std::uint32_t seed, std::uint32_t kind) {
   const double x = random_of(seed, 2 * kind) + 0.7548776662466927 * i,
                y = random_of(seed, 2 * kind + 1) + 0.5698402909980532 * i;
   return {x - std::floor(x), y - std::floor(y)};
+}
+
+// The same in three dimensions: of the R3 sequence.
+glm::dvec3 spread3(int i, std::uint32_t seed, std::uint32_t kind) {
+  const auto at = [&](std::uint32_t axis, double step) {
+    const double x = random_of(seed, 100 + 3 * kind + axis) + step * i;
+    return x - std::floor(x);
+  };
+  return {at(0, 0.8191725133961645), at(1, 0.6710436067037893), at(2, 0.5497004779019703)};
 }
 
 struct Frame {
@@ -44,11 +49,18 @@ struct Lobe {
   glm::dvec3 v, f0;
   double alpha, alpha2;
 
+  void widen(double least_alpha) {
+    alpha = std::max(alpha, least_alpha);
+    alpha2 = alpha * alpha;
+  }
   double distribution(double n_h) const {
     const double c = n_h * n_h * (alpha2 - 1) + 1;
     return alpha2 / (kPi * c * c);
   }
-  glm::dvec3 fresnel(double l_h) const { return f0 + (1.0 - f0) * std::pow(1 - std::min(l_h, 1.0), 5); }
+  glm::dvec3 fresnel(double l_h) const {
+    const double k = 1 - std::min(l_h, 1.0), k2 = k * k;
+    return f0 + (1.0 - f0) * (k2 * k2 * k);
+  }
   // Heitz's density of visible normals over 4 l.h.
   double density(const glm::dvec3& l) const {
     const glm::dvec3 h = glm::normalize(l + v);
@@ -100,85 +112,6 @@ double volume_of(const AreaLight& lamp) {
 
 }  // namespace
 
-PictureDirections::PictureDirections(const EnvironmentImage& picture) : picture_(picture) {
-  const int width = picture.width_px, height = picture.height_px;
-  double all = 0;
-  for (int y = 0; y < height; ++y) {
-    const double solid_angle =
-        2 * kPi / width * (std::cos(kPi * y / height) - std::cos(kPi * (y + 1) / height));
-    double row = 0;
-    for (int x = 0; x < width; ++x) {
-      // Of the neighbours too: bilinear look-ups carry their light here.
-      double bright = 1e-6;
-      for (int j = -1; j <= 1; ++j) {
-        for (int i = -1; i <= 1; ++i) {
-          const int column = (x + i + width) % width, line = std::clamp(y + j, 0, height - 1);
-          const float* texel =
-              picture.rgba.data() + 4 * (static_cast<std::size_t>(line) * static_cast<std::size_t>(width) +
-                                         static_cast<std::size_t>(column));
-          bright = std::max(bright, double{texel[0]} + double{texel[1]} + double{texel[2]});
-        }
-      }
-      columns_.push_back(row += bright * solid_angle);
-    }
-    for (int x = 0; x < width; ++x) columns_[columns_.size() - 1 - static_cast<std::size_t>(x)] /= row;
-    rows_.push_back(all += row);
-  }
-  for (double& row : rows_) row /= all;
-}
-
-glm::dvec3 PictureDirections::draw(const glm::dvec2& random) const {
-  const auto inside = [](auto begin, auto end, double u, double& rest) {
-    const auto at = std::min(std::upper_bound(begin, end, u), end - 1);
-    const double below = at == begin ? 0 : *(at - 1);
-    rest = (u - below) / (*at - below);
-    return at - begin;
-  };
-  double in_row = 0, in_column = 0;
-  const auto y = inside(rows_.begin(), rows_.end(), random.y, in_row);
-  const auto first = columns_.begin() + y * picture_.width_px;
-  const auto x = inside(first, first + picture_.width_px, random.x, in_column);
-  const double upper = std::cos(kPi * static_cast<double>(y) / picture_.height_px),
-               lower = std::cos(kPi * static_cast<double>(y + 1) / picture_.height_px);
-  const double cosine = upper + (lower - upper) * in_row,
-               sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-  const double azimuth = 2 * kPi * ((static_cast<double>(x) + in_column) / picture_.width_px - 0.5);
-  return {sine * std::sin(azimuth), cosine, -sine * std::cos(azimuth)};
-}
-
-double PictureDirections::density(const glm::dvec3& direction) const {
-  const glm::dvec2 at = place_of(direction);
-  const int width = picture_.width_px, height = picture_.height_px;
-  const int x = std::clamp(static_cast<int>(at.x * width), 0, width - 1),
-            y = std::clamp(static_cast<int>(at.y * height), 0, height - 1);
-  const auto share = [](const std::vector<double>& sums, std::size_t first, int i) {
-    const std::size_t at_i = first + static_cast<std::size_t>(i);
-    return sums[at_i] - (i == 0 ? 0 : sums[at_i - 1]);
-  };
-  const double row = share(rows_, 0, y),
-               column = share(columns_, static_cast<std::size_t>(y) * static_cast<std::size_t>(width), x);
-  return row * column * width / (2 * kPi * (std::cos(kPi * y / height) - std::cos(kPi * (y + 1) / height)));
-}
-
-glm::dvec3 PictureDirections::radiance(const glm::dvec3& direction) const {
-  const glm::dvec2 at = place_of(direction);
-  const int width = picture_.width_px, height = picture_.height_px;
-  const double x = at.x * width - 0.5, y = at.y * height - 0.5, left = std::floor(x), upper = std::floor(y);
-  glm::dvec3 sum{0.0};
-  for (int j = 0; j < 2; ++j) {
-    for (int i = 0; i < 2; ++i) {
-      const int column = (static_cast<int>(left) + i + width) % width,
-                row = std::clamp(static_cast<int>(upper) + j, 0, height - 1);
-      const double weight = (i == 0 ? 1 - (x - left) : x - left) * (j == 0 ? 1 - (y - upper) : y - upper);
-      const float* texel =
-          picture_.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                                      static_cast<std::size_t>(column));
-      sum += weight * glm::dvec3{texel[0], texel[1], texel[2]};
-    }
-  }
-  return sum;
-}
-
 struct SlowGloss::Hit {
   const GlossBall* ball = nullptr;
   double distance = 0;
@@ -217,9 +150,12 @@ glm::dvec3 SlowGloss::radiance(const glm::dvec3& origin, const glm::dvec3& direc
 
 glm::dvec3 SlowGloss::arriving(const glm::dvec3& origin, const glm::dvec3& direction, std::uint32_t seed,
                                int depth) const {
-  const auto hit = nearest(origin, direction, 1e30);
-  if (!hit) return picture ? picture->radiance(direction) : glm::dvec3{0.0};
+  auto hit = nearest(origin, direction, 1e30);
+  if (!hit) return sky ? sky->whole.radiance(direction) : glm::dvec3{0.0};
   if (depth == 3) return glm::dvec3{0.0};
+  // What other balls send is a hundredth of the light: their lobes are widened so that no lamp in them is
+  // found by chance alone (Kaplanyan & Dachsbacher, "Path Space Regularization", 2013).
+  if (depth > 0) hit->lobe.widen(0.2);
   glm::dvec3 light = from_outside(*hit, seed, depth);
   if (lamp) light += from_lamp(*hit, seed, depth);
   return light;
@@ -227,42 +163,100 @@ glm::dvec3 SlowGloss::arriving(const glm::dvec3& origin, const glm::dvec3& direc
 
 // Everything but the lamp. The highlight is multiplied by 1 + F0 (1 - E) / E, E what it sends back of light
 // from all sides with F = 1 (Turquin 2019); below it scatters what it leaves of all light, in its strongest
-// channel.
-glm::dvec3 SlowGloss::from_outside(const Hit& hit, std::uint32_t seed, int depth) const {
-  const int each = depth == 0 ? samples : depth == 1 ? 3 : 1, for_table = depth == 0 ? 512 : 32;
+// channel. Roughness 0 is a mirror: E = 1.
+SlowGloss::Scattering SlowGloss::scattering_of(const Hit& hit, int depth) const {
+  const int for_table = depth == 0 ? 512 : 32;
   const Lobe& lobe = hit.lobe;
-  double all = 0;
-  glm::dvec3 reflected{0.0};
-  for (int i = 0; i < for_table; ++i) {
-    const glm::dvec3 l = lobe.draw(spread(i, 7, 40));
-    if (l.z <= 0) continue;
-    const glm::dvec3 h = glm::normalize(l + lobe.v);
-    const double weight = lobe.value(l, h.z) / lobe.density(l) / for_table;
-    all += weight;
-    reflected += weight * lobe.fresnel(glm::dot(l, h));
+  Scattering out;
+  out.mirror = sky != nullptr && depth == 0 && hit.ball->roughness == 0;
+  out.gain = glm::dvec3{1.0};
+  glm::dvec3 reflected = lobe.fresnel(lobe.v.z);
+  if (!out.mirror) {
+    double all = 0;
+    reflected = glm::dvec3{0.0};
+    for (int i = 0; i < for_table; ++i) {
+      const glm::dvec3 l = lobe.draw(spread(i, 7, 40));
+      if (l.z <= 0) continue;
+      const glm::dvec3 h = glm::normalize(l + lobe.v);
+      const double weight = lobe.value(l, h.z) / lobe.density(l) / for_table;
+      all += weight;
+      reflected += weight * lobe.fresnel(glm::dot(l, h));
+    }
+    out.gain = 1.0 + lobe.f0 * ((1 - all) / all);
+    reflected *= out.gain;
   }
-  const glm::dvec3 gain = 1.0 + lobe.f0 * ((1 - all) / all);
-  reflected *= gain;
   const double left = 1 - std::max({reflected.x, reflected.y, reflected.z});
+  out.diffuse = hit.diffuse * (left / kPi);
+  return out;
+}
+
+// Of light from `l`, in the frame of the normal, per irradiance of a surface that faces it.
+glm::dvec3 SlowGloss::sent_back(const Hit& hit, const Scattering& by, const glm::dvec3& l) const {
+  if (by.mirror) return by.diffuse * l.z;
+  const glm::dvec3 h = glm::normalize(l + hit.lobe.v);
+  return by.gain * hit.lobe.fresnel(glm::dot(l, h)) * hit.lobe.value(l, h.z) + by.diffuse * l.z;
+}
+
+glm::dvec3 SlowGloss::from_outside(const Hit& hit, std::uint32_t seed, int depth) const {
+  const int each = depth == 0 ? samples : depth == 1 ? 3 : 1;
+  const Lobe& lobe = hit.lobe;
+  const Scattering by = scattering_of(hit, depth);
   const bool scatters = hit.diffuse != glm::dvec3{0.0};
+  // What the eye sees is lit by each bright texel apart: drawn directions find the rest of the picture.
+  const bool apart = sky != nullptr && depth == 0;
+  const PictureDirections* drawn = sky == nullptr ? nullptr : apart ? &sky->rest : &sky->whole;
   glm::dvec3 sum{0.0};
+  const auto light = [&](const glm::dvec3& way, std::uint32_t number) {
+    if (apart && !nearest(hit.position, way, 1e30)) return sky->rest.radiance(way);
+    return arriving(hit.position, way, seed * 747796405u + number, depth + 1);
+  };
   const auto take = [&](const glm::dvec3& l, std::uint32_t number) {
     if (l.z <= 0) return;
-    const glm::dvec3 h = glm::normalize(l + lobe.v), way = hit.frame.out(l);
-    const double density =
-        each * (lobe.density(l) + (picture ? picture->density(way) : 0.0) + (scatters ? l.z / kPi : 0.0));
-    const glm::dvec3 value =
-        gain * lobe.fresnel(glm::dot(l, h)) * lobe.value(l, h.z) + hit.diffuse * (left * l.z / kPi);
-    sum += value * arriving(hit.position, way, seed * 747796405u + number, depth + 1) / density;
+    const glm::dvec3 way = hit.frame.out(l);
+    const double density = each * ((by.mirror ? 0.0 : lobe.density(l)) + (drawn ? drawn->density(way) : 0.0) +
+                                   (scatters ? l.z / kPi : 0.0));
+    sum += sent_back(hit, by, l) * light(way, number) / density;
   };
   for (int i = 0; i < each; ++i) {
     const auto number = static_cast<std::uint32_t>(3 * i);
-    take(lobe.draw(spread(i, seed, 0)), number);
-    if (picture) take(hit.frame.in(picture->draw(spread(i, seed, 1))), number + 1);
+    if (!by.mirror) take(lobe.draw(spread(i, seed, 0)), number);
+    if (by.mirror && !scatters) break;
+    if (drawn) take(hit.frame.in(drawn->draw(spread(i, seed, 1))), number + 1);
     if (!scatters) continue;
     const glm::dvec2 u = spread(i, seed, 2);
     const double r = std::sqrt(u.x), phi = 2 * kPi * u.y;
     take({r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u.x)}, number + 2);
+  }
+  if (by.mirror) {
+    const glm::dvec3 way = hit.frame.out({-lobe.v.x, -lobe.v.y, lobe.v.z});
+    sum += lobe.fresnel(lobe.v.z) * arriving(hit.position, way, seed * 747796405u + 5u, depth + 1);
+  }
+  return apart ? sum + from_bright_texels(hit, by) : sum;
+}
+
+// Sums over the bright texels. Where the lobe bends over a texel, over many points of it: half vectors turn
+// by half of what directions do, q = off^2 + alpha^2 of GGX's 1 / q^2 changes by 16 / q of it, and the mean
+// square of a tent of height h is h^2 / 24 there along each axis.
+glm::dvec3 SlowGloss::from_bright_texels(const Hit& hit, const Scattering& by) const {
+  const double texel2 = sky->texel_rad * sky->texel_rad;
+  glm::dvec3 sum{0.0};
+  std::vector<SlowSky::Point> points;
+  for (const BrightTexel& texel : sky->bright) {
+    const glm::dvec3 l = hit.frame.in(texel.direction);
+    if (l.z < -1.5 * sky->texel_rad) continue;
+    if (nearest(hit.position, texel.direction, 1e30)) continue;
+    const double h_z = glm::normalize(l + hit.lobe.v).z, q = 1 - h_z * h_z + hit.lobe.alpha2;
+    const bool even = by.mirror || q > 70 * texel2;
+    if (even && l.z > 1.5 * sky->texel_rad) {
+      sum += sent_back(hit, by, l) * texel.radiance * texel.solid_angle;
+      continue;
+    }
+    sky->points_of(texel, even || q > 6 * texel2 ? 4 : 16, points);
+    for (const SlowSky::Point& point : points) {
+      const glm::dvec3 of_point = hit.frame.in(point.direction);
+      if (of_point.z <= 0) continue;
+      sum += sent_back(hit, by, of_point) * texel.radiance * point.solid_angle;
+    }
   }
   return sum;
 }
@@ -270,7 +264,7 @@ glm::dvec3 SlowGloss::from_outside(const Hit& hit, std::uint32_t seed, int depth
 // Lambert and GGX of the lamp's box, which shines evenly from its volume: points of it, and directions of the
 // lobe.
 glm::dvec3 SlowGloss::from_lamp(const Hit& hit, std::uint32_t seed, int depth) const {
-  const int each = depth == 0 ? 4 * samples : 16;
+  const int each = depth == 0 ? 2 * samples : 16;
   const Lobe& lobe = hit.lobe;
   const double volume = volume_of(*lamp);
   glm::dvec3 sum{0.0};
@@ -286,9 +280,7 @@ glm::dvec3 SlowGloss::from_lamp(const Hit& hit, std::uint32_t seed, int depth) c
   };
   for (int i = 0; i < each; ++i) {
     take(lobe.draw(spread(i, seed, 3)));
-    const glm::dvec2 a = spread(i, seed, 4);
-    const double c = random_of(seed, 100u + static_cast<std::uint32_t>(i));
-    const glm::dvec3 point = lamp->centre + glm::dvec3(lamp->size) * (glm::dvec3{a, c} - 0.5);
+    const glm::dvec3 point = lamp->centre + glm::dvec3(lamp->size) * (spread3(i, seed, 4) - 0.5);
     take(hit.frame.in(glm::normalize(point - hit.position)));
   }
   return sum;
