@@ -32,10 +32,10 @@ class ReplayProgram : public ::testing::Test {
   // Direct light alone, on a small display.
   Outcome replay_of(const std::string& sessions, const std::string& flags,
                     const std::string& before = "") const {
-    return herr(with_more("replay " + sessions +
-                              " --profile small.profile.json --preset direct --polar 128x64 ",
-                          flags),
-                before);
+    return herr(
+        with_more("replay " + sessions + " --profile small.profile.json --preset direct --polar 128x64 ",
+                  flags),
+        before);
   }
 
   nlohmann::json summary(const std::string& out, const std::string& session = "walk") const {
