@@ -46,7 +46,7 @@ const std::vector<KnobRow>& knob_rows() {
        .expected = 1,
        .soft_only = true},
       {.setting = "filter", .values = {"nearest", "bilinear", "bicubic"}},
-      {.setting = "edge_samples", .values = {"0", "1", "2", "4", "8"}, .soft = {"0", "4"}},
+      {.setting = "edge_samples", .values = {"0", "2", "4", "8"}, .soft = {"0", "4"}},
       {.setting = "reflections",
        .values = {"off", "on"},
        .own = seeds,
