@@ -218,12 +218,15 @@ Json scene_json(const InspectReport& report) {
   const SceneFacts& scene = *report.scene;
   Json objects = Json::array(), files = Json::array();
   for (const SceneObject& object : scene.objects)
-    objects.push_back({{"name", object.name},
-                       {"instances", object.instances},
-                       {"triangles", object.triangles},
-                       {"voxels", object.voxels},
-                       {"catcher", object.catcher},
-                       {"in_view_share", object.in_view ? Json(*object.in_view) : Json()}});
+    objects.push_back(
+        {{"name", object.name},
+         {"instances", object.instances},
+         {"triangles", object.triangles},
+         {"voxels", object.voxels},
+         {"catcher", object.catcher},
+         {"in_view_share", object.in_view ? Json(*object.in_view) : Json()},
+         {"middle_in_view_share", object.middle_in_view ? Json(*object.middle_in_view) : Json()},
+         {"most_central_s", object.most_central_s ? Json(*object.most_central_s) : Json()}});
   Json grids = Json::array();
   for (const GridFacts& grid : scene.grids)
     grids.push_back({{"name", grid.name},

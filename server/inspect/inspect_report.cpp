@@ -7,6 +7,7 @@
 
 #include "scenes/load_scene.h"
 #include "server/frames/picture_warnings.h"
+#include "server/inspect/central_moments.h"
 #include "server/inspect/event_findings.h"
 #include "server/process/exit_code.h"
 #include "server/text/shell_word.h"
@@ -29,6 +30,8 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
       const MedianPose& poses = report.session->head.median();
       report.in_view =
           look_at_scene(scene, poses.kept(), poses.pose(), report.profile, report.scene->objects);
+      if (report.session->span)
+        find_central_moments(report.session->folder, report.session->span->start_ns, report.scene->objects);
     }
     for (const std::string& warning : scene.warnings)
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));

@@ -18,6 +18,11 @@ struct SceneObject {
   bool catcher = false;
   // Share of a recording's poses that have it in view (scene_in_view.h); none without one, and of catchers.
   std::optional<double> in_view;
+  // Likewise of its middle, and the pose (session_from_head) that has the middle nearest to straight ahead,
+  // with its seconds after the session's start (central_moments.h); none where no pose has the middle in
+  // view.
+  std::optional<double> middle_in_view, most_central_s;
+  std::optional<Pose> most_central;
 };
 
 // A grid of voxels, however often it is placed.

@@ -31,14 +31,43 @@ glm::dvec3 level(const glm::dvec3& v) {
   return {v.x, 0, v.z};
 }
 
-// Boxes of the instances of each object, by its name, as facts_of() groups them.
-std::map<std::string, std::vector<Bounds>> boxes_by_object(const Scene& scene) {
-  std::map<std::string, std::vector<Bounds>> boxes;
+// What poses have of an object before them; its parts as facts_of() groups them.
+struct ObjectViews {
+  std::vector<Bounds> parts;
+  Bounds middle;  // of the box about all parts
+  int seen = 0, middle_seen = 0;
+  double least_rad = 4;  // between straight ahead and the middle, of poses that have it in view
+  Pose most_central;     // session_from_head
+};
+
+std::map<std::string, ObjectViews> objects_by_name(const Scene& scene) {
+  std::map<std::string, ObjectViews> objects;
   for (const Instance& instance : scene.instances) {
     if (instance.catcher || !instance.present) continue;
-    boxes[instance.name.substr(0, instance.name.find('/'))].push_back(instance_bounds(scene, instance));
+    objects[instance.name.substr(0, instance.name.find('/'))].parts.push_back(
+        instance_bounds(scene, instance));
   }
-  return boxes;
+  for (auto& [name, object] : objects) {
+    Bounds whole = object.parts.front();
+    for (const Bounds& part : object.parts)
+      whole = {glm::min(whole.lower, part.lower), glm::max(whole.upper, part.upper)};
+    object.middle.lower = object.middle.upper = 0.5 * (whole.lower + whole.upper);
+  }
+  return objects;
+}
+
+void look(const Pose& session_from_head, const Pose& head, const ViewBorders& borders, ObjectViews& object) {
+  object.seen += std::any_of(object.parts.begin(), object.parts.end(),
+                             [&](const Bounds& box) { return in_view(box, head, borders); })
+                     ? 1
+                     : 0;
+  if (!in_view(object.middle, head, borders)) return;
+  ++object.middle_seen;
+  const glm::dvec3 p = inverse(head)(object.middle.lower);
+  const double off_rad = std::atan2(std::hypot(p.x, p.y), -p.z);
+  if (off_rad >= object.least_rad) return;
+  object.least_rad = off_rad;
+  object.most_central = session_from_head;
 }
 
 Pose proposed(const Pose& world_from_session, const Pose& head, const BoundingSphere& subject) {
@@ -97,22 +126,22 @@ SceneInView look_at_scene(const Scene& scene, const std::vector<Pose>& poses, co
   scene_state_at(scene, 0, state);
   const BoundingSphere subject = framed_sphere(scene, state).sphere;
   const Bounds middle{subject.centre, subject.centre};
-  const auto boxes = boxes_by_object(scene);
-  std::map<std::string, int> seen;
+  auto views = objects_by_name(scene);
   int middle_seen = 0;
   const std::vector<Pose> some = thinned(poses);
   for (const Pose& session_from_head : some) {
     const Pose head = scene.world_from_session * session_from_head;
     middle_seen += in_view(middle, head, borders) ? 1 : 0;
-    for (const auto& [name, parts] : boxes)
-      seen[name] += std::any_of(parts.begin(), parts.end(),
-                                [&](const Bounds& box) { return in_view(box, head, borders); })
-                        ? 1
-                        : 0;
+    for (auto& [name, object] : views) look(session_from_head, head, borders, object);
   }
   const auto share = [&](int count) { return static_cast<double>(count) / static_cast<double>(some.size()); };
-  for (SceneObject& object : objects)
-    if (const auto found = seen.find(object.name); found != seen.end()) object.in_view = share(found->second);
+  for (SceneObject& object : objects) {
+    const auto found = views.find(object.name);
+    if (found == views.end()) continue;
+    object.in_view = share(found->second.seen);
+    object.middle_in_view = share(found->second.middle_seen);
+    if (found->second.middle_seen > 0) object.most_central = found->second.most_central;
+  }
   SceneInView result;
   result.subject_share = share(middle_seen);
   if (subject.radius > 0 && 2 * middle_seen < static_cast<int>(some.size()))

@@ -33,8 +33,9 @@ struct SceneInView {
   // sphere is 40 degrees wide, on the head's height if that keeps within 20 degrees.
   std::optional<Pose> proposal;
 };
-// `objects` are given their share of poses that have something of them in view, as they stand at the
-// session's start; catchers and objects that are not there yet none. `poses` is not empty.
+// `objects` are given their shares of poses that have something of them, and their middle, in view, and the
+// pose with the middle nearest to straight ahead, as they stand at the session's start; catchers and objects
+// that are not there yet none. `poses` is not empty.
 SceneInView look_at_scene(const Scene& scene, const std::vector<Pose>& poses, const Pose& median,
                           const DisplayProfile& profile, std::vector<SceneObject>& objects);
 

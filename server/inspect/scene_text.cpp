@@ -19,23 +19,32 @@ std::string point(const glm::dvec3& p) {
   return "(" + fixed_text(p.x, 2) + ", " + fixed_text(p.y, 2) + ", " + fixed_text(p.z, 2) + ")";
 }
 
+std::string view_cells(const SceneObject& object) {
+  if (!object.in_view) return "";
+  const auto percent = [](double share) { return right_aligned(fixed_text(100 * share, 0) + " %", 10); };
+  std::string text = percent(*object.in_view) + percent(object.middle_in_view.value_or(0));
+  if (object.most_central_s)
+    text += "   at " + fixed_text(*object.most_central_s, 1) + " s: --start " +
+            shortest_text(*object.most_central_s);
+  return text;
+}
+
 std::string objects_text(const SceneFacts& scene) {
   std::string text;
   for (std::size_t i = 0; i < std::min(scene.objects.size(), kObjectsShown); ++i) {
     const SceneObject& object = scene.objects[i];
     text += "  " + left_aligned(object.name.empty() ? "(no name)" : printable(object.name), 30) +
             right_aligned(std::to_string(object.instances), 8) +
-            right_aligned(std::to_string(object.triangles), 12) +
-            (object.in_view ? right_aligned(fixed_text(100 * *object.in_view, 0) + " %", 10) : "") +
+            right_aligned(std::to_string(object.triangles), 12) + view_cells(object) +
             (object.catcher ? "  catcher" : "") + "\n";
   }
   if (scene.objects.size() > kObjectsShown)
     text += "  and " + std::to_string(scene.objects.size() - kObjectsShown) + " more\n";
   const bool in_view = std::any_of(scene.objects.begin(), scene.objects.end(),
                                    [](const SceneObject& object) { return object.in_view.has_value(); });
-  const std::string head = "  " + left_aligned("object", 30) + right_aligned("parts", 8) +
-                           right_aligned("triangles", 12) + (in_view ? right_aligned("in view", 10) : "") +
-                           "\n";
+  const std::string head =
+      "  " + left_aligned("object", 30) + right_aligned("parts", 8) + right_aligned("triangles", 12) +
+      (in_view ? right_aligned("in view", 10) + right_aligned("middle", 10) + "   most central" : "") + "\n";
   return text.empty() ? "" : head + text;
 }
 
@@ -43,7 +52,8 @@ std::string objects_text(const SceneFacts& scene) {
 std::string in_view_text(const InspectReport& report) {
   if (!report.in_view) return "";
   std::string text =
-      "  in view: of the recorded poses, by the object's box at the start; what hides it is not looked at\n";
+      "  in view: of the recorded poses, by the object's box at the start; what hides it is not looked at;\n"
+      "  middle: of the poses, those with the box's middle in view\n";
   if (!report.in_view->proposal) return text;
   return text + "  the head looks past it: its middle is in view in " +
          fixed_text(100 * report.in_view->subject_share, 0) +

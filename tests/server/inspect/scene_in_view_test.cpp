@@ -70,6 +70,25 @@ TEST(SceneInView, ABoxIsSeenUntilItLiesWhollyBeyondABorder) {
   EXPECT_EQ(seen(ball({0, 1.6, -5}, 0.5), {upright, head({0, 1.6, 0}, 90), upright, upright}).share, 0.75);
 }
 
+// A middle 5 m ahead and 5.9 m to the right is atan(5.9 / 5) = 49.7 degrees off: past the border of 45,
+// though its box is not. Of heads turned by 30, -10, 60 and 180 degrees from a ball ahead two have its middle
+// within 45 degrees, and -10 is nearest.
+TEST(SceneInView, AMiddleIsToldBesideTheBoxAndWhenItIsNearestToStraightAhead) {
+  std::vector<SceneObject> objects(1);
+  objects[0].name = "ball";
+  const auto look = [&](const Scene& scene, const std::vector<Pose>& poses) {
+    look_at_scene(scene, poses, poses.front(), square_profile(), objects);
+  };
+  look(ball({5.9, 1.6, -5}, 0.5), {head({0, 1.6, 0}, 0)});
+  EXPECT_EQ(objects[0].in_view, 1);
+  EXPECT_EQ(objects[0].middle_in_view, 0);
+  EXPECT_FALSE(objects[0].most_central.has_value());
+  look(ball({0, 1.6, -5}, 0.5),
+       {head({0, 1.6, 0}, 30), head({0, 1.6, 0}, -10), head({0, 1.6, 0}, 60), head({0, 1.6, 0}, 180)});
+  EXPECT_EQ(objects[0].middle_in_view, 0.5);
+  expect_pose(objects[0].most_central, {0, 1.6, 0}, head({0, 0, 0}, -10).orientation);
+}
+
 TEST(SceneInView, WhatIsSeenInMostPosesNeedsNoOtherPlace) {
   const Seen got = seen(ball({0, 1.6, -5}, 0.5), {head({0, 1.6, 0}, 0)});
   EXPECT_EQ(got.in_view.subject_share, 1);

@@ -147,6 +147,21 @@ TEST_F(InspectProgram, SaysWhichObjectsAreInViewAndHowToTurnTheRecording) {
   EXPECT_TRUE(turned["in_view"]["world_from_session"].is_null());
 }
 
+// The head goes along +x at 0.1 m/s and looks ahead: it passes a middle at x = 0.035 m after 0.35 s, a tenth
+// is told.
+TEST_F(InspectProgram, SaysWhenAnObjectIsMostCentral) {
+  auto scene = nlohmann::json::parse(content_of(root() / "scene/small.scene.json"));
+  scene["gltf"][0]["translation"] = {0.035, 0, 0};
+  write_whole_file(root() / "scene/small.scene.json", scene.dump());
+  const std::string text = herr("inspect session").out;
+  EXPECT_NE(text.find("100 %     100 %   at 0.3 s: --start 0.3\n"), std::string::npos) << text;
+  const auto report = nlohmann::json::parse(herr("inspect session --json").out);
+  for (const auto& object : report["scene"]["objects"]) {
+    EXPECT_EQ(object["most_central_s"], object["catcher"] ? nlohmann::json() : nlohmann::json(0.3)) << object;
+    EXPECT_EQ(object["middle_in_view_share"], object["catcher"] ? nlohmann::json() : nlohmann::json(1));
+  }
+}
+
 TEST_F(InspectProgram, TakesACutOffLineForAnErrorOnlyWhenStrict) {
   append("session/gaze/data.csv", "1500");
   const Outcome lenient = herr("inspect session");
