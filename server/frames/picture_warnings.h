@@ -11,6 +11,7 @@
 
 #include "renderer/frame_plan.h"
 #include "scenes/model/scene.h"
+#include "sessions/format/display_profile.h"
 #include "sessions/format/pose.h"
 
 namespace herr {
@@ -26,8 +27,17 @@ std::vector<std::string> picture_warnings(const Scene& scene, const std::filesys
 std::string feed_distance_warning(const RenderSettings& asked, bool has_camera, const std::string& session);
 
 // Known after `frames` frames, none of whose samples met a virtual object: where the head stood in the scene,
-// where it looked, and how far off that the nearest object is. Without a head these are left out.
+// where it looked, and how far off that the nearest object is, or that it is too small or stands about the
+// head. Without a head these are left out.
 std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,
-                                 const std::optional<Pose>& world_from_head);
+                                 const std::optional<Pose>& world_from_head, const DisplayProfile& profile);
+
+// Of objects whose size suggests another unit than metres, as they stand at the session's start, for a head
+// at `place` in the scene: the one that looks smallest of those under kFewPixels of the finest viewport,
+// straight ahead, and the largest of those of kHuge_m and more about the head. `file` stands before each
+// line.
+std::vector<std::string> size_warnings(const Scene& scene, const std::filesystem::path& file,
+                                       const glm::dvec3& place, const DisplayProfile& profile);
+inline constexpr double kFewPixels = 4, kHuge_m = 100;
 
 }  // namespace herr

@@ -38,6 +38,11 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
     for (const std::string& warning :
          picture_warnings(scene, report.scene_file, *report.plan, options.render, report.session.has_value()))
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    if (report.in_view) {
+      const glm::dvec3 place = scene.world_from_session(report.session->head.median().place_m());
+      for (const std::string& warning : size_warnings(scene, report.scene_file, place, report.profile))
+        report.findings.add(Severity::warning, InputError("", 0, warning, ""));
+    }
     if (report.session) {
       const std::string name = report.session->folder.filename().string();
       const std::string warning = feed_distance_warning(options.render, session_has_camera, name);

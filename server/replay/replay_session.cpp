@@ -12,7 +12,7 @@
 #include "server/frames/frame_quality.h"
 #include "server/frames/frame_step.h"
 #include "server/frames/opened_session.h"
-#include "server/frames/picture_warnings.h"
+#include "server/frames/picture_warnings_drawn.h"
 #include "server/output/frame_writer.h"
 #include "server/process/progress_bar.h"
 #include "server/process/steady_time.h"
@@ -97,8 +97,8 @@ class SessionReplay {
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
   RenderedFrame rendered_;
-  bool reading_ = false;            // session and scene: an error is one of theirs
-  std::optional<Pose> first_head_;  // in the scene, of the first frame that this run rendered
+  bool reading_ = false;  // session and scene: an error is one of theirs
+  DrawnPictures drawn_;   // by this run
   std::int64_t frames_since_checkpoint_ = 0;
   TimeNs checkpoint_ns_ = 0;  // when the last one was written
 };
@@ -298,7 +298,7 @@ bool SessionReplay::render_one(std::int64_t frame, const FramePacing& pacing) {
   record.wait_ms = cost.wait_ms;
   record.nonfinite_pictures = cost.nonfinite_values;
   record.clipped_pixels = cost.clipped_pixels;
-  if (!first_head_) first_head_ = opened_.scene.world_from_session * step_->sample().head.world_from_head;
+  drawn_.add(rendered_.viewports, opened_.scene.world_from_session * step_->sample().head.world_from_head);
   report_.statistics.add(record);
   report_.writer_waits += record.wait_ms > 0 ? 1 : 0;
   writer_->add_row(frames_csv_row(record));
@@ -372,9 +372,10 @@ void SessionReplay::add_run_warnings() {
   }
   const std::vector<std::string>& changes = opened_.player->warnings();
   report_.warnings.insert(report_.warnings.end(), changes.begin(), changes.end());
-  if (statistics.frames > 0 && statistics.counters.object_samples == 0) {
-    report_.warnings.push_back(nothing_seen_warning(opened_.scene, statistics.frames, first_head_));
-  }
+  if (std::string warning = drawn_.warning(opened_.scene, statistics.frames,
+                                           statistics.counters.object_samples, report_.profile);
+      !warning.empty())
+    report_.warnings.push_back(std::move(warning));
   if (const std::string warning = floor_warning(report_, options_); !warning.empty()) {
     report_.warnings.push_back(warning);
   }

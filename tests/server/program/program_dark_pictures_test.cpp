@@ -101,6 +101,51 @@ TEST_F(DarkPictures, AReplayThatShowsNoObjectSaysWhereTheHeadLooked) {
   EXPECT_TRUE(says(content_of(root() / "out/session/frames.csv"), "object_samples"));
 }
 
+// A ball of 0.5 mm, 2 m ahead of the head at (0, 1, 0): 48 pixels over a tangent of 2 are 24 a tangent, of
+// the focus over 2 tan 15 degrees 89.6: 0.0005 / 2 * 89.6 = 0.02 pixels. A box of 300 m about the head holds
+// it.
+TEST_F(DarkPictures, ObjectsTooSmallOrTooLargeAreToldByReplayAndInspect) {
+  const std::string lamp =
+      R"(, "lights": [{"name": "lamp", "centre": [0, 3, 1], "intensity_w_sr": [9, 9, 9]}])";
+  const std::string tiny =
+      "\"ball\" is 0.5 mm across, 2.0 m away: smaller than a pixel; is the model in another unit than "
+      "metres? "
+      "give a \"scale\"";
+  write_scene(R"("shapes": [{"name": "ball", "sphere": {"centre": [0, 1, -2], "radius": 0.00025}}])" + lamp);
+  const Outcome replayed = replay("--scene scene/other.scene.json");
+  EXPECT_TRUE(says(replayed.err, "no virtual object was in view")) << replayed.err;
+  EXPECT_TRUE(says(replayed.err, "the nearest object " + tiny)) << replayed.err;
+  EXPECT_FALSE(says(replayed.err, "degrees away")) << replayed.err;
+  EXPECT_TRUE(says(herr("inspect session --profile small.json --scene scene/other.scene.json").out, tiny));
+  write_scene(R"("shapes": [{"name": "crate", "box": {"centre": [0, 0, 0], "half_extents": [150, 5, 9]}}])" +
+              lamp);
+  const std::string text = herr("inspect session --scene scene/other.scene.json").out;
+  EXPECT_TRUE(says(text, "the head stands inside \"crate\" (300 m across); is the model in millimetres?"))
+      << text;
+  EXPECT_FALSE(says(herr("inspect session").out, "across"));
+}
+
+// No ambient, no probes: all light is the lamp's. On the ball's front, about 1.5 m below and 2.5 m from a
+// lamp of 0.001 W/sr, less than 0.001 / 2.5^2 / pi = 5e-5 arrives: 77 times less than 1/255. 2^12 of it is
+// more.
+TEST_F(DarkPictures, AReplayOfBlackPicturesNamesExposureAndLamp) {
+  const auto with_lamp = [&](const std::string& intensity) {
+    write_scene(R"("shapes": [{"name": "ball", "sphere": {"centre": [0, 1, -2], "radius": 0.5}}],
+      "lights": [{"name": "lamp", "centre": [0, 3, 0], "intensity_w_sr": [)" +
+                intensity + ", " + intensity + ", " + intensity + "]}]");
+  };
+  with_lamp("0.001");
+  const std::string flags = "--scene scene/other.scene.json --no-camera ";
+  const Outcome dark = replay(flags);
+  EXPECT_TRUE(says(dark.err, "all pictures are darker than 1/255 of white at 0.0 EV")) << dark.err;
+  EXPECT_TRUE(says(dark.err, "give --auto-exposure, or --exposure 1")) << dark.err;  // 10 to 19
+  EXPECT_TRUE(says(dark.err, "or light \"lamp\" more than its intensity of 0.001 W/sr")) << dark.err;
+  EXPECT_FALSE(says(replay(flags + "--auto-exposure").err, "darker than 1/255"));
+  EXPECT_FALSE(says(replay(flags + "--exposure 14").err, "darker than 1/255"));
+  with_lamp("9");
+  EXPECT_FALSE(says(replay(flags).err, "darker than 1/255"));
+}
+
 TEST_F(DarkPictures, ASceneOfCatchersAloneHasNothingToSee) {
   write_scene(R"("catchers": [{"name": "floor", "quad": [[-5, 0, 5], [5, 0, 5], [5, 0, -5], [-5, 0, -5]]}])");
   const Outcome got = replay("--scene scene/other.scene.json --frames 1");
