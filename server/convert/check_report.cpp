@@ -79,6 +79,9 @@ std::string text_of(const ConvertOptions& options, const Proposal& proposal, con
   const bool needs_map = !proposal.map_json.empty() && !map_written;
   if (!line.empty() && needs_map) text += "first:       " + writing_line(options, proposal) + "\n";
   if (!line.empty()) text += "recommended: " + line + "\n";
+  if (map_written && line.empty())
+    text += "written: " + printable(options.write_map.string()) +
+            ", a draft: write the answers in the place of each null, and give it with --map\n";
   if (!needs_map) return text;
   return text +
          (line.empty() ? "a draft of a map, to be completed by the answers (or give --write-map FILE):\n"

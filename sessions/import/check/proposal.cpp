@@ -73,7 +73,7 @@ void ask_rate(const ChosenFormat& chosen, Proposal& proposal) {
   map.otherwise.clear();
   map.head = {*chosen.format.columns.head};
   map.gaze.clear();
-  proposal.map_json = column_map_text(map);
+  proposal.map_json = column_map_text(map, {{"time", "rate_hz"}});
 }
 
 void ask_doubts(const FormatRequest& request, const ChosenFormat& chosen, const TrialImport& trial,
@@ -114,6 +114,29 @@ std::optional<Proposal> preset_of(const FormatRequest& request, std::vector<std:
   }
 }
 
+// What a draft must not state: the fields that questions name.
+std::vector<OpenField> open_fields(const std::vector<std::string>& questions) {
+  struct NamedField {
+    const char* words;
+    OpenField field;
+  };
+  const NamedField named[] = {{"\"world_axes\"", {"head", "world_axes"}},
+                              {"\"head_axes\"", {"head", "head_axes"}},
+                              {"\"axes\"", {"gaze", "axes"}},
+                              {"\"order\"", {"orientation", "order"}},
+                              {"\"sense\"", {"orientation", "sense"}},
+                              {"\"convention\"", {"", "convention"}},
+                              {"\"rate_hz\"", {"time", "rate_hz"}},
+                              {"\"unit\" of \"time\"", {"time", "unit"}},
+                              {"\"unit\" of \"position\"", {"position", "unit"}},
+                              {"\"unit\" in the map", {"orientation", "unit"}}};
+  std::vector<OpenField> open;
+  for (const std::string& question : questions)
+    for (const NamedField& one : named)
+      if (question.find(one.words) != std::string::npos) open.push_back(one.field);
+  return open;
+}
+
 Proposal map_of(const FormatRequest& request) {
   const ProposedMap proposed = propose_map(request.files, request.still);
   Proposal proposal;
@@ -121,7 +144,7 @@ Proposal map_of(const FormatRequest& request) {
   add_all(proposed.reasons, proposal.reasons);
   proposal.questions = proposed.questions;
   proposal.still = proposed.still;
-  if (proposed.map) proposal.map_json = column_map_text(*proposed.map);
+  if (proposed.map) proposal.map_json = column_map_text(*proposed.map, open_fields(proposed.questions));
   if (proposed.map && proposed.questions.empty()) proposal.certainty = Proposal::Certainty::likely;
   return proposal;
 }

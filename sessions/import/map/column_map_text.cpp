@@ -48,6 +48,16 @@ MapJson map_json(const ColumnMap& map) {
   return root;
 }
 
+void leave_open(const OpenField& open, const std::string& name, MapJson& value) {
+  if (value.is_array())
+    for (MapJson& element : value) leave_open(open, name, element);
+  if (!value.is_object()) return;
+  for (auto& item : value.items()) leave_open(open, item.key(), item.value());
+  if (!value.contains(open.key) || (!open.parent.empty() && open.parent != name)) return;
+  value[open.key] = nullptr;
+  if (open.key == "world_axes" || open.key == "head_axes") value.erase("handedness");
+}
+
 std::string scalar_text(const MapJson& value) {
   return value.dump(-1, ' ', false, MapJson::error_handler_t::replace);
 }
@@ -82,8 +92,10 @@ std::string laid_out(const MapJson& value, std::size_t indent, std::size_t befor
 
 }  // namespace
 
-std::string column_map_text(const ColumnMap& map) {
-  return laid_out(map_json(map), 0, 0) + "\n";
+std::string column_map_text(const ColumnMap& map, const std::vector<OpenField>& open) {
+  MapJson json = map_json(map);
+  for (const OpenField& field : open) leave_open(field, "", json);
+  return laid_out(json, 0, 0) + "\n";
 }
 
 }  // namespace herr

@@ -211,7 +211,7 @@ TimeRole find_time(const SniffedTable& table) {
   else
     role.questions.push_back(
         "How many rows a second were recorded: no column grows like a clock (\"rate_hz\" "
-        "of \"time\" in the map; 30 is only an example).");
+        "of \"time\" in the map).");
   return role;
 }
 

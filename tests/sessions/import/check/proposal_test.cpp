@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "sessions/files/input_error.h"
+#include "sessions/import/map/column_map.h"
 #include "tests/sessions/import/check/written_person.h"
 #include "tests/sessions/recorded_folder.h"
 
@@ -90,8 +92,18 @@ TEST_F(ProposalOf, WithoutWalkingAndGazeTheHandIsAskedFor) {
   const Proposal asked = proposal(
       written(person, kQuaternions, kRightUpForward, kRightUpForward, kRightUpForward, quaternion_line));
   expect_asked(asked, "Unity (left-handed, y up) and OpenXR (right-handed, y up)");
-  // A draft for whoever answers.
+  // A draft for whoever answers: it converts nothing before the axes are filled in.
   EXPECT_TRUE(holds(asked.map_json, "quaternion_xyzw"));
+  EXPECT_TRUE(holds(asked.map_json, "\"world_axes\": null")) << asked.map_json;
+  EXPECT_TRUE(holds(asked.map_json, "\"head_axes\": null")) << asked.map_json;
+  EXPECT_FALSE(holds(asked.map_json, "handedness")) << asked.map_json;
+  try {
+    parse_column_map(asked.map_json, "draft.json");
+    FAIL() << "a draft was taken";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(holds(error.what(), "world_axes is null")) << error.what();
+    EXPECT_TRUE(holds(error.what(), "write three of right, left, up, down, forward, back")) << error.what();
+  }
 }
 
 TEST_F(ProposalOf, EyesThatCounterTheHeadTellTheAxesOfHeadAndGaze) {
