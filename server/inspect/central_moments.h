@@ -2,7 +2,6 @@
 // chosen the pose. After: inspect_text, inspect_json.
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "server/inspect/scene_facts.h"
@@ -10,10 +9,10 @@
 
 namespace herr {
 
-// Reads the poses of `session_folder` once more and gives each object with a `most_central` pose the seconds
-// from `start_ns` to the first row that has it, rounded down to a tenth so that they lie in the session; none
-// where that row comes before `start_ns`.
-void find_central_moments(const std::filesystem::path& session_folder, TimeNs start_ns,
-                          std::vector<SceneObject>& objects);
+// Gives each object with a `most_central` pose the seconds from `start_ns` to the stamp of the first of
+// `poses` that is the same, rounded down to a tenth so that they lie in the session; none where all such come
+// before `start_ns`. `stamps_ns` are those of `poses`.
+void find_central_moments(const std::vector<Pose>& poses, const std::vector<TimeNs>& stamps_ns,
+                          TimeNs start_ns, std::vector<SceneObject>& objects);
 
 }  // namespace herr

@@ -31,7 +31,8 @@ void inspect_scene(const InspectOptions& options, bool session_has_camera, Inspe
       report.in_view =
           look_at_scene(scene, poses.kept(), poses.pose(), report.profile, report.scene->objects);
       if (report.session->span)
-        find_central_moments(report.session->folder, report.session->span->start_ns, report.scene->objects);
+        find_central_moments(poses.kept(), poses.kept_ns(), report.session->span->start_ns,
+                             report.scene->objects);
     }
     for (const std::string& warning : scene.warnings)
       report.findings.add(Severity::warning, InputError("", 0, warning, ""));

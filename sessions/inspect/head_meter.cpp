@@ -30,7 +30,7 @@ void HeadMeter::add(const PoseRow& row, double norm, std::int64_t line) {
     window_start_ = row;
     lower_m_ = upper_m_ = position;
   }
-  median_.add(row.world_from_head);
+  median_.add(row.world_from_head, row.stamp_ns);
   lower_m_ = glm::min(lower_m_, position);
   upper_m_ = glm::max(upper_m_, position);
   if (std::abs(norm - 1) > worst_norm_error_) {

@@ -27,19 +27,22 @@ glm::dvec3 median_of(const std::vector<Pose>& poses, const Vector& vector) {
   return result;
 }
 
-void keep_every_other(std::vector<Pose>& poses) {
+template <typename Value>
+void keep_every_other(std::vector<Value>& values) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < poses.size(); i += 2) poses[kept++] = poses[i];
-  poses.resize(kept);
+  for (std::size_t i = 0; i < values.size(); i += 2) values[kept++] = values[i];
+  values.resize(kept);
 }
 
 }  // namespace
 
-void MedianPose::add(const Pose& world_from_head) {
+void MedianPose::add(const Pose& world_from_head, TimeNs stamp_ns) {
   if (rows_++ % stride_ != 0) return;
   kept_.push_back(world_from_head);
+  kept_ns_.push_back(stamp_ns);
   if (kept_.size() <= kMostKept) return;
   keep_every_other(kept_);
+  keep_every_other(kept_ns_);
   stride_ *= 2;
 }
 

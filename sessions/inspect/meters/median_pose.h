@@ -13,7 +13,7 @@ namespace herr {
 
 class MedianPose {
  public:
-  void add(const Pose& world_from_head);
+  void add(const Pose& world_from_head, TimeNs stamp_ns = 0);
   std::int64_t rows() const { return rows_; }
 
   // Metres, the median of each coordinate: (0, 0, 0) without rows. Exact up to kMostKept rows.
@@ -26,11 +26,13 @@ class MedianPose {
   Pose pose() const;
   // Every row, or evenly spaced ones of more than kMostKept.
   const std::vector<Pose>& kept() const { return kept_; }
+  const std::vector<TimeNs>& kept_ns() const { return kept_ns_; }  // their stamps
 
   static constexpr std::size_t kMostKept = 4096;
 
  private:
   std::vector<Pose> kept_;  // every stride_-th row
+  std::vector<TimeNs> kept_ns_;
   std::int64_t rows_ = 0, stride_ = 1;
 };
 
