@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "server/frames/frame_quality.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
+#include "server/replay/batch_lines.h"
 #include "server/replay/policy_text.h"
 #include "server/replay/replay_session.h"
 #include "server/replay/session_check.h"
@@ -46,7 +48,8 @@ void check_folders(const ReplayOptions& options) {
   }
 }
 
-void show_messages(const SessionReport& report) {
+// `warnings`: those of the report, as they are to be shown.
+void show_messages(const SessionReport& report, const std::vector<std::string>& warnings) {
   if (!report.remark.empty()) print_message("warning: " + report.remark);
   if (report.nothing_to_do) {
     print_message(printable(report.name) + ": nothing to do, " +
@@ -58,13 +61,13 @@ void show_messages(const SessionReport& report) {
                   counted(report.range.count, "frame", "frames") +
                   (report.kept_frames == 1 ? " was there" : " were there"));
   }
-  for (std::size_t i = 0; i < report.warnings.size(); ++i) {
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
     if (i == kMostWarningsShown) {
-      print_message("warning: " + std::to_string(report.warnings.size() - i) + " more are in " +
+      print_message("warning: " + std::to_string(warnings.size() - i) + " more are in " +
                     printable((report.out_folder / "summary.json").string()));
       return;
     }
-    print_message("warning: " + report.warnings[i]);
+    print_message("warning: " + warnings[i]);
   }
 }
 
@@ -164,51 +167,27 @@ std::string total_text(const std::vector<SessionReport>& reports, std::size_t as
          "\n\n" + latency_table(total);
 }
 
-// What is known of several sessions before the first frame is drawn: those that will have none.
-void show_refused(const std::vector<SessionReport>& checked) {
-  std::string names;
-  std::size_t refused = 0;
-  for (const SessionReport& report : checked) {
-    if (!report.unopened) continue;
-    ++refused;
-    names += (names.empty() ? "" : ", ") + printable(report.name) + " (exit " +
-             std::to_string(report.exit_code) + ")";
-  }
-  if (refused == 0) return;
-  const std::size_t left = checked.size() - refused;
-  print_message(std::to_string(refused) + " of " + std::to_string(checked.size()) +
-                " sessions refused: " + names + "; " +
-                (left == 0   ? "none is left to replay"
-                 : left == 1 ? "the other one is replayed"
-                             : "the other " + std::to_string(left) + " are replayed"));
-}
-
-// The last line of a run of several sessions that are not all done: the errors have long gone by.
-void show_failures(const std::vector<SessionReport>& reports, std::size_t asked) {
-  std::string failures;
-  std::size_t done = 0, failed = 0;
-  for (const SessionReport& report : reports) {
-    if (report.state == ReplayState::done) ++done;
-    if (report.state != ReplayState::failed) continue;
-    ++failed;
-    failures += (failures.empty() ? "" : ", ") + printable(report.name) + " (" + report.error + ", exit " +
-                std::to_string(report.exit_code) + ")";
-  }
-  const std::size_t ended = reports.size() - done - failed, unbegun = asked - reports.size();
-  if (done == asked) return;
-  std::string line = std::to_string(done) + " of " + std::to_string(asked) + " sessions done";
-  if (ended > 0) line += ", " + std::to_string(ended) + " interrupted";
-  if (unbegun > 0) line += ", " + std::to_string(unbegun) + " not begun";
-  if (failed > 0) line += ", " + std::to_string(failed) + " failed: " + failures;
-  print_message(line);
-}
-
-void show_session(const SessionReport& report, const ReplayOptions& options, bool first) {
-  show_messages(report);
+void show_session(const SessionReport& report, const std::vector<std::string>& warnings,
+                  const ReplayOptions& options, bool first) {
+  show_messages(report, warnings);
   if (!report.error.empty()) print_message(report.error);
   if (!options.json && report.statistics.frames > 0) {
     print_result((first ? "" : "\n") + report_text(report, options));
   }
+}
+
+// After the last session that was begun: those behind it that were refused are known, too. The names of the
+// others.
+std::vector<std::string> add_refused(const std::vector<SessionReport>& checked, const ReplayOptions& options,
+                                     std::vector<SessionReport>& reports) {
+  std::vector<std::string> unbegun;
+  for (std::size_t i = reports.size(); i < checked.size(); ++i) {
+    if (checked[i].unopened)
+      reports.push_back(checked[i]);
+    else
+      unbegun.push_back(session_folder_name(options.sessions[i]));
+  }
+  return unbegun;
 }
 
 }  // namespace
@@ -218,11 +197,12 @@ int run_replay(const ReplayOptions& options) {
   check_folders(options);
   const std::size_t asked = options.sessions.size();
   const std::vector<SessionReport> checked = check_sessions(options);
-  show_refused(checked);
+  if (const std::string line = refused_line(checked); !line.empty()) print_message(line);
   for (const SessionReport& report : checked) {
     if (report.unopened) write_refusal(report, options);
   }
   std::vector<SessionReport> reports;
+  std::set<std::string> said_of_scenes;
   int exit_code = kExitDone;
   bool first = true;
   for (std::size_t i = 0; i < asked; ++i) {
@@ -230,7 +210,10 @@ int run_replay(const ReplayOptions& options) {
       reports.push_back(checked[i]);  // was named
     } else {
       reports.push_back(replay_session(options.sessions[i], options));
-      show_session(reports.back(), options, first);
+      const SessionReport& report = reports.back();
+      show_session(report,
+                   asked == 1 ? report.warnings : batch_warnings(report, checked[i].warnings, said_of_scenes),
+                   options, first);
       first = false;
     }
     const SessionReport& report = reports.back();
@@ -243,12 +226,14 @@ int run_replay(const ReplayOptions& options) {
     }
     if (report.exit_code == kExitTemporary) break;
   }
+  const std::vector<std::string> unbegun = add_refused(checked, options, reports);
   if (options.json) {
     print_result(json_text(run_json(reports, options, exit_code)));
   } else if (asked > 1) {
     print_result(total_text(reports, asked));
   }
-  if (asked > 1) show_failures(reports, asked);
+  if (const std::string line = closing_line(reports, unbegun, options); asked > 1 && !line.empty())
+    print_message(line);
   return exit_code;
 }
 

@@ -17,6 +17,7 @@
 #include "server/process/progress_bar.h"
 #include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
+#include "server/replay/floor_frames.h"
 #include "server/replay/picture_output.h"
 #include "server/replay/session_check.h"
 #include "server/results/checkpoint.h"
@@ -97,6 +98,7 @@ class SessionReplay {
   std::unique_ptr<FrameWriter> writer_;
   std::unique_ptr<PictureOutput> pictures_;
   RenderedFrame rendered_;
+  FloorFrames floor_frames_;
   bool reading_ = false;  // session and scene: an error is one of theirs
   DrawnPictures drawn_;   // by this run
   std::int64_t frames_since_checkpoint_ = 0;
@@ -300,6 +302,8 @@ bool SessionReplay::render_one(std::int64_t frame, const FramePacing& pacing) {
   record.clipped_pixels = cost.clipped_pixels;
   drawn_.add(rendered_.viewports, opened_.scene.world_from_session * step_->sample().head.world_from_head);
   report_.statistics.add(record);
+  floor_frames_.add(record, quality_target_ms(options_, report_.range),
+                    std::max(1, std::min(report_.settings.threads, report_.load.cores)));
   report_.writer_waits += record.wait_ms > 0 ? 1 : 0;
   writer_->add_row(frames_csv_row(record));
   tracker_->frame_done();
@@ -376,7 +380,7 @@ void SessionReplay::add_run_warnings() {
                                            statistics.counters.object_samples, report_.profile);
       !warning.empty())
     report_.warnings.push_back(std::move(warning));
-  if (const std::string warning = floor_warning(report_, options_); !warning.empty()) {
+  if (const std::string warning = floor_frames_.warning(); !warning.empty()) {
     report_.warnings.push_back(warning);
   }
   if (options_.sheet == SheetChoice::one && report_.contact_sheets.empty()) {

@@ -21,6 +21,7 @@ SessionReport check_session(const std::filesystem::path& session, const ReplayOp
   try {
     OpenedSession opened;
     open_inputs(options, report, opened);
+    report.warnings = opened.scene.warnings;
   } catch (...) {
     std::string error;
     const int exit_code = exit_code_of_current_exception(error);

@@ -63,7 +63,4 @@ struct SessionReport {
   std::vector<std::string> contact_sheets;            // file names in out_folder
 };
 
-// One line where frames had the least quality and still were too slow; empty where none was.
-std::string floor_warning(const SessionReport& report, const ReplayOptions& options);
-
 }  // namespace herr

@@ -21,6 +21,23 @@ constexpr FieldElsewhere kFieldsElsewhere[]{
      "is no flag but a field of a column map: write \"vergence_m\" there and give --map FILE ('herr convert "
      "--preset NAME --show-map' prints one to begin with)"}};
 
+// Names that people write for a flag which is called otherwise, too far from it for nearest_name().
+struct OtherName {
+  const char* written;
+  const char* flag;
+  const char* remark;
+};
+constexpr OtherName kOtherNames[]{{"--quality-target", "--target-ms", " (with --policy deadline)"}};
+
+// "--target-ms (with --policy deadline)", or the nearest of the known ones, or nothing.
+std::string flag_meant(const std::string& name, const std::vector<std::string>& known) {
+  for (const OtherName& other : kOtherNames) {
+    if (name == other.written && std::find(known.begin(), known.end(), other.flag) != known.end())
+      return std::string(other.flag) + other.remark;
+  }
+  return nearest_name(name, known);
+}
+
 [[noreturn]] void refuse(const std::string& flag, const std::string& text, const std::string& wanted) {
   throw UsageError(flag + ": '" + printable(text) + "' is not " + wanted);
 }
@@ -99,8 +116,8 @@ std::string unknown_flag_message(const std::string& flag, const std::vector<std:
     if (name == field.flag && command == field.command) return printable(name) + ": " + field.message;
   }
   std::string message = printable(name) + ": unknown flag";
-  if (const std::string nearest = nearest_name(name, known); !nearest.empty())
-    message += "; did you mean " + nearest + "?";
+  if (const std::string meant = flag_meant(name, known); !meant.empty())
+    message += "; did you mean " + meant + "?";
   return message + " ('" + command + " --help' lists all)";
 }
 

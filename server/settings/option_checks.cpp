@@ -94,7 +94,8 @@ void check_replay_options(const ReplayOptions& options) {
   }
   if (options.target_ms && options.clock != ReplayClock::realtime && !options.policy.deadline) {
     throw UsageError(
-        "--target-ms: only the clock realtime and the policy deadline have one; give --clock realtime");
+        "--target-ms: only the policy deadline and the clock realtime have one; give --policy deadline for "
+        "frames of that time, or --clock realtime for ticks of that period");
   }
   check_policy(options);
   // Encoders on the render threads would make the frames late that they belong to.

@@ -143,7 +143,9 @@ std::vector<Setting> of_time(ReplayOptions& o) {
   return {
       {"policy", "--policy", "", Group::time, Effect::error_for_time,
        "quality of each frame: fixed; motion: less while the head moves fast; deadline: what holds "
-       "--target-ms (width, light samples, probes, at last height); motion+deadline",
+       "--target-ms (width, light samples, probes, at last height), from the floor upwards in some tens of "
+       "frames; "
+       "motion+deadline",
        policy_name(o.policy)},
       {"polar_floor", "--polar-floor", "", Group::time, Effect::error_for_time,
        "least width of the polar buffers, both eyes together, that a policy may choose",

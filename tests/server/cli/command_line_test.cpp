@@ -162,8 +162,10 @@ TEST(CommandLine, ChoicesThatDoNotGoTogetherSaySo) {
   EXPECT_EQ(
       complaint({"replay", "walk", "--clock", "realtime"}),
       "--clock realtime: measures times and writes no pictures; give --format none --contact-sheet none");
-  EXPECT_EQ(complaint({"replay", "walk", "--target-ms", "20"}),
-            "--target-ms: only the clock realtime and the policy deadline have one; give --clock realtime");
+  EXPECT_EQ(
+      complaint({"replay", "walk", "--target-ms", "20"}),
+      "--target-ms: only the policy deadline and the clock realtime have one; give --policy deadline for "
+      "frames of that time, or --clock realtime for ticks of that period");
   EXPECT_EQ(complaint({"replay", "walk", "--policy", "motion", "--foveation", "off"}),
             "--policy motion: changes the width of polar buffers, and --foveation off has none; give one of "
             "the two");

@@ -49,6 +49,12 @@ TEST(MistakenLines, AFlagThatIsNoneNamesWhatIsMeantOrNothing) {
             std::string::npos);
   EXPECT_EQ(complaint({"replay", "s", "--zzzzzz"}),
             "--zzzzzz: unknown flag ('herr replay --help' lists all)");
+  EXPECT_EQ(
+      complaint({"replay", "s", "--quality-target", "20"}),
+      "--quality-target: unknown flag; did you mean --target-ms (with --policy deadline)? ('herr replay "
+      "--help' lists all)");
+  // `inspect` has no target.
+  EXPECT_EQ(complaint({"inspect", "s", "--quality-target", "20"}).find("--target-ms"), std::string::npos);
   // `hard` differs in two letters of four: it is listed, not proposed.
   const std::string quality = complaint({"replay", "s", "--quality", "high"});
   EXPECT_NE(quality.find("'high' is not one of "), std::string::npos) << quality;

@@ -80,6 +80,9 @@ TEST_F(ReplayMessages, ABadSessionAmongOthersIsNamedFirstAndLastAndLeavesASummar
   const Outcome again = replay_of(sessions, flags + " --resume --keep-going");
   EXPECT_EQ(again.exit_code, 5) << again.err;
   EXPECT_NE(again.out.find("\nall 3 sessions: 6 frames"), std::string::npos) << again.out;
+  EXPECT_TRUE(
+      again.err.ends_with("herr: 3 of 3 sessions done, 1 of them in part: broken (1 row left out, exit 5)\n"))
+      << again.err;
   EXPECT_EQ(lines_in(content_of(root() / "o/broken/frames.csv")), 3);
 }
 
