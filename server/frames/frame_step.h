@@ -10,6 +10,7 @@
 
 #include "server/frames/frame_pacer.h"
 #include "server/frames/opened_session.h"
+#include "server/frames/work_beside.h"
 #include "server/quality/quality_controller.h"
 #include "server/results/session_report.h"
 #include "server/settings/replay_options.h"
@@ -62,14 +63,15 @@ class FrameStep {
 
  private:
   void describe(const RenderedFrame& rendered, const FramePacing& pacing);
-  // `wall_ms`: of all that the frame's period had to hold.
-  MissFacts miss_facts(double wall_ms) const;
+  // `whole_period`: the period has to hold what stands beside the frame, too.
+  MissFacts miss_facts(bool whole_period) const;
 
   const ReplayOptions& options_;
   const SessionReport& report_;
   OpenedSession& opened_;
   std::optional<QualityController> controller_;
   StutterWatch stutter_;
+  WorkBeside beside_;
   std::int64_t frame_ = 0;
   TimeNs started_ns_ = 0, sampled_ns_ = 0, finished_ns_ = 0;
   FrameSample sample_;

@@ -65,10 +65,11 @@ Json count_definitions_json(ReplayClock clock) {
   json["missed_by_machine"] =
       "missed frames that were kept off the cores (the scheduler took one from a thread of the process, and "
       "the threads were on a core for less than 80 % of the time) and whose CPU time, spread over the "
-      "threads, "
-      "fits into the period";
+      "threads, fits into the period; with the clock realtime together with the CPU time of sampling and of "
+      "further views (never their wall time, which waiting for a core lengthens)";
   json["missed_by_both"] =
-      "missed frames that were kept off the cores and whose CPU time would not have fit either";
+      "missed frames that were kept off the cores and whose CPU time (likewise with the CPU time of sampling "
+      "and of further views) would not have fit either";
   json["missed_by_work"] = "every other missed frame";
   json["dropped"] = realtime ? "frames of the session that were never rendered: a newer one was due"
                              : "always 0: this clock leaves no frame out";

@@ -19,7 +19,7 @@ const char* name_of(MissCause cause) {
 MissCause cause_of_miss(const MissFacts& facts) {
   if (!facts.cpu_ms || facts.preemptions.value_or(0) == 0) return MissCause::work;
   const bool kept_off = *facts.cpu_ms < kBusyShare * facts.threads * facts.frame_ms;
-  const bool fits = facts.beside_ms + *facts.cpu_ms / facts.threads <= facts.period_ms;
+  const bool fits = facts.beside_cpu_ms + *facts.cpu_ms / facts.threads <= facts.period_ms;
   if (!kept_off) return MissCause::work;
   return fits ? MissCause::machine : MissCause::both;
 }

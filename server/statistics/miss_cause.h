@@ -2,8 +2,8 @@
 // cores. Before: a frame's wall time, CPU time and preemptions. After: FrameRecord::cause.
 // Rule: a frame was kept off the cores where the scheduler took a core from a thread of the process during it
 // and its threads were on a core for less than kBusyShare of the time that they could have been. Its work
-// fits where its CPU time, spread over the threads evenly, and what stands beside it take no more than the
-// period.
+// fits where its CPU time, spread over the threads evenly, and the CPU time of what stands beside it take no
+// more than the period.
 //   machine: kept off, and the work fits: without the waiting it would have been in time
 //   both:    kept off, and the work does not fit: neither less waiting nor less work would have done alone
 //   work:    not kept off
@@ -25,8 +25,10 @@ const char* name_of(MissCause cause);
 inline constexpr double kBusyShare = 0.8;
 
 struct MissFacts {
-  double frame_ms = 0;   // wall time of the frame, further views aside
-  double beside_ms = 0;  // of the same period, on one thread: sampling the session, further views
+  double frame_ms = 0;  // wall time of the frame, further views aside
+  // CPU time of what the period holds besides: sampling the session on one thread, further views spread over
+  // all. Never wall time, which a machine that takes cores lengthens; 0, the least, where it is not known.
+  double beside_cpu_ms = 0;
   double period_ms = 0;
   std::optional<double> cpu_ms;             // of the process during frame_ms
   std::optional<std::int64_t> preemptions;  // likewise

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "server/statistics/late_frames.h"
+#include "server/statistics/latency_json.h"
 
 namespace herr {
 namespace {
@@ -38,9 +41,32 @@ TEST(MissCauseTest, IsTheWorkWhereAnyPartOfTheRuleFails) {
 TEST(MissCauseTest, IsBothWhereNeitherQuietNorLessWorkWouldHaveDoneAlone) {
   EXPECT_EQ(cause_of_miss(late(22, 3)), MissCause::both) << "11 ms of work on each core do not fit into 10";
   MissFacts beside = late(18, 3);
-  beside.beside_ms = 1.5;  // decoding a camera image: 1.5 + 9 do not fit
+  beside.beside_cpu_ms = 1.5;  // decoding a camera image: 1.5 + 9 do not fit
   EXPECT_EQ(cause_of_miss(beside), MissCause::both);
   EXPECT_EQ(cause_of_miss(late(22, 0)), MissCause::work) << "nobody took a core";
+}
+
+// A frame of a busy machine: sampling took 18.45 ms by the clock on the wall, most of it waiting for a core.
+// 7.61 / 2 + 3 = 6.81 of 16.67 ms; with its wall time it would be 22.26.
+TEST(MissCauseTest, SamplingCountsByItsCpuTime) {
+  MissFacts facts;
+  facts.frame_ms = 21.75;
+  facts.period_ms = 16.67;
+  facts.cpu_ms = 7.61;
+  facts.preemptions = 4;
+  facts.threads = 2;
+  EXPECT_EQ(cause_of_miss(facts), MissCause::machine) << "where it is not known: the least";
+  facts.beside_cpu_ms = 3;
+  EXPECT_EQ(cause_of_miss(facts), MissCause::machine);
+  facts.beside_cpu_ms = 13;  // with 3.8 of the frame: 16.8
+  EXPECT_EQ(cause_of_miss(facts), MissCause::both);
+}
+
+TEST(MissCauseTest, TheRuleStandsInTheDefinitions) {
+  const auto definitions = count_definitions_json(ReplayClock::realtime);
+  for (const char* name : {"missed_by_machine", "missed_by_both"}) {
+    EXPECT_NE(definitions[name].get<std::string>().find("CPU time of sampling"), std::string::npos) << name;
+  }
 }
 
 TEST(MissCauseTest, CountsOfCausesMakeUpTheMissedFramesAndStandInTheLastLine) {
