@@ -81,8 +81,8 @@ std::map<std::string, std::string> timeless(const fs::path& csv) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string& name = names[i];
       if (name == "name" || name == "frame" || name == "reference") key += cells[i] + "|";
-      const bool timed =
-          name.ends_with("_ms") || name.starts_with("ln_") || name == "measuring_s" || name == "pairs_preemptions";
+      const bool timed = name.ends_with("_ms") || name.starts_with("ln_") || name == "measuring_s" ||
+                         name == "pairs_preemptions";
       if (!timed) rest += cells[i] + ",";
     }
     EXPECT_TRUE(found.emplace(key, rest).second) << key << " is there twice";
