@@ -5,7 +5,7 @@
 
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
-#include "server/frames/picture_warnings.h"
+#include "server/frames/warnings/picture_warnings.h"
 #include "server/process/exit_code.h"
 #include "server/results/memory_parts.h"
 #include "server/settings/view_file.h"

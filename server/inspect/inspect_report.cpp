@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "scenes/load_scene.h"
-#include "server/frames/picture_warnings.h"
+#include "server/frames/warnings/picture_warnings.h"
 #include "server/inspect/central_moments.h"
 #include "server/inspect/event_findings.h"
 #include "server/process/exit_code.h"

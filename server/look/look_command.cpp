@@ -9,7 +9,7 @@
 #include "scenes/changes/bounding_sphere.h"
 #include "scenes/changes/world.h"
 #include "scenes/load_scene.h"
-#include "server/frames/picture_warnings.h"
+#include "server/frames/warnings/picture_warnings.h"
 #include "server/look/look_encoding.h"
 #include "server/look/look_files.h"
 #include "server/look/look_light.h"

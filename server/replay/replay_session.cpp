@@ -12,7 +12,7 @@
 #include "server/frames/frame_quality.h"
 #include "server/frames/frame_step.h"
 #include "server/frames/opened_session.h"
-#include "server/frames/picture_warnings_drawn.h"
+#include "server/frames/warnings/picture_warnings_drawn.h"
 #include "server/output/frame_writer.h"
 #include "server/process/progress_bar.h"
 #include "server/process/steady_time.h"

@@ -8,7 +8,7 @@ ROOMS = {
     "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "environment", "document", "changes"),
     "renderer": ("settings", "simd", "threads", "feed", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles", "environment",
                  "surfaces", "highlights", "lighting", "tracing", "probe_updates", "viewports", "outside", "frame", "bench"),
-    "server": ("text", "diagrams", "process", "quality", "settings", "statistics", "output", "results", "frames", "http",
+    "server": ("text", "diagrams", "process", "quality", "settings", "statistics", "output", "results", "frames/warnings", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/acuity", "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",
                "study/report", "study/plan", "study/reference", "study/measure",

@@ -1,4 +1,4 @@
-#include "server/frames/picture_warnings.h"
+#include "server/frames/warnings/picture_warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <glm/vector_relational.hpp>
 #include <map>
 
-#include "server/frames/lamp_warnings.h"
+#include "server/frames/warnings/lamp_warnings.h"
 #include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
 #include "sessions/text/fixed_text.h"

@@ -1,5 +1,5 @@
 // Lamps that light nothing are told; those that stand free, in open shades or in rooms are not.
-#include "server/frames/lamp_warnings.h"
+#include "server/frames/warnings/lamp_warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "server/frames/picture_warnings_drawn.h"
+#include "server/frames/warnings/picture_warnings_drawn.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "server/frames/picture_warnings.h"
+#include "server/frames/warnings/picture_warnings.h"
 #include "server/output/srgb_table.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"

@@ -1,4 +1,4 @@
-#include "server/frames/lamp_warnings.h"
+#include "server/frames/warnings/lamp_warnings.h"
 
 #include <algorithm>
 #include <cmath>
