@@ -61,6 +61,26 @@ void add_headers(const HttpResponse& response, httplib::Response& out) {
   out.set_header("Cache-Control", "no-store");
 }
 
+// The library's own list of parameters leaves out pairs that it has had.
+std::multimap<std::string, std::string> query_of(std::string_view target) {
+  std::multimap<std::string, std::string> query;
+  const std::size_t mark = target.find('?');
+  std::string_view rest = mark == std::string_view::npos ? "" : target.substr(mark + 1);
+  rest = rest.substr(0, rest.find('#'));
+  while (!rest.empty()) {
+    const std::string_view pair = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(std::min(pair.size() + 1, rest.size()));
+    if (pair.empty()) continue;
+    const std::string_view name = pair.substr(0, pair.find('='));
+    const std::string_view value = name.size() == pair.size() ? "" : pair.substr(name.size() + 1);
+    const auto decoded = [](std::string_view text) {
+      return httplib::detail::decode_url(std::string(text), true);
+    };
+    query.emplace(decoded(name), decoded(value));
+  }
+  return query;
+}
+
 // Not SO_REUSEPORT, the default: two servers on one port would share its clients.
 void set_socket_options(socket_t socket) {
   const int on = 1;
@@ -167,7 +187,7 @@ class HttpLibrary::Server final : public httplib::Server {
     HttpRequest asked;
     asked.head = request.method == "HEAD";
     asked.path = request.path;
-    for (const auto& [key, value] : request.params) asked.query.emplace(key, value);
+    asked.query = query_of(request.target);
     HttpResponse response;
     try {
       response = handler_(asked);

@@ -11,9 +11,9 @@
 namespace herr {
 
 struct HttpRequest {
-  bool head = false;                         // HEAD: the answer's body is left out; otherwise GET
-  std::string path;                          // percent-decoded, without the query
-  std::map<std::string, std::string> query;  // decoded; the first of equal keys
+  bool head = false;                              // HEAD: the answer's body is left out; otherwise GET
+  std::string path;                               // percent-decoded, without the query
+  std::multimap<std::string, std::string> query;  // decoded; equal names as often as they were sent
 };
 
 struct HttpResponse {

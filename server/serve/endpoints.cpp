@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "server/http/query_names.h"
 #include "server/results/summary_json.h"
 #include "server/serve/metrics_page.h"
 #include "server/serve/page_files.h"
@@ -85,6 +86,13 @@ std::optional<HttpResponse> page_part(const std::string& path) {
   return std::nullopt;
 }
 
+// Of every path: what Endpoints::frames() and picture() read.
+std::vector<std::string> query_names(const std::string& path) {
+  if (path == "/v1/frames") return {"since", "missed"};
+  if (path.starts_with(kPicturePrefix)) return {"full"};
+  return {};
+}
+
 HttpResponse png_of(const ServedPictures& pictures) {
   HttpResponse response;
   response.content_type = "image/png";
@@ -99,8 +107,16 @@ Endpoints::Endpoints(const ReplayOptions& options, const ServeBoard& board,
     : options_(options), board_(board), http_(std::move(http)), now_ns_(std::move(now_ns)) {}
 
 HttpResponse Endpoints::operator()(const HttpRequest& request) {
+  const bool of_picture = request.path.starts_with(kPicturePrefix);
+  const std::string problem = query_problem(request, query_names(request.path));
+  if (of_picture) return problem.empty() ? picture(request) : plain(400, problem);
+  // A path that does not exist says so rather than that it has no parameters.
+  HttpResponse response = document(request);
+  return problem.empty() || response.status == 404 ? response : plain(400, problem);
+}
+
+HttpResponse Endpoints::document(const HttpRequest& request) {
   const std::string& path = request.path;
-  if (path.starts_with(kPicturePrefix)) return picture(request);
   const std::shared_ptr<const ServeSnapshot> snapshot = board_.snapshot.get();
   if (!snapshot) return not_yet("starting");
   const TimeNs now_ns = now_ns_();
@@ -170,7 +186,10 @@ HttpResponse Endpoints::picture(const HttpRequest& request) {
   const auto found = std::find_if(outlines.begin(), outlines.end(), [&](const PictureOutline& outline) {
     return outline.name + ".png" == name;
   });
-  if (found == outlines.end()) return plain(404, "404 no such picture; /v1/status lists them");
+  if (found == outlines.end())
+    return plain(404,
+                 "404 no such picture; /v1/status lists them under profile.viewports and, where there are "
+                 "any, further_views");
   HttpResponse response = png_of(*pictures);
   response.body = pictures_.png(*pictures, static_cast<std::size_t>(found - outlines.begin()),
                                 full != request.query.end() && full->second == "1");

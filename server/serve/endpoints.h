@@ -1,5 +1,6 @@
-// Every path that the server answers, by exact match. Thread-safe: it reads the board and nothing else.
-// Before: http_server. After: the pages and documents of this folder.
+// Every path that the server answers, by exact match; a query with a name that the path does not have, or
+// with one twice, is 400. Thread-safe: it reads the board and nothing else. Before: http_server. After: the
+// pages and documents of this folder.
 #pragma once
 
 #include <functional>
@@ -26,6 +27,8 @@ class Endpoints {
   const LatestPicture& pictures() const { return pictures_; }
 
  private:
+  // Everything but pictures.
+  HttpResponse document(const HttpRequest& request);
   HttpResponse picture(const HttpRequest& request);
   HttpResponse polar_picture(const ServedPictures& pictures, std::size_t eye);
   HttpResponse frames(const HttpRequest& request, const ServeSnapshot& snapshot) const;

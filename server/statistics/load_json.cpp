@@ -34,7 +34,10 @@ Json load_json(const RunStatistics& statistics, const ProcessLoad& load) {
   if (cpu_ms) share = cpu_share(*cpu_ms, statistics.frame.mean_ns() * 1e-6, load.cores);
   Json json{{"cores", load.cores}};
   for (const DistributionRow& row : distribution_rows()) {
-    if (row.group == DistributionGroup::load) json[row.name] = distribution_json(statistics.*row.values);
+    if (row.group != DistributionGroup::load) continue;
+    Json values{{"unit", row.unit}};
+    values.update(distribution_json(statistics.*row.values));
+    json[row.name] = values;
   }
   json["cpu_share"] = or_null(share);
   json["preemptions"] = statistics.preemptions;

@@ -15,7 +15,8 @@ namespace herr {
 // CPU time over wall time of all `cores`; none where either is not known.
 std::optional<double> cpu_share(double cpu_ms, double wall_ms, int cores);
 
-// {"cores", "cpu" (milliseconds of a frame), "cpu_share", "peak_resident_bytes"}; null: not told.
+// {"cores", "cpu" (of a frame, with its "unit", "ms"), "cpu_share", "preemptions",
+// "peak_resident_bytes"}; null: not told.
 nlohmann::ordered_json load_json(const RunStatistics& statistics, const ProcessLoad& load);
 nlohmann::ordered_json load_definitions_json();
 

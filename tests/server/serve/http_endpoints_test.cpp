@@ -261,6 +261,8 @@ TEST_F(Serve, PicturesAreReducedAndEncodedOncePerFrame) {
        {"left", "left_context", "left_context.jpg", "", "../status", "a/left_context.png"}) {
     EXPECT_EQ(get(std::string("/v1/frames/latest/") + name).status, 404) << name;
   }
+  EXPECT_NE(get("/v1/frames/latest/third.png").body.find("lists them under profile.viewports"),
+            std::string::npos);
   EXPECT_EQ(get("/v1/frames/latest/left_context.png?full=yes").status, 400);
 }
 

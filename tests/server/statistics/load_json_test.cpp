@@ -29,6 +29,7 @@ TEST(LoadJson, TheShareIsOverWallTimeOnEveryCore) {
   EXPECT_NEAR(json["cpu_share"].get<double>(), 0.75, 1e-9);
   EXPECT_NEAR(json["cpu"]["mean"].get<double>(), 60, 1e-6);
   EXPECT_EQ(json["cpu"]["count"], 3);
+  EXPECT_EQ(json["cpu"]["unit"], "ms");
   EXPECT_EQ(json["cores"], 2);
   EXPECT_EQ(json["peak_resident_bytes"], 790'000'000);
   EXPECT_EQ(cpu_text(run, 2), "60.0 ms of CPU for each frame, 75.0 % of 2 cores");
