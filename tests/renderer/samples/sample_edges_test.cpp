@@ -146,7 +146,7 @@ void expect_shares_below(const Bands& before, const Bands& after, double most, c
 }
 
 // The goal of edge samples: less than six tenths of the error in a still picture, and of what it changes from
-// one frame of a turning head to the next. Measured 0.48 to 0.58; on xr1, the error, 0.53 to 0.56.
+// one frame of a turning head to the next. Measured 0.48 to 0.58, on xr1, too.
 TEST_F(SampleEdgesTest, FourFurtherRaysLeaveLessThanSixTenthsOfErrorAndFlicker) {
   const auto plain = renderer_with(0), smooth = renderer_with(4);
   FrameSample turned = sample_;
