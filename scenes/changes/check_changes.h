@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "scenes/model/scene.h"
+#include "sessions/files/input_error.h"
 #include "sessions/format/pose.h"
 
 namespace herr {
@@ -26,6 +28,9 @@ class ChangeRehearsal {
   void play(const std::string& json, const std::filesystem::path& file, std::int64_t line, TimeNs start_ns);
   // What is left of the timeline after the last event.
   void finish();
+  // About quaternions of the events that look w-first (order_doubt()), with the line of the first; none: none
+  // does.
+  std::optional<InputError> w_first_warning() const;
   // Changes of each kind that could be made, in the order of ChangeKind; the timeline's are not among them.
   const std::array<std::int64_t, 6>& counts() const;
 

@@ -53,11 +53,6 @@ LightChange parse_light_change(const JsonObject& object) {
   return change;
 }
 
-// An error that names a field as one that names its line, too.
-InputError at_line(const InputError& error, const std::filesystem::path& file, std::int64_t line) {
-  return {file, line, error.problem(), error.remedy()};
-}
-
 }  // namespace
 
 const char* name_of(ChangeKind kind) {
@@ -132,14 +127,10 @@ SceneChange parse_event(const std::string& json, const std::filesystem::path& fi
                         TimeNs start_ns) {
   const JsonDocument document(json, file, line);
   const JsonObject object = document.root();
-  try {
-    SceneChange change = parse_change(object, "t_ns");
-    change.time_s =
-        static_cast<double>(object.integer("t_ns", 0, 4'000'000'000'000'000'000) - start_ns) * kSecondsPerNs;
-    return change;
-  } catch (const InputError& error) {
-    throw at_line(error, file, line);
-  }
+  SceneChange change = parse_change(object, "t_ns");
+  change.time_s =
+      static_cast<double>(object.integer("t_ns", 0, 4'000'000'000'000'000'000) - start_ns) * kSecondsPerNs;
+  return change;
 }
 
 }  // namespace herr

@@ -102,12 +102,8 @@ glm::dvec3 parse_direction(const JsonObject& object) {
 
 glm::dquat parse_orientation(const JsonObject& object, const char* key) {
   if (!object.has(key)) return {1.0, 0.0, 0.0, 0.0};
-  const std::vector<double> q = object.numbers(key, 4, -1.001, 1.001);
-  const glm::dquat orientation(q[3], q[0], q[1], q[2]);
-  if (std::abs(glm::length(orientation) - 1.0) > 1e-3) {
-    object.fail(key, "is not of unit length", "write a unit quaternion x, y, z, w");
-  }
-  return glm::normalize(orientation);
+  const std::array<double, 4> q = object.unit_quaternion(key);
+  return glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]));
 }
 
 Pose parse_pose(const JsonObject& object) {

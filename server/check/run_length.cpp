@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "server/check/measure/measure_run.h"
 #include "server/results/fingerprint.h"
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -90,6 +93,26 @@ std::vector<CheckedTime> told_times(std::span<const RunValues> candidate, std::s
   return times;
 }
 
+// The one that grew most of those with this verdict, and how many more there are.
+std::string counters_text(const std::vector<CounterJudgement>& counters, Verdict verdict) {
+  const auto growth = [](const CounterJudgement& one) {
+    return one.baseline > 0 ? one.candidate / one.baseline : std::numeric_limits<double>::infinity();
+  };
+  const CounterJudgement* most = nullptr;
+  std::int64_t count = 0;
+  for (const CounterJudgement& counter : counters) {
+    if (counter.verdict != verdict) continue;
+    ++count;
+    if (most == nullptr || growth(counter) > growth(*most)) most = &counter;
+  }
+  if (most == nullptr) return {};
+  const std::string text = most->reason.empty()
+                               ? "more " + most->name + " than before, " + counter_change_text(*most) +
+                                     " (limit +" + fixed_text(100 * kCounterLimit, 1) + " %)"
+                               : most->name + " " + most->reason;
+  return count == 1 ? text : text + ", and " + counted(count - 1, "more counter", "more counters");
+}
+
 void conclude(CheckReport& report) {
   report.verdict = Verdict::ok;
   report.reason.clear();
@@ -98,10 +121,10 @@ void conclude(CheckReport& report) {
     report.verdict = verdict;
     report.reason = reason;
   };
-  for (const CounterJudgement& counter : report.counters) {
-    const std::string more = "more " + counter.name + " than before, " + counter_change_text(counter) +
-                             " (limit +" + fixed_text(100 * kCounterLimit, 1) + " %)";
-    add(counter.verdict, counter.reason.empty() ? more : counter.name + " " + counter.reason);
+  if (!report.counters.empty()) {
+    Verdict worst = Verdict::ok;
+    for (const CounterJudgement& counter : report.counters) worst = worse_of(worst, counter.verdict);
+    add(worst, counters_text(report.counters, worst));
   }
   for (const CheckedTime& time : report.times) {
     if (!time.decides) continue;

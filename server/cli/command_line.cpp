@@ -167,9 +167,6 @@ std::string parser_message(const CLI::ParseError& error) {
   for (const std::string& extra : extras) {
     if (extra.starts_with("-")) throw UsageError(unknown_flag_message(extra, long_flags(place), name));
   }
-  if (command == nullptr && !extras.empty() && extras.front() == "help")
-    throw UsageError(
-        "'help' is no command; 'herr --help' lists the commands, 'herr COMMAND --help' its flags");
   if (!extras.empty()) {
     std::vector<std::string> commands;
     for (const CLI::App* known : app.get_subcommands({})) commands.push_back(known->get_name());
@@ -250,11 +247,24 @@ bool has(const std::vector<std::string>& arguments, std::string_view flag) {
   return std::find(arguments.begin(), end, flag) != end;
 }
 
+std::vector<std::string> command_names(const Parser& parser) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : parser.commands()) names.push_back(command->get_name());
+  return names;
+}
+
 std::string help_text(const Parser& parser, const std::vector<std::string>& arguments) {
   for (const CLI::App* command : parser.commands()) {
     if (!arguments.empty() && arguments.front() == command->get_name()) return command->help("herr");
   }
   return parser.app.help();
+}
+
+// 'herr help', 'herr help COMMAND'.
+std::string help_on(const Parser& parser, const std::vector<std::string>& arguments) {
+  const std::vector<std::string> asked(arguments.begin() + 1, arguments.end());
+  if (!asked.empty()) parse_word("help", asked.front(), command_names(parser));
+  return help_text(parser, asked);
 }
 
 // The first word that is a command; empty: none is.
@@ -296,6 +306,7 @@ Command parse_command_line(const std::vector<std::string>& arguments) {
   // Help and version never fail, whatever else the line says.
   if (has(arguments, "--help") || has(arguments, "-h")) return ShowText{help_text(*parser, arguments)};
   if (has(arguments, "--version")) return ShowText{std::string(program_with_version()) + "\n"};
+  if (!arguments.empty() && arguments.front() == "help") return ShowText{help_on(*parser, arguments)};
   const std::string named = command_named(*parser, arguments);
   refuse_early_flag(arguments, named);
   try {

@@ -43,7 +43,8 @@ LookDirection direction_from(const std::string& text) {
     return kNamedDirections.at(parse_word("--from", text, direction_names())).direction;
   }
   return {parse_signed_number("--from", text.substr(0, comma), 360),
-          parse_signed_number("--from", text.substr(comma + 1), 90)};
+          parse_signed_number(
+              "--from", text.substr(std::min(text.find_first_not_of(' ', comma + 1), text.size())), 90)};
 }
 
 PictureFormats formats_from(const std::string& text) {

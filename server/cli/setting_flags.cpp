@@ -84,11 +84,23 @@ std::string nearest_multiples(const Setting& setting, const std::string& text) {
   }
 }
 
+// ": it is in seconds"; empty: the setting has no unit.
+std::string unit_words(const std::string& unit) {
+  if (unit.empty()) return {};
+  const std::string name = unit == "s"    ? "seconds"
+                           : unit == "ms" ? "milliseconds"
+                           : unit == "m"  ? "metres"
+                                          : unit;
+  return ": it is in " + name;
+}
+
 void read_text(const Setting& setting, const std::string& text) {
   try {
     set_text(setting, text);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(setting.flag + ": " + error.what() + nearest_multiples(setting, text));
+    const std::string what = error.what();
+    const std::string counts = what.ends_with(kWithoutUnit) ? unit_words(setting.unit) : "";
+    throw UsageError(setting.flag + ": " + what + counts + nearest_multiples(setting, text));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "scenes/load_scene.h"
 #include "server/frames/auto_exposure.h"
@@ -31,9 +32,10 @@ void open_scene(const ReplayOptions& options, SessionReport& report, OpenedSessi
 }
 
 // Its picture joins those of the viewports, under its own name.
-std::optional<OutsideView> view_of(const ReplayOptions& options, const DisplayProfile& profile) {
+std::optional<OutsideView> view_of(const ReplayOptions& options, const DisplayProfile& profile,
+                                   std::vector<std::string>& warnings) {
   if (options.view.empty()) return std::nullopt;
-  const OutsideView view = load_view_file(options.view);
+  const OutsideView view = load_view_file(options.view, warnings);
   for (const Viewport& viewport : profile.viewports) {
     if (viewport.name != view.name) continue;
     throw InputError(options.view, 0,
@@ -66,7 +68,8 @@ void open_inputs(const ReplayOptions& options, SessionReport& report, OpenedSess
       scaled_profile(options.profile.empty() ? report.header.profile : load_display_profile(options.profile),
                      options.profile_scale);
   report.settings = options.render;
-  report.settings.outside = view_of(options, report.profile);
+  std::vector<std::string> warnings;
+  report.settings.outside = view_of(options, report.profile, warnings);
   // In real time a frame of the session is a tick of the display.
   const bool own_period = options.target_ms && options.clock == ReplayClock::realtime;
   const double display_hz = own_period ? 1e3 / *options.target_ms : report.profile.display_hz;
@@ -78,6 +81,7 @@ void open_inputs(const ReplayOptions& options, SessionReport& report, OpenedSess
                      " lies in that span; the session lasts " + fixed_text(seconds, 2) + " s");
   }
   open_scene(options, report, opened);
+  opened.scene.warnings.insert(opened.scene.warnings.end(), warnings.begin(), warnings.end());
 }
 
 void open_session(const ReplayOptions& options, SessionReport& report, OpenedSession& opened) {

@@ -30,6 +30,7 @@ void ScenePlayer::rehearse(const Session& session, const Scene& scene) {
     judged([&] { rehearsal.play(event.json, session.events_file(), event.line, session.start_ns()); });
   });
   judged([&] { rehearsal.finish(); });
+  if (const auto warning = rehearsal.w_first_warning()) warnings_.emplace_back(warning->what());
 }
 
 const SceneState& ScenePlayer::advance(Session& session, TimeNs t_ns) {

@@ -20,8 +20,10 @@ class ScenePlayer {
   // Plays all events and the timeline on names alone, before the first frame; memory does not grow with their
   // number. Throws InputError for the first that cannot be made (unless keep_going).
   void rehearse(const Session& session, const Scene& scene);
-  std::int64_t skipped_changes() const { return skipped_; }               // as the rehearsal found
-  const std::vector<std::string>& warnings() const { return warnings_; }  // of those, the first few
+  std::int64_t skipped_changes() const { return skipped_; }  // as the rehearsal found
+  const std::vector<std::string>& warnings() const {
+    return warnings_;
+  }  // of the first few of those, and others
 
   // The scene as it was loaded, for a session opened anew.
   void restart() { world_.restart(); }

@@ -29,6 +29,7 @@ void inspect_events(const Scene& scene, const std::filesystem::path& events_json
     judged([&] { rehearsal.play(event->json, events_jsonl, event->line, start_ns); });
   }
   judged([&] { rehearsal.finish(); });
+  if (const auto warning = rehearsal.w_first_warning()) findings.add(Severity::warning, *warning);
   std::string kinds;
   for (std::size_t kind = 0; kind < rehearsal.counts().size(); ++kind) {
     if (rehearsal.counts()[kind] == 0) continue;

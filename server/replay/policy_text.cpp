@@ -35,6 +35,7 @@ std::string policy_text(const RunStatistics& statistics, QualityPolicy policy) {
         ", " + std::to_string(floor) + " of " + std::to_string(statistics.frames) + " frames at the floor";
   }
   if (slow > 0) text += ", " + std::to_string(slow) + " of them too slow there";
+  if (frames_for(QualityReason::start) > 0) text += "; its first tens of frames are a warm-up from the floor";
   return text;
 }
 

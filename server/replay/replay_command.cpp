@@ -101,7 +101,7 @@ std::string further_views_text(const SessionReport& report) {
 }
 
 // "clipped: 1234 pixels of the PNG files, 0.1 %, are ...", or nothing.
-std::string clipped_text(const SessionReport& report) {
+std::string clipped_text(const SessionReport& report, const ReplayOptions& options) {
   const std::int64_t clipped = report.statistics.clipped_pixels;
   if (clipped == 0) return {};
   double pixels = 0;  // of a frame
@@ -111,8 +111,9 @@ std::string clipped_text(const SessionReport& report) {
       static_cast<double>(clipped) / (pixels * static_cast<double>(report.statistics.frames));
   return "clipped: " + counted(clipped, "pixel", "pixels") + " of the PNG files, " +
          fixed_text(100 * share, 2) + " %, " + (clipped == 1 ? "is" : "are") +
-         " brighter than white or below 0; --exposure moves white, --format png,exr keeps values "
-         "too\n";
+         " brighter than white or below 0; --exposure moves white, " +
+         (options.formats.has(PictureFormat::exr) ? "the EXR files hold their values\n"
+                                                  : "--format png,exr keeps values too\n");
 }
 
 // The heading and table of one session, and where its files are.
@@ -134,7 +135,7 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   if (statistics.k_radial.count() > 0) text += acuity_text(statistics);
   text += load_text(report) + "\n";
   text += further_views_text(report);
-  text += clipped_text(report);
+  text += clipped_text(report, options);
   text += "results: " + printable(report.out_folder.string()) + "\n";
   if (report.state != ReplayState::done && is_reproducible(options)) {
     text += "to go on with it: the same command and --resume\n";

@@ -98,6 +98,7 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& text, double 
   std::size_t begin = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
+    begin = std::min(text.find_first_not_of(' ', begin), end);  // a blank after a comma
     point[axis] = parse_signed_number(flag, text.substr(begin, end - begin), highest);
     begin = end + 1;
   }

@@ -12,6 +12,12 @@ namespace {
 
 constexpr const char* kNone = "none";
 
+// As people write after a comma.
+std::string without_blanks(std::string_view word) {
+  const std::size_t from = std::min(word.find_first_not_of(' '), word.size());
+  return std::string(word.substr(from, word.find_last_not_of(' ') + 1 - from));
+}
+
 std::vector<std::string> known_words() {
   std::vector<std::string> words;
   for (const PictureFormat format : kPictureFormats) words.emplace_back(name_of(format));
@@ -43,7 +49,7 @@ PictureFormats picture_formats_from(std::string_view text) {
   if (text == kNone) return formats;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
-    const std::size_t index = word_from(std::string(text.substr(at, end - at)), known_words());
+    const std::size_t index = word_from(without_blanks(text.substr(at, end - at)), known_words());
     if (index == kPictureFormats.size()) {
       throw std::invalid_argument("'none' stands beside a format; give one of the two");
     }

@@ -1,6 +1,6 @@
 #include "server/settings/view_file.h"
 
-#include <cmath>
+#include <array>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
@@ -9,12 +9,12 @@
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/strict_json.h"
+#include "sessions/text/written_order.h"
 
 namespace herr {
 namespace {
 
 constexpr double kFarthestView_m = 1e9;
-constexpr double kUnitLength = 1e-3;    // a quaternion may be off by so much
 constexpr double kParallel_rad = 1e-6;  // between `up` and the direction of view
 constexpr double kNearestFrusta_m = 1e-3, kFarthestFrusta_m = 1e6;
 
@@ -45,18 +45,19 @@ glm::dquat facing(const JsonObject& root, const glm::dvec3& position) {
   return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(right, ahead), -ahead)));
 }
 
-glm::dquat turned(const JsonObject& root) {
+glm::dquat turned(const JsonObject& root, std::vector<std::string>& warnings) {
   if (root.has("up")) root.fail("up", "belongs to look_at_m", "leave it out beside orientation_xyzw");
-  const std::vector<double> q = root.numbers("orientation_xyzw", 4, -2, 2);
-  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-  if (!(std::abs(length - 1) <= kUnitLength)) {
-    root.fail("orientation_xyzw", "has the length " + shown_number(length),
-              "give a unit quaternion [qx, qy, qz, qw]");
+  const std::array<double, 4> q = root.unit_quaternion("orientation_xyzw");
+  if (const auto doubt = order_doubt(q)) {
+    const char* kField = "orientation_xyzw";
+    warnings.emplace_back(InputError(root.file(), line_of_field(root.file(), kField),
+                                     std::string("field ") + kField + " " + doubt->problem, doubt->remedy)
+                              .what());
   }
   return glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]));
 }
 
-void read_pose(const JsonObject& root, OutsideView& view) {
+void read_pose(const JsonObject& root, OutsideView& view, std::vector<std::string>& warnings) {
   const std::string space = root.text_or("space", "scene");
   if (space != "scene" && space != "session")
     root.fail("space", "is '" + printable(space) + "'", "write scene or session");
@@ -69,7 +70,7 @@ void read_pose(const JsonObject& root, OutsideView& view) {
         "give one of the two: look_at_m [x, y, z], or orientation_xyzw [qx, qy, qz, qw]");
   }
   view.space_from_camera.orientation =
-      root.has("orientation_xyzw") ? turned(root) : facing(root, view.space_from_camera.position);
+      root.has("orientation_xyzw") ? turned(root, warnings) : facing(root, view.space_from_camera.position);
 }
 
 void read_picture(const JsonObject& root, OutsideView& view) {
@@ -98,14 +99,14 @@ void read_picture(const JsonObject& root, OutsideView& view) {
 
 }  // namespace
 
-OutsideView load_view_file(const std::filesystem::path& file) {
+OutsideView load_view_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
   const JsonDocument document(file);
   const JsonObject root = document.root();
   root.allow_only({"name", "space", "position_m", "look_at_m", "up", "orientation_xyzw", "fov_deg",
                    "width_px", "height_px", "samples", "see_through_colour", "overlay", "frusta_m"});
   OutsideView view;
   read_name(root, view);
-  read_pose(root, view);
+  read_pose(root, view, warnings);
   read_picture(root, view);
   return view;
 }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "renderer/outside_view.h"
 
@@ -14,8 +15,8 @@ namespace herr {
 // Rays of a picture, all together: 8 bytes of memory each.
 inline constexpr std::int64_t kMostOutsideRays = std::int64_t{1} << 27;
 
-// Throws InputError that names the field.
-OutsideView load_view_file(const std::filesystem::path& file);
+// Throws InputError that names the field. Appends a line to `warnings` where the quaternion looks w-first.
+OutsideView load_view_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 // What of a view decides its picture, each number in full: for fingerprints.
 std::string view_text(const OutsideView& view);

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "sessions/files/input_error.h"
+#include "sessions/files/input_file.h"
+#include "sessions/files/json/json_line.h"
 #include "sessions/files/nearest_name.h"
 #include "sessions/files/strict_json.h"
 
@@ -57,8 +60,18 @@ std::string shown_number(double value) {
   return std::string(buffer.data(), result.ptr);
 }
 
-JsonObject::JsonObject(const json& value, std::filesystem::path file, std::string where)
-    : value_(&value), file_(std::move(file)), where_(std::move(where)) {
+std::int64_t line_of_field(const std::filesystem::path& file, const std::string& field) {
+  constexpr std::int64_t kMostBytes = 16 << 20;
+  try {
+    return json_line(read_whole_file(file, kMostBytes), field);
+  } catch (const InputError&) {
+  } catch (const std::system_error&) {
+  }
+  return 0;  // the error itself matters more than its line
+}
+
+JsonObject::JsonObject(const json& value, std::filesystem::path file, std::string where, std::int64_t line)
+    : value_(&value), file_(std::move(file)), where_(std::move(where)), line_(line) {
   if (!value.is_object())
     fail(nullptr, std::string("is ") + described(value) + ", not an object", "write {...}");
 }
@@ -66,8 +79,8 @@ JsonObject::JsonObject(const json& value, std::filesystem::path file, std::strin
 void JsonObject::fail(const char* key, const std::string& problem, const std::string& remedy) const {
   std::string field = where_;
   if (key != nullptr) field += (field.empty() ? "" : ".") + std::string(key);
-  throw InputError(file_, 0, (field.empty() ? "the document" : "field " + printable(field)) + " " + problem,
-                   remedy);
+  throw InputError(file_, line_ > 0 ? line_ : line_of_field(file_, field),
+                   (field.empty() ? "the document" : "field " + printable(field)) + " " + problem, remedy);
 }
 
 void JsonObject::allow_only(std::initializer_list<const char*> keys) const {
@@ -126,9 +139,10 @@ std::int64_t JsonObject::integer_or(const char* key, std::int64_t lowest, std::i
 
 void JsonObject::require_version(std::int64_t version) const {
   constexpr const char* kKey = "format_version";
+  const std::string wanted = std::to_string(version);
+  if (!has(kKey)) fail(kKey, "is missing", "add \"format_version\": " + wanted);
   const json& found = value(kKey);
   if (found.is_number_integer() && found == version) return;
-  const std::string wanted = std::to_string(version);
   if (!found.is_number())
     fail(kKey, std::string("is ") + described(found) + ", not a number", "write " + wanted);
   fail(kKey, "is " + shown_number(found.get<double>()) + ", and this program reads version " + wanted,
@@ -179,6 +193,29 @@ glm::dvec3 JsonObject::vec3_or(const char* key, double lowest, double highest,
   return has(key) ? vec3(key, lowest, highest) : fallback;
 }
 
+std::array<double, 4> JsonObject::unit_quaternion(const char* key) const {
+  constexpr double kTolerance = 1e-3, kLargest = 1e9;
+  const std::string remedy =
+      "write a unit quaternion x, y, z, w: [0, 0, 0, 1] is no turn, [0, 0.7071068, 0, 0.7071068] one of 90 "
+      "degrees about y";
+  const json& found = value(key);
+  if (found.is_array() && found.size() != 4)
+    fail(key, "has " + std::to_string(found.size()) + " elements", remedy);
+  const std::vector<double> q = numbers(key, 4, -kLargest, kLargest);
+  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (std::abs(length - 1) <= kTolerance) return {q[0], q[1], q[2], q[3]};
+  std::string text;
+  bool large = false;
+  for (const double number : q) {
+    text += (text.empty() ? "[" : ", ") + shown_number(number);
+    large = large || std::abs(number) > 1.5;
+  }
+  fail(key,
+       "is " + text + "], not of unit length but " + shown_number(std::round(1e4 * length) / 1e4) +
+           (large ? ", as if degrees stood in it" : ""),
+       remedy);
+}
+
 bool JsonObject::is_number(const char* key) const {
   return value(key).is_number();
 }
@@ -188,7 +225,7 @@ bool JsonObject::is_text(const char* key) const {
 }
 
 JsonObject JsonObject::object(const char* key) const {
-  return {value(key), file_, (where_.empty() ? "" : where_ + ".") + key};
+  return {value(key), file_, (where_.empty() ? "" : where_ + ".") + key, line_};
 }
 
 std::vector<JsonObject> JsonObject::objects(const char* key) const {
@@ -199,7 +236,7 @@ std::vector<JsonObject> JsonObject::objects(const char* key) const {
     fail(key, std::string("is ") + described(found) + ", not an array", "write [{...}, ...]");
   const std::string prefix = (where_.empty() ? "" : where_ + ".") + key;
   for (std::size_t i = 0; i < found.size(); ++i)
-    views.emplace_back(found[i], file_, prefix + "[" + std::to_string(i) + "]");
+    views.emplace_back(found[i], file_, prefix + "[" + std::to_string(i) + "]", line_);
   return views;
 }
 
@@ -207,7 +244,9 @@ JsonDocument::JsonDocument(std::filesystem::path file, const JsonLimits& limits)
     : file_(std::move(file)), value_(std::make_unique<const json>(parse_json_file(file_, limits))) {}
 
 JsonDocument::JsonDocument(std::string_view text, std::filesystem::path file, std::int64_t line)
-    : file_(std::move(file)), value_(std::make_unique<const json>(parse_json_text(text, file_, line))) {}
+    : file_(std::move(file)),
+      value_(std::make_unique<const json>(parse_json_text(text, file_, line))),
+      line_(line) {}
 
 JsonDocument::JsonDocument(JsonDocument&&) noexcept = default;
 JsonDocument::~JsonDocument() = default;
@@ -217,7 +256,7 @@ bool JsonDocument::is_object() const {
 }
 
 JsonObject JsonDocument::root() const {
-  return {*value_, file_, ""};
+  return {*value_, file_, "", line_};
 }
 
 }  // namespace herr

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,39 +9,12 @@
 
 #include "sessions/files/input_error.h"
 #include "sessions/files/input_file.h"
+#include "sessions/files/json/traced_text.h"
 
 namespace herr {
 namespace {
 
 using nlohmann::json;
-
-// Reads characters and leaves word of how far the parser has come: the parser itself tells its handler
-// nothing about places, and an error without a line is hard to act on.
-class TracedText {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  TracedText(const char* at, const char** reached) : at_(at), reached_(reached) {}
-  reference operator*() const { return *at_; }
-  TracedText& operator++() {
-    *reached_ = ++at_;
-    return *this;
-  }
-  TracedText operator++(int) {
-    TracedText before = *this;
-    ++*this;
-    return before;
-  }
-  bool operator==(const TracedText& other) const { return at_ == other.at_; }
-
- private:
-  const char* at_;
-  const char** reached_;
-};
 
 // Builds the document while it checks what nlohmann's own builder lets pass: depth, count, repeated keys.
 class CheckedBuilder : public nlohmann::json_sax<json> {

@@ -3,6 +3,7 @@
 // Who only reads fields needs JsonDocument and JsonObject, and not the library's header.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
@@ -26,14 +27,22 @@ nlohmann::json parse_json_file(const std::filesystem::path& file, const JsonLimi
 nlohmann::json parse_json_text(std::string_view text, const std::filesystem::path& file,
                                std::int64_t first_line, const JsonLimits& limits = {});
 
+// The line of a file of JSON on which a field stands ("lights[0].path"); of one that is missing, the line of
+// what it should stand in. 0: the file cannot be read again, or is no JSON. It parses the file: of use for
+// errors.
+std::int64_t line_of_field(const std::filesystem::path& file, const std::string& field);
+
 // The shortest text that reads back as the same number: two that differ look different in a message.
 std::string shown_number(double value);
 
 // A view of one JSON object that knows where it stands ("lights[0].path"), so that each error names its
-// field. The document must outlive the view. Every reader throws InputError on a wrong type, range or size.
+// field and its line. The document must outlive the view. Every reader throws InputError on a wrong type,
+// range or size.
 class JsonObject {
  public:
-  JsonObject(const nlohmann::json& value, std::filesystem::path file, std::string where);
+  // `line`: where the whole document stands on one line of the file; 0: it is all of the file.
+  JsonObject(const nlohmann::json& value, std::filesystem::path file, std::string where,
+             std::int64_t line = 0);
 
   // Throws if a key is present that is not listed here; names the nearest listed key.
   void allow_only(std::initializer_list<const char*> keys) const;
@@ -59,21 +68,25 @@ class JsonObject {
   std::vector<JsonObject> objects(const char* key) const;  // an array of objects; empty when absent
   const nlohmann::json& value(const char* key) const;
 
+  // Four numbers x, y, z, w whose length is 1 to a thousandth, as they are written.
+  std::array<double, 4> unit_quaternion(const char* key) const;
+
   const std::filesystem::path& file() const { return file_; }
   const std::string& where() const { return where_; }
-  // Throws InputError "FILE: field WHERE.KEY PROBLEM; REMEDY" (KEY may be null: the object itself).
+  // Throws InputError "FILE:LINE: field WHERE.KEY PROBLEM; REMEDY" (KEY may be null: the object itself).
   [[noreturn]] void fail(const char* key, const std::string& problem, const std::string& remedy) const;
 
  private:
   const nlohmann::json* value_;
   std::filesystem::path file_;
   std::string where_;
+  std::int64_t line_ = 0;
 };
 
 // A parsed document, which its views look into.
 class JsonDocument {
  public:
-  // Parses a whole file / one text, as parse_json_file and parse_json_text do.
+  // Parses a whole file / one line of a file, as parse_json_file and parse_json_text do.
   explicit JsonDocument(std::filesystem::path file, const JsonLimits& limits = {});
   JsonDocument(std::string_view text, std::filesystem::path file, std::int64_t line);
   JsonDocument(JsonDocument&&) noexcept;
@@ -86,6 +99,7 @@ class JsonDocument {
  private:
   std::filesystem::path file_;
   std::unique_ptr<const nlohmann::json> value_;
+  std::int64_t line_ = 0;  // that all of it stands on; 0: on several
 };
 
 }  // namespace herr

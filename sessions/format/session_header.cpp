@@ -62,12 +62,9 @@ Pose parse_pose(const JsonObject& entry) {
   entry.allow_only({"position", "orientation_xyzw"});
   Pose pose;
   pose.position = entry.vec3("position", -10, 10);
-  const std::vector<double> q = entry.numbers("orientation_xyzw", 4, -2, 2);
+  const std::array<double, 4> q = entry.unit_quaternion("orientation_xyzw");
   const glm::dquat orientation(q[3], q[0], q[1], q[2]);
-  const double norm = glm::length(orientation);
-  if (!(std::abs(norm - 1) <= 1e-3))
-    entry.fail("orientation_xyzw", "is not a unit quaternion", "write x, y, z, w with x2 + y2 + z2 + w2 = 1");
-  pose.orientation = orientation / norm;
+  pose.orientation = orientation / glm::length(orientation);
   return pose;
 }
 

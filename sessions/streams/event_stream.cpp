@@ -20,13 +20,7 @@ SceneEvent EventStream::parse(const TextLine& line) const {
   if (!document.is_object())
     throw InputError(path(), line.number, "is not an object", "write {\"t_ns\": ..., \"op\": ...}");
   SceneEvent event{0, std::string(line.text), line.number};
-  try {
-    event.t_ns = document.root().integer("t_ns", 0, kLastStampNs);
-  } catch (const InputError& error) {  // JsonObject knows fields, not lines
-    const std::string text = error.what();
-    const std::string prefix = path().string() + ": ";
-    throw InputError(path(), line.number, text.rfind(prefix, 0) == 0 ? text.substr(prefix.size()) : text, "");
-  }
+  event.t_ns = document.root().integer("t_ns", 0, kLastStampNs);
   if (event.t_ns < last_ns_)
     throw InputError(path(), line.number,
                      "t_ns " + std::to_string(event.t_ns) + " goes backwards by " +

@@ -58,15 +58,31 @@ std::optional<std::string> plain_form(std::string text, double lowest, double hi
   return plain_number_text(value + 0.0);  // -0 is 0
 }
 
+// "2s", "11ms", "50%".
+bool has_unit(std::string_view text) {
+  const std::size_t end = text.find_first_not_of("0123456789.");
+  return end != std::string_view::npos && end > 0 &&
+         std::all_of(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), [](char c) {
+           return (lower_case(c) >= 'a' && lower_case(c) <= 'z') || c == '%' || c == ' ';
+         });
+}
+
+// What to write instead of `text`; `example` where nothing is known.
+std::string advice(const std::string& text, const std::optional<std::string>& plain, const char* example) {
+  if (plain) return *plain;
+  return has_unit(text) ? kWithoutUnit : example;
+}
+
 }  // namespace
 
 std::int64_t whole_number_from(const std::string& text, std::int64_t lowest, std::int64_t highest) {
   std::int64_t value = 0;
   const std::string from = std::to_string(lowest), to = std::to_string(highest);
   if (!is_plain_whole(without_minus(text)))
-    refuse(text, "a whole number from " + from + " to " + to + "; write " +
-                     plain_form(text, static_cast<double>(lowest), static_cast<double>(highest), true)
-                         .value_or("plain decimal digits"));
+    refuse(text,
+           "a whole number from " + from + " to " + to + "; write " +
+               advice(text, plain_form(text, static_cast<double>(lowest), static_cast<double>(highest), true),
+                      "plain decimal digits"));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || value < lowest || value > highest || text.starts_with('-'))
     refuse_size(text, from, to);
@@ -78,7 +94,7 @@ double real_number_from(const std::string& text, double lowest, double highest) 
   const std::string from = plain_number_text(lowest), to = plain_number_text(highest);
   if (!is_plain_real(without_minus(text)))
     refuse(text, "a number from " + from + " to " + to + "; write " +
-                     plain_form(text, lowest, highest, false).value_or("it as 12 or 1.5"));
+                     advice(text, plain_form(text, lowest, highest, false), "it as 12 or 1.5"));
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value) || value < lowest || value > highest)
     refuse_size(text, from, to);

@@ -11,6 +11,9 @@
 
 namespace herr {
 
+// What the advice says of "2s".
+inline constexpr const char* kWithoutUnit = "the number alone, without a unit";
+
 // Digits only: no sign, no leading zero.
 std::int64_t whole_number_from(const std::string& text, std::int64_t lowest, std::int64_t highest);
 // Digits with at most one decimal point: no sign, no exponent, no leading zero before another digit.

@@ -22,7 +22,7 @@ SUBCOMMAND = re.compile(r"^  ([a-z]+) {2,}", re.MULTILINE)
 HIDDEN = {"--measure"}
 FOREIGN = {"--build", "--preset", "--install", "--prefix", "--target", "--fix", "--gtest_filter", "--resize", "--quick",
            "--only", "--list", "--scanline", "--compression", "--info", "--mulc", "--subimage", "--fullpixels", "--ch",
-           "--colorconvert", "--unpremult", "--over", "--echo"}
+           "--colorconvert", "--unpremult", "--over", "--echo", "--attrib", "--diff", "--fail"}
 
 
 def markdown_files(root):

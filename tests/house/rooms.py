@@ -2,7 +2,7 @@
 A file includes only its own room and rooms below it; the root of a module is its roof, in renderer/ its ground."""
 
 ROOMS = {
-    "sessions": ("files/system", "files", "text", "pictures", "pictures/openimageio", "camera", "format", "streams",
+    "sessions": ("files/system", "files/json", "files", "text", "pictures", "pictures/openimageio", "camera", "format", "streams",
                  "check", "inspect/meters", "inspect", "record", "import/text", "import/map", "import/tables", "import/rows",
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check/roles", "import/check"),
     "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "environment", "document", "changes"),
@@ -29,7 +29,7 @@ FACE = {
         "sessions/files/append_file.h", "sessions/files/atomic_file.h", "sessions/files/contained_folder.h",
         "sessions/text/fixed_text.h", "sessions/files/folder_lock.h", "sessions/files/folders.h",
         "sessions/files/input_error.h", "sessions/files/input_file.h", "sessions/files/line_reader.h", "sessions/files/nearest_name.h",
-        "sessions/text/plain_values.h", "sessions/files/strict_json.h", "sessions/files/system/descriptor.h",
+        "sessions/text/plain_values.h", "sessions/text/written_order.h", "sessions/files/strict_json.h", "sessions/files/system/descriptor.h",
         "sessions/files/write_error.h",
         "sessions/format/covered_by_focus.h", "sessions/format/display_profile.h", "sessions/format/pose.h",
         "sessions/format/session_header.h",

@@ -31,7 +31,8 @@ std::string no_lights(const Scene& scene, const FramePlan& plan) {
 }
 
 std::string catchers_without_feed(const Scene& scene, const FramePlan& plan, const RenderSettings& settings) {
-  if (plan.camera || settings.see_through_colour) return {};
+  // Without the feed on purpose, their shadows are in the pictures' alpha.
+  if (plan.camera || !settings.camera || settings.see_through_colour) return {};
   const auto catchers =
       std::count_if(scene.instances.begin(), scene.instances.end(),
                     [](const Instance& instance) { return instance.catcher && instance.present; });

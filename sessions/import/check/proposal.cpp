@@ -129,7 +129,13 @@ std::vector<OpenField> open_fields(const std::vector<std::string>& questions) {
                               {"\"rate_hz\"", {"time", "rate_hz"}},
                               {"\"unit\" of \"time\"", {"time", "unit"}},
                               {"\"unit\" of \"position\"", {"position", "unit"}},
-                              {"\"unit\" in the map", {"orientation", "unit"}}};
+                              {"\"unit\" in the map", {"orientation", "unit"}},
+                              {"\"major\"", {"orientation", "major"}},
+                              {"\"space\" of the gaze", {"gaze", "space", true}},
+                              {"\"valid\" of the head", {"head", "valid", true}},
+                              {"\"valid\" of the gaze's combined", {"combined", "valid", true}},
+                              {"\"valid\" of the gaze's left", {"left", "valid", true}},
+                              {"\"valid\" of the gaze's right", {"right", "valid", true}}};
   std::vector<OpenField> open;
   for (const std::string& question : questions)
     for (const NamedField& one : named)

@@ -53,7 +53,7 @@ void leave_open(const OpenField& open, const std::string& name, MapJson& value) 
     for (MapJson& element : value) leave_open(open, name, element);
   if (!value.is_object()) return;
   for (auto& item : value.items()) leave_open(open, item.key(), item.value());
-  if (!value.contains(open.key) || (!open.parent.empty() && open.parent != name)) return;
+  if ((!value.contains(open.key) && !open.absent) || (!open.parent.empty() && open.parent != name)) return;
   value[open.key] = nullptr;
   if (open.key == "world_axes" || open.key == "head_axes") value.erase("handedness");
 }

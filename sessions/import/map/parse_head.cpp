@@ -11,10 +11,8 @@ Pose parse_fixed_pose(const JsonObject& parent, const char* key) {
   if (!parent.has(key)) return {};
   const JsonObject entry = parent.object(key);
   entry.allow_only({"position", "orientation_xyzw"});
-  const std::vector<double> q = entry.numbers("orientation_xyzw", 4, -1.001, 1.001);
+  const std::array<double, 4> q = entry.unit_quaternion("orientation_xyzw");
   glm::dquat orientation(q[3], q[0], q[1], q[2]);
-  if (!(std::abs(glm::length(orientation) - 1) <= 1e-3))
-    entry.fail("orientation_xyzw", "is not a unit quaternion", "write x, y, z, w");
   // One that is normalised to rounding stays as it is, digit by digit.
   if (std::abs(glm::dot(orientation, orientation) - 1) > 1e-15) orientation = glm::normalize(orientation);
   return {entry.vec3("position", -10, 10), orientation};

@@ -209,9 +209,15 @@ void prove_angles(const FormatRequest& request, ChosenFormat& chosen) {
       "the combined ray of the file proves another formula of its angles, which was taken");
 }
 
+[[noreturn]] void refuse_missing(const std::filesystem::path& file) {
+  if (!file.has_filename() && is_file(file.parent_path()))
+    throw InputError(file, 0, "ends with '/', and what stands before it is a file", "leave the '/' out");
+  throw InputError(file, 0, "does not exist", "name a recording");
+}
+
 ChosenFormat chosen_of(const FormatRequest& request) {
   for (const std::filesystem::path& file : {request.files.head, request.files.gaze.value_or("")})
-    if (!file.empty() && !path_exists(file)) throw InputError(file, 0, "does not exist", "name a recording");
+    if (!file.empty() && !path_exists(file)) refuse_missing(file);
   std::vector<FittingColumns> formats = all_fitting(request);
   const bool recognised_itself = !request.map && request.preset.empty();
   const bool counted = !recognised_itself && !request.map && formats.front().named_columns == 0;

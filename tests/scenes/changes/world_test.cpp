@@ -271,5 +271,23 @@ TEST(WorldTest, ARehearsalPlaysEventsWithoutTouchingTheScene) {
   EXPECT_EQ(scene.instances.size(), 2u);
 }
 
+TEST(WorldTest, ARehearsalTellsOnceOfEventsWhoseQuaternionLooksWFirst) {
+  const TemporaryFolder folder;
+  const Scene scene = load(folder);
+  ChangeRehearsal rehearsal(scene);
+  rehearsal.play(R"({"t_ns": 1, "op": "move", "name": "cup", "rotation_xyzw": [0, 0, 0, 1]})", "e.jsonl", 1,
+                 0);
+  EXPECT_FALSE(rehearsal.w_first_warning());
+  for (int line = 2; line < 5; ++line)
+    rehearsal.play(R"({"t_ns": 2, "op": "move", "name": "cup", "rotation_xyzw": [0.70711, 0, 0.70711, 0]})",
+                   "e.jsonl", line, 0);
+  ASSERT_TRUE(rehearsal.w_first_warning());
+  EXPECT_STREQ(
+      rehearsal.w_first_warning()->what(),
+      "e.jsonl:2: field rotation_xyzw is [0.70711, 0, 0.70711, 0], which looks w-first (and 2 more); "
+      "here w is last: write [0, 0.70711, 0, 0.70711], or where half a turn is meant [-0.70711, 0, "
+      "-0.70711, 0]");
+}
+
 }  // namespace
 }  // namespace herr::test

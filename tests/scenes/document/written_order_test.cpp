@@ -24,7 +24,7 @@ TEST(WrittenOrder, AQuaternionThatLooksWFirstIsToldWithWhatToWrite) {
   ASSERT_EQ(still.size(), 1u);
   EXPECT_TRUE(
       contains(still[0],
-               "a.scene.json: field shapes[0].box.rotation_xyzw is [1, 0, 0, 0], which looks w-first; "
+               "a.scene.json:2: field shapes[0].box.rotation_xyzw is [1, 0, 0, 0], which looks w-first; "
                "here w is last: write [0, 0, 0, 1], or where half a turn is meant [-1, 0, 0, 0]"))
       << still[0];
   const std::vector<std::string> turned = warnings_of("[0.70711, 0, 0.70711, 0]");

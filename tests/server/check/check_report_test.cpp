@@ -110,6 +110,19 @@ TEST(JUnit, HasAnErrorForWhatIsNotComparable) {
   EXPECT_EQ(check_annotations(report).find("::error "), 0u) << check_annotations(report);
 }
 
+TEST(CheckReport, NamesTheCounterThatGrewMostAndCountsTheOthers) {
+  CheckReport report;
+  report.counters = {{"bytes", Verdict::regression, 1000, 1060, ""},
+                     {"rays.shadow", Verdict::regression, 100, 413, ""},
+                     {"pixels", Verdict::ok, 10, 10, ""},
+                     {"rays.mirror", Verdict::regression, 100, 400, ""}};
+  conclude(report);
+  EXPECT_EQ(report.reason, "more rays.shadow than before, +313.0 % (limit +0.5 %), and 2 more counters");
+  report.counters.push_back({"new", Verdict::regression, 0, 1, ""});  // from nothing is the most
+  conclude(report);
+  EXPECT_EQ(report.reason, "more new than before, from 0 (limit +0.5 %), and 3 more counters");
+}
+
 TEST(CheckReport, SaysWhatDiffersAndWhyItEndedEarlyInEveryForm) {
   CheckReport report = report_of(Verdict::regression, Verdict::ok);
   report.ended_early = "--max-seconds ended it after 12 of 15–30 pairs";

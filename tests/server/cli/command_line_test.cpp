@@ -320,6 +320,10 @@ TEST(CommandLine, HelpAndVersionNeverFail) {
     ASSERT_TRUE(std::holds_alternative<ShowText>(command));
     EXPECT_FALSE(std::get<ShowText>(command).text.empty());
   }
+  EXPECT_EQ(std::get<ShowText>(parse_command_line({"help", "replay"})).text,
+            std::get<ShowText>(parse_command_line({"replay", "--help"})).text);
+  EXPECT_EQ(std::get<ShowText>(parse_command_line({"help"})).text,
+            std::get<ShowText>(parse_command_line({"--help"})).text);
   EXPECT_NE(std::get<ShowText>(parse_command_line({"replay", "--help"})).text.find("--light-samples"),
             std::string::npos);
   EXPECT_EQ(std::get<ShowText>(parse_command_line({"--version", "--bad"})).text.find("herr "), 0u);

@@ -30,7 +30,9 @@ TEST(MistakenLines, AMistakeNamesTheHelpOfItsCommand) {
       {{"look"}, "MODEL is required; 'herr look --help' shows the usage"},
       {{"replay", "s", "--frames"},
        "--frames: its value (N) is missing; 'herr replay --help' shows the usage"},
-      {{"help"}, "'help' is no command; 'herr --help' lists the commands, 'herr COMMAND --help' its flags"},
+      {{"help", "replya"},
+       "help: 'replya' is not one of replay, serve, bench, check, study, inspect, look, synth, convert; did "
+       "you mean replay?"},
       {{"--scene", "x", "replay"},
        "--scene: flags go after the command: 'herr replay --scene ...'; 'herr replay --help' lists all"},
       {{"--scene=x"},

@@ -26,6 +26,14 @@ TEST(PolicyText, TellsTheRangeOfWhatTheDeadlineChose) {
       "(mean 17), probes 128 ... 2048 (mean 608), 2 of 4 frames at the floor, 1 of them too slow there");
 }
 
+TEST(PolicyText, ARunThatBeginsKnowingNothingSaysThatItWarmsUp) {
+  RunStatistics statistics;
+  statistics.add(frame_of({1, 98, 0, 192}, QualityReason::start));
+  EXPECT_EQ(policy_text(statistics, {false, true}),
+            "deadline: width per eye 98, height 192, light samples 1; its first tens of frames are a warm-up "
+            "from the floor");
+}
+
 TEST(PolicyText, WhatNeverChangedIsOneNumber) {
   RunStatistics statistics;
   statistics.add(frame_of({1, 315, 0, 768}, QualityReason::head_moving));

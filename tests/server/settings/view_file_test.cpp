@@ -19,7 +19,7 @@ class ViewFile : public ::testing::Test {
   OutsideView load(const std::string& text) const {
     const std::filesystem::path file = folder_.path() / "a.view.json";
     std::ofstream(file) << text;
-    return load_view_file(file);
+    return load_view_file(file, warnings_);
   }
   // The one line of a refusal, without the folder; empty when there was none.
   std::string complaint(const std::string& text) const {
@@ -31,6 +31,9 @@ class ViewFile : public ::testing::Test {
       return line.substr(line.find("a.view.json"));
     }
   }
+
+ protected:
+  mutable std::vector<std::string> warnings_;
 
  private:
   TemporaryFolder folder_;
@@ -77,6 +80,17 @@ TEST_F(ViewFile, EveryFieldIsTaken) {
   EXPECT_EQ(view.frusta_m, 2.5);
 }
 
+TEST_F(ViewFile, AQuaternionThatLooksWFirstIsAWarning) {
+  load(R"({"position_m": [0, 1, 5], "orientation_xyzw": [0, 0, 0, 1]})");
+  EXPECT_TRUE(warnings_.empty());
+  load("{\"position_m\": [0, 1, 5],\n\"orientation_xyzw\": [1, 0, 0, 0]}");
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_NE(warnings_[0].find("a.view.json:2: field orientation_xyzw is [1, 0, 0, 0], which looks w-first; "
+                              "here w is last: write [0, 0, 0, 1]"),
+            std::string::npos)
+      << warnings_[0];
+}
+
 TEST_F(ViewFile, EachMistakeIsNamedByItsField) {
   const std::string place = R"("position_m": [0, 1, 5], )", there = R"("look_at_m": [0, 0, 0])";
   const auto with = [&](const std::string& more) {
@@ -86,9 +100,9 @@ TEST_F(ViewFile, EachMistakeIsNamedByItsField) {
   EXPECT_NE(complaint(R"({"position_m": [0, 1, 5]})").find("look_at_m"), std::string::npos);
   EXPECT_NE(with(R"("orientation_xyzw": [0, 0, 0, 1])").find("orientation_xyzw stands beside look_at_m"),
             std::string::npos);
-  EXPECT_NE(
-      complaint(R"({"position_m": [0, 1, 5], "orientation_xyzw": [0, 0, 0, 2]})").find("has the length 2"),
-      std::string::npos);
+  EXPECT_NE(complaint(R"({"position_m": [0, 1, 5], "orientation_xyzw": [0, 0, 0, 2]})")
+                .find("not of unit length but 2;"),
+            std::string::npos);
   EXPECT_NE(
       complaint(R"({"position_m": [0, 1, 5], "orientation_xyzw": [0, 0, 0, 1], "up": [0, 1, 0]})").find("up"),
       std::string::npos);

@@ -6,6 +6,7 @@
 
 #include "sessions/files/input_error.h"
 #include "tests/sessions/recorded_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace herr {
 namespace {
@@ -145,6 +146,31 @@ TEST(RangesInMessages, OfAnIndexIntoAnEmptyListSayThatThereIsNothing) {
       root.integer("mesh", 0, -1),
       "field mesh is 0, and there is none that it could name; remove it, or add what it names");
   EXPECT_INPUT_ERROR(root.integer("wrong", 0, -1), "remove it");
+}
+
+TEST(UnitQuaternion, IsReadAsWrittenAndOtherwiseToldWithItsOrder) {
+  const nlohmann::json document =
+      parse(R"({"unit": [0, 0.7071068, 0, 0.7071068], "degrees": [0, 90, 0, 1], "short": [0, 90, 0]})");
+  const JsonObject root(document, "f.json", "");
+  EXPECT_EQ(root.unit_quaternion("unit"), (std::array{0.0, 0.7071068, 0.0, 0.7071068}));
+  // sqrt(90^2 + 1^2) = 90.00556
+  EXPECT_INPUT_ERROR(root.unit_quaternion("degrees"),
+                     "f.json: field degrees is [0, 90, 0, 1], not of unit length but 90.0056, as if degrees "
+                     "stood in it; write a unit quaternion x, y, z, w: [0, 0, 0, 1] is no turn");
+  EXPECT_INPUT_ERROR(root.unit_quaternion("short"), "field short has 3 elements; write a unit quaternion");
+}
+
+TEST(LinesOfFields, StandInErrorsOfFilesAndOfLines) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.json", "{\n  \"a\": {\n    \"b\": [1,\n      \"x\"]}\n}\n");
+  const JsonDocument document(file);
+  const JsonObject inner = document.root().object("a");
+  EXPECT_INPUT_ERROR(inner.numbers("b", 2, 0, 9), "a.json:4: field a.b[1] is a text");
+  EXPECT_INPUT_ERROR(inner.text("c"), "a.json:2: field a.c is missing");
+  EXPECT_INPUT_ERROR(document.root().require_version(3),
+                     "a.json:1: field format_version is missing; add \"format_version\": 3");
+  const JsonDocument line(R"({"t_ns": "x"})", "events.jsonl", 7);
+  EXPECT_INPUT_ERROR(line.root().integer("t_ns", 0, 9), "events.jsonl:7: field t_ns is a text");
 }
 
 TEST(UnknownKey, IsNamedWithItsNearestKnownKey) {

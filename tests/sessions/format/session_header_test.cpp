@@ -90,7 +90,7 @@ TEST(SessionHeader, IsRefusedFieldByField) {
       {"/cameras/0/fx", 0, "cameras[0].fx is 0"},
       {"/cameras/0/distortion", {1, 2, 3, 4, 5}, "cameras[0].distortion has 5 elements"},
       {"/cameras/0/distortion", {-999, 0, 0, 0}, "turns the image back"},
-      {"/cameras/0/head_from_camera/orientation_xyzw", {0, 0, 0, 0}, "not a unit quaternion"},
+      {"/cameras/0/head_from_camera/orientation_xyzw", {0, 0, 0, 0}, "not of unit length but 0"},
       {"/cameras/0/head_from_camera/position", {0, 0, "0"}, "position[2] is a text"},
   };
   for (const auto& [pointer, value, part] : cases) {

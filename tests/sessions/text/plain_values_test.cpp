@@ -41,7 +41,9 @@ TEST(PlainValues, RealNumbersHaveAtMostOnePoint) {
   EXPECT_EQ(complaint([] { real_number_from("-20", -15, 15); }), "'-20' is out of range: -15 to 15");
   EXPECT_EQ(complaint([] { real_number_from("-0.5", 0, 1); }), "'-0.5' is out of range: 0 to 1");
   EXPECT_EQ(complaint([] { real_number_from("2m", 0, 1); }),
-            "'2m' is not a number from 0 to 1; write it as 12 or 1.5");
+            "'2m' is not a number from 0 to 1; write the number alone, without a unit");
+  EXPECT_EQ(complaint([] { whole_number_from("50 %", 0, 100); }),
+            "'50 %' is not a whole number from 0 to 100; write the number alone, without a unit");
 }
 
 TEST(PlainValues, ANumberWrittenOtherwiseIsToldAsItIsWrittenHere) {

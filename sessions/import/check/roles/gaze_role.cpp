@@ -169,6 +169,21 @@ bool flag_belongs(const NameWords& name, FlagOf of) {
   return false;
 }
 
+// Where the map has their filter.
+const char* place_of(FlagOf of) {
+  switch (of) {
+    case FlagOf::head:
+      return "the head";
+    case FlagOf::gaze:
+      return "the gaze's combined";
+    case FlagOf::left_eye:
+      return "the gaze's left";
+    case FlagOf::right_eye:
+      return "the gaze's right";
+  }
+  return "the head";
+}
+
 }  // namespace
 
 RowFilter find_flags(const SniffedTable& table, FlagOf of, std::vector<std::string>& reasons,
@@ -186,7 +201,7 @@ RowFilter find_flags(const SniffedTable& table, FlagOf of, std::vector<std::stri
         })) {
       if (words.size() > 1)
         questions.push_back("Which values of " + table.called(column) +
-                            " mean that the row is good (\"valid\" in the map).");
+                            " mean that the row is good (\"valid\" of " + place_of(of) + " in the map).");
       continue;
     }
     RowCondition good;

@@ -106,6 +106,33 @@ TEST_F(ProposalOf, WithoutWalkingAndGazeTheHandIsAskedFor) {
   }
 }
 
+TEST_F(ProposalOf, FlagsOfUnknownValuesStayOpenInTheDraft) {
+  const MadeRecording person = walking_person(3, 30);
+  int row = 0;
+  const Proposal asked = proposal(written(
+      person, kQuaternions + ",head_status", kRightUpForward, kRightUpForward, kRightUpForward,
+      [&](const WrittenPose& pose) { return quaternion_line(pose) + "," + std::to_string(row++ % 3); }));
+  expect_asked(asked,
+               "Which values of 'head_status' mean that the row is good (\"valid\" of the head in the map).");
+  EXPECT_TRUE(holds(asked.map_json, "\"valid\": null")) << asked.map_json;
+  try {
+    parse_column_map(asked.map_json, "draft.json");
+    FAIL() << "a draft was taken";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(holds(error.what(), "head[0].valid is null")) << error.what();
+  }
+}
+
+// A head that never turns: both spaces fit.
+TEST_F(ProposalOf, SpaceOfTheGazeStaysOpenInTheDraft) {
+  MadeRecording person = made_person(7, 60);
+  for (PoseRow& pose : person.poses) pose.world_from_head.orientation = {1, 0, 0, 0};
+  const Proposal asked = proposal(written(person, kQuaternions + kGazeNames, kRightUpForward, kRightUpForward,
+                                          kRightUpForward, gaze_line));
+  expect_asked(asked, "Whether the gaze is in the head's axes or in the world's");
+  EXPECT_TRUE(holds(asked.map_json, "\"space\": null")) << asked.map_json;
+}
+
 TEST_F(ProposalOf, EyesThatCounterTheHeadTellTheAxesOfHeadAndGaze) {
   const MadeRecording person = made_person(5, 90);
   struct Axes {

@@ -52,7 +52,7 @@ TEST(MapFaults, OfTablesAreNamed) {
        {R"(, "gravity": ["gx", "gy"])", "gravity has 2 columns; name 3 columns"},
        {R"(, "part": 0)", "part is 0, which names no column"},
        {R"(, "body_from_head": {"position": [0, 0, 0], "orientation_xyzw": [0, 0, 0, 0.5]})",
-        "is not a unit quaternion"}},
+        "not of unit length but 0.5; write a unit quaternion x, y, z, w"}},
       kHeadTime + kHeadRest, "", true);
 }
 
