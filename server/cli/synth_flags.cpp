@@ -5,11 +5,13 @@
 
 #include "server/cli/flags.h"
 #include "server/cli/setting_flags.h"
+#include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
 #include "server/settings/run_settings.h"
 #include "server/synth/irregular_events.h"
 #include "server/text/number_text.h"
 #include "sessions/format/session_header.h"
+#include "sessions/text/plain_values.h"
 
 namespace herr {
 namespace {
@@ -27,8 +29,13 @@ class NumberFlags {
                   double& value) const {
     const std::string flag = names.substr(0, names.find(','));
     value_flag(*app_, names, "X", help + " (default " + shortest_text(value) + ")",
-               [flag, lowest, highest, &value](const std::string& text) {
-                 value = parse_real_number(flag, text, lowest, highest);
+               [flag, help, lowest, highest, &value](const std::string& text) {
+                 try {
+                   value = parse_real_number(flag, text, lowest, highest);
+                 } catch (const UsageError& error) {
+                   const std::string what = error.what();
+                   throw what.ends_with(kWithoutUnit) ? UsageError(what + ": " + help) : error;
+                 }
                });
   }
 

@@ -253,6 +253,7 @@ TEST(CommandLine, SynthRefusesWhatReplayWouldRefuse) {
       {{"--origin", "0,-1000000.5,0"}, "--origin: '-1000000.5'"},
       {{"--origin", "0,--1,0"}, "--origin: '--1'"},
       {{"--at", "0,1,"}, "--at: ''"},
+      {{"--at", "0, 1, x"}, "--at: 'x'"},  // blanks after commas are none of the values
       {{"--stamp-jitter-ms", "9"}, "--stamp-jitter-ms: rows would change places"},
       {{"--start-ns", "4000000000000000000"}, "--start-ns: the session would end after"}};
   for (const auto& [flags, message] : lines) {

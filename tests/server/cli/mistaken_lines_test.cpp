@@ -101,6 +101,12 @@ TEST(MistakenLines, AValueThatIsNoneNamesOneToGive) {
       {{"replay", "s", "--light-samples", "+1"},
        "--light-samples: '+1' is not a whole number from 1 to 4096; write 1"},
       {{"replay", "s", "--exposure", "+1,5"}, "--exposure: '+1,5' is not a number from -15 to 15; write 1.5"},
+      {{"replay", "s", "--duration", "2s"},
+       "--duration: '2s' is not a number from 0 to 10000000; write the number alone, without a unit: it is "
+       "in "
+       "seconds"},
+      {{"synth", "s", "--duration", "2s"},
+       "--duration: '2s' is not a number from 0.1 to 86400; write the number alone, without a unit: seconds"},
       {{"replay", "s", "--policy", "motion", "--polar-floor", "801"},
        "--polar-floor: '801' is not a multiple of 2; give 800 or 802"},
       {{"replay", "s", "--polar-floor", "800"},

@@ -53,6 +53,17 @@ FormatRequest request(const RecordedFolder& folder, const std::string& heads) {
   return request;
 }
 
+TEST(ChooseFormat, AFileWithASlashBehindItsNameIsToldAsSuch) {
+  const RecordedFolder folder;
+  folder.write("head.csv", turning_about(1));
+  FormatRequest asked;
+  asked.files.head = folder / "head.csv/";
+  EXPECT_INPUT_ERROR(choose_format(asked),
+                     "head.csv/: ends with '/', and what stands before it is a file; leave the '/' out");
+  asked.files.head = folder / "heads.csv/";
+  EXPECT_INPUT_ERROR(choose_format(asked), "heads.csv/: does not exist; name a recording");
+}
+
 TEST(ChooseFormat, TakesTheSiblingInWhichTheHeadTurnsAboutTheVertical) {
   const RecordedFolder folder;
   const std::string both = head("y-up", kYUp) + "," + head("z-up", kZUp);
