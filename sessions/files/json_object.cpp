@@ -194,7 +194,7 @@ glm::dvec3 JsonObject::vec3_or(const char* key, double lowest, double highest,
 }
 
 std::array<double, 4> JsonObject::unit_quaternion(const char* key) const {
-  constexpr double kTolerance = 1e-3, kLargest = 1e9;
+  constexpr double kTolerance = 1e-3, kDegrees = 3, kLargest = 1e9;
   const std::string remedy =
       "write a unit quaternion x, y, z, w: [0, 0, 0, 1] is no turn, [0, 0.7071068, 0, 0.7071068] one of 90 "
       "degrees about y";
@@ -208,7 +208,7 @@ std::array<double, 4> JsonObject::unit_quaternion(const char* key) const {
   bool large = false;
   for (const double number : q) {
     text += (text.empty() ? "[" : ", ") + shown_number(number);
-    large = large || std::abs(number) > 1.5;
+    large = large || std::abs(number) > kDegrees;
   }
   fail(key,
        "is " + text + "], not of unit length but " + shown_number(std::round(1e4 * length) / 1e4) +

@@ -105,7 +105,7 @@ TEST_F(ViewReplay, AWrongFileEndsBeforeTheFirstFrame) {
   options_.view = view_file().string();
   const SessionReport report = replay("o");
   EXPECT_EQ(report.exit_code, kExitBadInput);
-  EXPECT_NE(report.error.find("overview.view.json: field fov_deg"), std::string::npos) << report.error;
+  EXPECT_NE(report.error.find("overview.view.json:1: field fov_deg"), std::string::npos) << report.error;
   EXPECT_FALSE(fs::exists(root() / "o/walk/frames.csv"));
 }
 
