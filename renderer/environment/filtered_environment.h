@@ -1,6 +1,6 @@
 // What an environment picture looks like in highlights: made once, before the first frame that needs it.
-// Before: Scene::environment_map, the frame plan. After: lighting/gloss-inl.h and the rays of probes look it
-// up. Sources: the levels are the first factor of Karis's split sum ("Real Shading in Unreal Engine 4",
+// Before: Scene::environment_map, the frame plan. After: reflectance/gloss-inl.h and the rays of probes look
+// it up. Sources: the levels are the first factor of Karis's split sum ("Real Shading in Unreal Engine 4",
 // 2013), bright sources stand apart from them as in Debevec's light probe sampling (2005).
 #pragma once
 

@@ -1,5 +1,5 @@
 // The environment picture as a lobe of some alpha shows it. Before: filtered_environment made the levels.
-// After: lighting/gloss-inl.h.
+// After: reflectance/gloss-inl.h.
 #pragma once
 
 #include <hwy/contrib/math/math-inl.h>

@@ -1,5 +1,5 @@
 // GGX of light from an even disc, in closed form. Before: bright sources of an environment picture. After:
-// lighting/gloss-inl.h.
+// reflectance/gloss-inl.h.
 // GGX over the plane of half vectors, alpha^2 / pi (r^2 + alpha^2)^2, is the form factor per area between two
 // parallel patches alpha apart; its mean over a disc is that of a parallel disc, over its area. Source:
 // Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-12.

@@ -1,6 +1,6 @@
 // Share of light from all sides that a GGX highlight sends to the viewer, by numeric integration of the lobe
-// in lighting/reflectance-inl.h (the test integrates anew): F0 (all - grazing) + F90 grazing, with Schlick's
-// Fresnel. `All` is what single scattering leaves of 1: the rest met the surface twice.
+// in reflectance/reflectance-inl.h (the test integrates anew): F0 (all - grazing) + F90 grazing, with
+// Schlick's Fresnel. `All` is what single scattering leaves of 1: the rest met the surface twice.
 #pragma once
 
 namespace herr {

@@ -9,7 +9,7 @@
 
 #include "renderer/highlights/light_box-inl.h"
 #include "renderer/highlights/visible_normals-inl.h"
-#include "renderer/lighting/reflectance-inl.h"
+#include "renderer/reflectance/reflectance-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/lighting/interfaces-inl.h"
 #include "renderer/lighting/light_samples-inl.h"
+#include "renderer/reflectance/interfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -2,8 +2,8 @@
 // indirectly; before: resolve (first hits), second_rays (second hits).
 #pragma once
 
-#include "renderer/lighting/further_lobes-inl.h"
-#include "renderer/lighting/interfaces-inl.h"
+#include "renderer/reflectance/further_lobes-inl.h"
+#include "renderer/reflectance/interfaces-inl.h"
 #include "renderer/simd/simd_types-inl.h"
 #include "renderer/tiles/lanes-inl.h"
 

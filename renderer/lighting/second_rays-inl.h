@@ -7,11 +7,11 @@
 #include "renderer/environment/environment-inl.h"
 #include "renderer/lighting/catcher_ratio-inl.h"
 #include "renderer/lighting/direct_light-inl.h"
-#include "renderer/lighting/gloss-inl.h"
-#include "renderer/lighting/interfaces-inl.h"
 #include "renderer/lighting/mirrored_feed-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
+#include "renderer/reflectance/gloss-inl.h"
+#include "renderer/reflectance/interfaces-inl.h"
 #include "renderer/surfaces/surfaces-inl.h"
 #include "renderer/tiles/finite_lanes.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/lighting/reflectance-inl.h"
+#include "renderer/reflectance/reflectance-inl.h"
 #include "tests/renderer/lighting/scalar_light.h"
 #include "tests/renderer/test_scenes.h"
 

@@ -8,8 +8,8 @@
 #include <hwy/contrib/math/math-inl.h>
 
 #include "renderer/highlights/highlight_width-inl.h"
-#include "renderer/lighting/interfaces-inl.h"
-#include "renderer/lighting/sheen_albedo.h"
+#include "renderer/reflectance/interfaces-inl.h"
+#include "renderer/reflectance/sheen_albedo.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

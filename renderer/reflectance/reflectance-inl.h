@@ -2,7 +2,7 @@
 // by Hammon 2017, Fresnel by Schlick), and further lobes where the kernel has them.
 #pragma once
 
-#include "renderer/lighting/further_lobes-inl.h"
+#include "renderer/reflectance/further_lobes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -4,7 +4,7 @@
 // opaque mirrors: Schlick's approximation.
 #pragma once
 
-#include "renderer/lighting/shadow_rays-inl.h"
+#include "renderer/tiles/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
