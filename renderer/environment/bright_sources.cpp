@@ -197,7 +197,15 @@ BrightLight take_bright_sources(SkyPicture& picture) {
   cut_apart(clusters, std::max(kMostClusters, clusters.size()),
             [](const Cluster& c) { return c.rim2() > kWidestRim * kWidestRim ? c.worth() : 0.0; });
   choose(clusters, texel_rad);
+  const double wide_rim = kWideTexels * texel_rad;
+  const auto wide = std::stable_partition(clusters.begin(), clusters.end(),
+                                          [&](const Cluster& c) { return c.rim2() < wide_rim * wide_rim; });
   BrightLight out;
+  out.small = static_cast<int>(wide - clusters.begin());
+  if (wide != clusters.end()) {
+    out.without_small = picture;
+    std::for_each(clusters.begin(), wide, [&](const Cluster& c) { take_out(out.without_small, c); });
+  }
   for (const Cluster& cluster : clusters) {
     std::vector<Cluster> parts{cluster};
     cut_apart(parts, kMostParts, [](const Cluster& c) { return c.worth(); });

@@ -18,8 +18,15 @@ inline constexpr double kBrightTimesMean = 8.0;
 inline constexpr double kWidestRim = 0.1;
 inline constexpr int kMostParts = 128;  // of each source
 
+// A source whose rim is more texels than this from its middle is wide: a lobe narrower than a texel sees it
+// in the picture, since its parts would show as bumps.
+inline constexpr double kWideTexels = 2.5;
+
 struct BrightLight {
-  std::vector<BrightSource> sources;  // kMostBrightSources at most, as seen in an unturned picture
+  // kMostBrightSources at most, as seen in an unturned picture; `small` of them stand before the wide ones.
+  std::vector<BrightSource> sources;
+  int small = 0;
+  SkyPicture without_small;  // the picture but for those; empty where no source is wide
   std::vector<BrightDisc> parts;
 };
 

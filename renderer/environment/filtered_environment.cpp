@@ -15,6 +15,9 @@ namespace {
 
 // Of roughness 0.05: half a texel of the finest level wide. Towards roughness 0 the picture itself is shown.
 constexpr float kFirstAlpha = 0.0025f;
+// Lobes of this many texels, as half vectors turn, smooth out the parts of a wide source: its lattice of
+// discs, each of a texel's light, shows by 1 % at most.
+constexpr float kSmoothTexels = 0.35f;
 constexpr int kWidestPicture = 1024, kWidestLevel = 1024, kNarrowestLevel = 32;
 // Texels of a level along what its lobe turns directions by; interpolation shows no corners.
 constexpr double kTexelsPerAlpha = 1.0 / 0.7;
@@ -115,10 +118,16 @@ FilteredEnvironment::FilteredEnvironment(const EnvironmentImage& picture, int pr
   const std::vector<SkyPicture> whole = pyramid_of(dimmed);
   BrightLight bright = take_bright_sources(dimmed);
   parts_ = std::move(bright.parts);
+  without_small_ = std::move(bright.without_small);
+  record_.small_sources = bright.small;
   record_.source_count = static_cast<int>(bright.sources.size());
   std::copy(bright.sources.begin(), bright.sources.end(), record_.sources);
   record_.levels = kMostFilteredLevels;
   record_.first_alpha = kFirstAlpha;
+  // The mirrored ray turns by twice what half vectors do.
+  const auto texel_rad = static_cast<float>(glm::two_pi<double>() / width);
+  record_.smooth_alpha =
+      bright.small < record_.source_count ? std::max(kFirstAlpha, kSmoothTexels * texel_rad) : kFirstAlpha;
   record_.levels_per_octave = static_cast<float>((kMostFilteredLevels - 1) / std::log2(1.0 / kFirstAlpha));
   const std::vector<SkyPicture> rest = pyramid_of(std::move(dimmed));
   filter_levels(rest, parallel);
@@ -163,6 +172,7 @@ void FilteredEnvironment::filter_levels(const std::vector<SkyPicture>& from, con
 FilteredRecord FilteredEnvironment::record(float turn) const {
   FilteredRecord out = record_;
   out.texels = texels_.data();
+  out.without_small = as_record(without_small_, turn);
   out.even = as_record(even_, turn);
   out.coarse = as_record(coarse_, turn);
   out.parts = parts_.data();
@@ -194,8 +204,8 @@ glm::dvec3 FilteredEnvironment::even_sources(const glm::dvec3& normal, float tur
 }
 
 std::int64_t FilteredEnvironment::bytes() const {
-  const std::size_t floats =
-      texels_.size() + 8 * even_.texels.size() + 4 * (coarse_.texels.size() + coarse_rest_.texels.size());
+  const std::size_t floats = texels_.size() + 4 * without_small_.texels.size() + 8 * even_.texels.size() +
+                             4 * (coarse_.texels.size() + coarse_rest_.texels.size());
   return static_cast<std::int64_t>(sizeof(float) * floats + sizeof(BrightDisc) * parts_.size());
 }
 

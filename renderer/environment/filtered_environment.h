@@ -36,7 +36,7 @@ class FilteredEnvironment {
   FilteredRecord record_;
   std::vector<float> texels_;
   std::vector<BrightDisc> parts_;
-  SkyPicture even_, even_rest_;
+  SkyPicture without_small_, even_, even_rest_;
   SkyPicture coarse_,
       coarse_rest_;  // as rays of probes see it: whole; the rest, and the brightness of sources
 };

@@ -1,5 +1,5 @@
 // The environment picture as a lobe of some alpha shows it. Before: filtered_environment made the levels.
-// After: reflectance/gloss-inl.h.
+// After: reflectance/sky_in_lobe-inl.h.
 #pragma once
 
 #include <hwy/contrib/math/math-inl.h>
@@ -21,14 +21,12 @@ HWY_INLINE VF filtered_share(const FilteredRecord& from, VF alpha2) {
   return hn::Min(hn::Max(tails, hn::Zero(kF)), set(1.0f));
 }
 
-// Radiance without the bright sources' part of `share`, filtered_share(). Between levels, where alpha lies in
-// octaves between theirs. `direction`: unit, `alpha`: above 0, all in every lane.
-HWY_INLINE V3 filtered_light(const FilteredRecord& from, const EnvironmentRecord& sharp, const V3& direction,
-                             VF alpha, VF share) {
-  const VF one = set(1.0f);
-  const PicturePlace place = picture_place(sharp.turn, direction);
+// Radiance without the bright sources' part. Between levels, where alpha lies in octaves between theirs.
+// `direction`: unit, `alpha`: above 0, both in every lane; `turn`: EnvironmentRecord::turn.
+HWY_INLINE V3 filtered_light(const FilteredRecord& from, float turn, const V3& direction, VF alpha) {
+  const PicturePlace place = picture_place(turn, direction);
   const VF wider = hn::Mul(alpha, set(1.0f / from.first_alpha));
-  const VF octaves = hn::Mul(hn::Log(kF, hn::Max(wider, one)), set(1.44269504f));
+  const VF octaves = hn::Mul(hn::Log(kF, hn::Max(wider, set(1.0f))), set(1.44269504f));
   const VF level =
       hn::Min(hn::Mul(octaves, set(from.levels_per_octave)), set(static_cast<float>(from.levels - 1)));
   const VF whole = hn::Min(hn::Floor(level), set(static_cast<float>(from.levels - 2)));
@@ -39,12 +37,7 @@ HWY_INLINE V3 filtered_light(const FilteredRecord& from, const EnvironmentRecord
                          hn::GatherIndex(kI, from.width, at), hn::GatherIndex(kI, from.height, at), place);
   };
   const V3 low = look(lower), high = look(upper);
-  const V3 blurred = mul_add(between, sub(high, low), low);
-  const MF narrow = hn::Lt(share, one);
-  if (hn::AllFalse(kF, narrow)) return blurred;
-  const V3 seen =
-      picture_texel(sharp.texels, hn::Zero(kI), hn::Set(kI, sharp.width), hn::Set(kI, sharp.height), place);
-  return select(narrow, mul_add(share, sub(blurred, seen), seen), blurred);
+  return mul_add(between, sub(high, low), low);
 }
 
 }  // namespace HWY_NAMESPACE

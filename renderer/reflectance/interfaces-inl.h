@@ -27,6 +27,9 @@ HWY_INLINE V3 add(const V3& a, const V3& b) {
 HWY_INLINE V3 multiply(const V3& a, const V3& b) {
   return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
 }
+HWY_INLINE V3 mul_add(const V3& a, const V3& b, const V3& c) {
+  return {hn::MulAdd(a.x, b.x, c.x), hn::MulAdd(a.y, b.y, c.y), hn::MulAdd(a.z, b.z, c.z)};
+}
 HWY_INLINE V3 only(MF lanes, const V3& v) {
   return {hn::IfThenElseZero(lanes, v.x), hn::IfThenElseZero(lanes, v.y), hn::IfThenElseZero(lanes, v.z)};
 }

@@ -36,10 +36,13 @@ struct FilteredRecord {
   const float* texels = nullptr;  // of all levels, as EnvironmentRecord's; null: none was made
   int levels = 0;
   float first_alpha = 0, levels_per_octave = 0;  // per doubling of alpha
+  // Of a lobe that shows no bumps where a wide source is made of parts.
+  float smooth_alpha = 0;
   int first_texel[kMostFilteredLevels] = {}, width[kMostFilteredLevels] = {},
       height[kMostFilteredLevels] = {};
-  int source_count = 0;
+  int source_count = 0, small_sources = 0;   // the small ones stand first; the others are wide
   BrightSource sources[kMostBrightSources];  // in the world
+  EnvironmentRecord without_small;           // the picture without small sources; none where none is wide
   const BrightDisc* parts = nullptr;         // of all sources, in the unturned picture
   float turn_cosine = 1, turn_sine = 0;      // of EnvironmentRecord::turn
   EnvironmentRecord even;    // mean radiance that a surface facing the direction receives: irradiance / pi
