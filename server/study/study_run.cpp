@@ -49,6 +49,12 @@ std::string subject_of(const StudySubject& subject, const StudyOptions& options)
          only_text(options);
 }
 
+// One of many seeds, which the first setting of its sweep makes.
+bool has_made(const References& references, const std::string& name) {
+  return std::any_of(references.made().begin(), references.made().end(),
+                     [&](const ReferencePicture& made) { return made.spec.name == name; });
+}
+
 double seconds_since(TimeNs start_ns) {
   return static_cast<double>(steady_now_ns() - start_ns) * 1e-9;
 }
@@ -270,7 +276,10 @@ void StudyRun::measure_frame(const std::vector<StudySetting>& settings, std::int
   for (const StudySetting& setting : settings) {
     if (!missing(setting)) continue;
     stop_if_asked();
-    if (seconds() + expected_seconds(setting) > until_s) {
+    const bool waits = setting.own == OwnReference::seeds &&
+                       !has_made(references, own_reference(subject_.defaults(), setting).name);
+    const double reference_s = waits ? reference_seconds(setting) : 0;
+    if (seconds() + expected_seconds(setting) + reference_s > until_s) {
       out_of_time_.push_back(setting.name + ", frame " + std::to_string(frame));
       continue;
     }

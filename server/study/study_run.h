@@ -13,6 +13,7 @@
 #include "server/study/measure/references.h"
 #include "server/study/measure/study_row.h"
 #include "server/study/plan/knobs.h"
+#include "server/study/plan/short_plan.h"
 #include "server/study/study_folder.h"
 #include "server/study/study_progress.h"
 #include "server/study/study_state.h"
@@ -67,6 +68,9 @@ class StudyRun {
   const StudyRow* row_of(const std::string& name, std::int64_t frame) const;
   std::vector<StudySetting> wanted_settings() const;
   double estimated_seconds(const StudySetting& setting) const;
+  std::vector<SettingCost> costs() const;
+  double reference_seconds(const StudySetting& setting) const;
+  double seconds_of_frame(const RenderSettings& of) const;
   double expected_seconds(const StudySetting& setting) const;
   double limit_s() const { return 60 * options_.minutes; }
   MeasuringRules measuring_rules() const;

@@ -7,9 +7,12 @@
 
 #include "server/process/terminal.h"
 #include "server/study/measure/measure_setting.h"
+#include "server/study/plan/short_plan.h"
 #include "server/study/plan/study_budget.h"
+#include "server/study/reference/reference_spec.h"
 #include "server/study/study_run.h"
 #include "server/text/number_text.h"
+#include "sessions/inspect/number_words.h"
 
 namespace herr {
 namespace {
@@ -18,7 +21,8 @@ constexpr double kMostShareOfClip = 0.15;
 constexpr double kSoftOverHard = 8;  // times of a frame, of the sample session about (MEASURED.md, Table 1)
 constexpr double kOverdrawn = 1.25;  // of its share: what a last pass may take more
 constexpr double kLeastShareForAdvice = 0.25;
-constexpr double kReserve = 1.25;  // estimates are off, and machines busy
+constexpr double kSeedFramesOfOne = 16.0 / 5;  // about so many settings share a reference of 16 frames
+constexpr double kReserve = 1.25;              // estimates are off, and machines busy
 
 }  // namespace
 
@@ -38,22 +42,52 @@ double StudyRun::until_clip_s() const {
   return limit_s() - clip_s - kReportSeconds;
 }
 
-// From the two bases at the first frame: errors cost what they cost there, frames in proportion.
+// From the two bases at the first frame, in proportion; with hard light alone by what soft light mostly
+// takes.
+double StudyRun::seconds_of_frame(const RenderSettings& of) const {
+  const std::int64_t frame = subject_.frames().frames.front().number;
+  const StudyRow *hard = row_of(default_name(kHardSamples), frame),
+                 *soft = row_of(default_name(kSoftSamples), frame);
+  const RenderSettings& usual = subject_.defaults();
+  const double soft_ms = soft != nullptr ? soft->frame_ms : kSoftOverHard * hard->frame_ms;
+  const double per_sample_s = 1e-3 * std::max(0.0, soft_ms - hard->frame_ms) / (kSoftSamples - kHardSamples);
+  double size = static_cast<double>(of.polar_width) * of.polar_height /
+                (static_cast<double>(usual.polar_width) * usual.polar_height);
+  if (of.foveation == Foveation::off) size = 4 * of.scale * of.scale;
+  return size * (1e-3 * hard->frame_ms + per_sample_s * (of.light_samples - kHardSamples));
+}
+
+// Beyond the share of it that estimated_seconds() counts; 0 while nothing is known.
+double StudyRun::reference_seconds(const StudySetting& setting) const {
+  const std::int64_t frame = subject_.frames().frames.front().number;
+  if (setting.own != OwnReference::seeds || row_of(default_name(kHardSamples), frame) == nullptr) return 0;
+  const ReferenceSpec spec = own_reference(subject_.defaults(), setting);
+  return (2 * spec.passes - kSeedFramesOfOne) * seconds_of_frame(spec.settings);
+}
+
+// References of many seeds are of the sweep: no share for each.
+std::vector<SettingCost> StudyRun::costs() const {
+  std::vector<SettingCost> costs;
+  for (const StudySetting& setting : sweeps_.settings) {
+    SettingCost cost{estimated_seconds(setting), "", 0};
+    if (setting.own == OwnReference::seeds) {
+      const ReferenceSpec spec = own_reference(subject_.defaults(), setting);
+      const double share_s = kSeedFramesOfOne * seconds_of_frame(spec.settings);
+      cost = {cost.seconds - share_s, spec.name, reference_seconds(setting) + share_s};
+    }
+    costs.push_back(cost);
+  }
+  return costs;
+}
+
+// From the bases at the first frame: errors cost what they cost there, frames in proportion.
 double StudyRun::estimated_seconds(const StudySetting& setting) const {
   const std::int64_t frame = subject_.frames().frames.front().number;
   const StudyRow *hard = row_of(default_name(kHardSamples), frame),
                  *soft = row_of(default_name(kSoftSamples), frame);
   const RenderSettings settings = with_changes(subject_.defaults(), setting.changes);
   const RenderSettings& usual = subject_.defaults();
-  const double per_sample_s =
-      1e-3 * std::max(0.0, soft->frame_ms - hard->frame_ms) / (kSoftSamples - kHardSamples);
   const double unit_s = 1e-3 * hard->frame_ms;
-  const auto seconds_of_frame = [&](const RenderSettings& of) {
-    double size = static_cast<double>(of.polar_width) * of.polar_height /
-                  (static_cast<double>(usual.polar_width) * usual.polar_height);
-    if (of.foveation == Foveation::off) size = 4 * of.scale * of.scale;
-    return size * (unit_s + per_sample_s * (of.light_samples - kHardSamples));
-  };
   const MeasuringRules rules = measuring_rules();
   // As time_pairs() goes about it: a long frame is rendered twice, a short one in every pair and once before.
   const auto seconds_of_timing = [&](double frame_s) {
@@ -63,13 +97,12 @@ double StudyRun::estimated_seconds(const StudySetting& setting) const {
            (is_long ? rules.timing.fewest_blocks * pairs_s : frame_s + rules.timing.blocks * pairs_s);
   };
   const double frame_s = seconds_of_frame(settings);
-  const double fixed_s = std::max(0.05, soft->seconds - seconds_of_timing(1e-3 * soft->frame_ms));
+  const StudyRow& base = soft != nullptr ? *soft : *hard;
+  const double fixed_s = std::max(0.05, base.seconds - seconds_of_timing(1e-3 * base.frame_ms));
   double seconds = fixed_s + seconds_of_timing(frame_s);
   if (setting.own == OwnReference::seeds) {
-    // About so many settings share a reference of 16 frames.
-    constexpr double kShare = 16.0 / 5;
-    seconds +=
-        rules.bias_seeds * frame_s + kShare * seconds_of_frame(with_changes(settings, setting.own_limit));
+    seconds += rules.bias_seeds * frame_s +
+               kSeedFramesOfOne * seconds_of_frame(with_changes(settings, setting.own_limit));
   }
   if (settings.probes.on) {
     constexpr double kRest_s = 0.4;  // of the default's probes
@@ -115,7 +148,10 @@ void StudyRun::share_time() {
   measure_bases();
   const std::size_t all = subject_.frames().frames.size();
   StudyBudget budget;
-  if (row_of(default_name(kSoftSamples), subject_.frames().frames.front().number) == nullptr) {
+  const double left = std::max(1.0, until_clip_s() - seconds());
+  if (!options_.only.empty()) {
+    budget = fit_in_order(sweeps_.settings, costs(), referenced_frames_, left);
+  } else if (row_of(default_name(kSoftSamples), subject_.frames().frames.front().number) == nullptr) {
     for (const StudySetting& setting : sweeps_.settings) {
       if (setting.name == default_name(kHardSamples)) budget.settings.push_back(setting);
     }
@@ -124,13 +160,16 @@ void StudyRun::share_time() {
   } else {
     std::vector<double> costs;
     for (const StudySetting& setting : sweeps_.settings) costs.push_back(estimated_seconds(setting));
-    const double left = std::max(1.0, until_clip_s() - seconds());
     budget = fit_to_time(sweeps_.settings, costs, referenced_frames_, left);
   }
   if (referenced_frames_ < all) {
     budget.dropped.push_back(std::to_string(all - referenced_frames_) + " of " + std::to_string(all) +
                              " frames: their references would have taken more than half of the time");
   }
+  print_message("plan: " + std::to_string(budget.settings.size()) + " of " +
+                std::to_string(sweeps_.settings.size()) + " settings on " + std::to_string(budget.frames) +
+                " of " + counted(static_cast<std::int64_t>(all), "frame", "frames") +
+                " are expected to fit into --minutes " + shortest_text(options_.minutes));
   const auto all_settings = static_cast<double>(sweeps_.settings.size());
   if (static_cast<double>(budget.settings.size()) < kLeastShareForAdvice * all_settings) {
     print_message("warning: --minutes " + shortest_text(options_.minutes) + " is enough for " +

@@ -47,15 +47,41 @@ std::string percent(double share) {
 
 std::string direction_text(const Knob& knob, bool falls, const StudyPoint& from, const StudyPoint& to) {
   return "the error " + std::string(falls ? "falls" : "rises") + " with " + knob.effort + ", from " +
-         error_text(isolated_error(from)) + " at " + shortest_text(from.n) + " to " +
-         error_text(isolated_error(to)) + " at " + shortest_text(to.n) + ", against expectation";
+         error_text(isolated_error(from)) + " at " + from.value + " to " + error_text(isolated_error(to)) +
+         " at " + to.value + ", against expectation";
+}
+
+// Of a sweep in the order of n those whose values are numbers or sizes: a word ("acuity") has no place among
+// them.
+std::vector<const StudyPoint*> numbers_of(const std::vector<const StudyPoint*>& sweep) {
+  std::vector<const StudyPoint*> numbers;
+  for (const StudyPoint* point : sweep) {
+    if (point->n != 0 || (!point->value.empty() && point->value.front() == '0')) numbers.push_back(point);
+  }
+  return numbers;
+}
+
+// Where errors run against what is expected of the knob; empty: nowhere.
+std::string direction_oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep, double floor) {
+  if (sweep.size() < 2) return "";
+  const bool falls = isolated_error(*sweep.back()) < isolated_error(*sweep.front());
+  if (falls != (knob.expected > 0)) return direction_text(knob, falls, *sweep.front(), *sweep.back());
+  for (std::size_t i = 1; i < sweep.size(); ++i) {
+    const double before = isolated_error(*sweep[i - 1]), after = isolated_error(*sweep[i]);
+    if (std::max(before, after) <= floor) continue;  // chance may do that
+    const bool step_falls = after < before;
+    if (std::abs(after - before) > kLeastStep * before && step_falls != falls) {
+      return direction_text(knob, step_falls, *sweep[i - 1], *sweep[i]);
+    }
+  }
+  return "";
 }
 
 // What is odd about a sweep in the order of n; empty: nothing.
 std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep,
                    std::span<const StudyReference> references) {
   if (sweep.size() < 2) return "";
-  const double first = isolated_error(*sweep.front()), last = isolated_error(*sweep.back());
+  const double first = isolated_error(*sweep.front());
   const double floor = own_floor(*sweep.front(), references);
   double least = first, most = first;
   for (const StudyPoint* point : sweep) {
@@ -72,17 +98,7 @@ std::string oddity(const Knob& knob, const std::vector<const StudyPoint*>& sweep
            ": other errors of the default are larger than what it changes";
   }
   if (knob.expected == 0 || knob.effort.empty()) return "";
-  const bool falls = last < first;
-  if (falls != (knob.expected > 0)) return direction_text(knob, falls, *sweep.front(), *sweep.back());
-  for (std::size_t i = 1; i < sweep.size(); ++i) {
-    const double before = isolated_error(*sweep[i - 1]), after = isolated_error(*sweep[i]);
-    if (std::max(before, after) <= floor) continue;  // chance may do that
-    const bool step_falls = after < before;
-    if (std::abs(after - before) > kLeastStep * before && step_falls != falls) {
-      return direction_text(knob, step_falls, *sweep[i - 1], *sweep[i]);
-    }
-  }
-  return "";
+  return direction_oddity(knob, numbers_of(sweep), floor);
 }
 
 // What cannot be told from the reference tells nothing of the power law.

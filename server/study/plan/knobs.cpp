@@ -9,6 +9,7 @@
 
 #include "renderer/settings_list.h"
 #include "server/process/exit_code.h"
+#include "server/study/plan/short_plan.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 #include "sessions/files/nearest_name.h"
@@ -392,6 +393,7 @@ void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps) {
   };
   std::erase_if(sweeps.settings, [&](const StudySetting& setting) { return is_other(setting.knob); });
   std::erase_if(sweeps.knobs, [&](const Knob& knob) { return is_other(knob.name); });
+  sweeps.settings = ends_first(sweeps.settings);
 }
 
 }  // namespace herr

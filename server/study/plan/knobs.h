@@ -43,8 +43,8 @@ struct StudySweeps {
 StudySweeps sweeps_of(const RenderSettings& defaults,
                       const std::function<FramePlan(const RenderSettings&)>& plan_of);
 
-// `only` these knobs and the default; empty: all. Throws UsageError that names the nearest for one that is
-// none; one that the scene has nothing for stays left out.
+// `only` these knobs and the default, their ends first (short_plan.h); empty: all, as they are. Throws
+// UsageError that names the nearest for one that is none; one that the scene has nothing for stays left out.
 void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps);
 
 }  // namespace herr

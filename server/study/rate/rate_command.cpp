@@ -10,6 +10,7 @@
 #include "server/settings/option_checks.h"
 #include "server/study/rate/rate_subject.h"
 #include "server/study/rate/rate_text.h"
+#include "server/study/rate/stage_remedy.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 
@@ -61,8 +62,12 @@ int run_rate(const StudyOptions& options) {
     print_message("stopped before there was an answer");
     return kExitSignalBase + stop_signal();
   }
-  RateQuestion question{*options.hz, printable(subject.report().profile.name), ""};
+  RateQuestion question{*options.hz, printable(subject.report().profile.name), "", ""};
   if (answer->held) question.command_line = command_line_of(options, answer->held->setting);
+  if (!answer->held && answer->refused) {
+    const SettingChanges changes = changes_without_long_stages(mean_stages(answer->refused->trials));
+    if (!changes.empty()) question.try_next = study_line_of(options, changes);
+  }
   if (answer->open > 0)
     print_message("warning: " + too_few_minutes_text(options.minutes, seconds(), *answer));
   for (const std::string& warning : rate_warnings(*answer)) print_message("warning: " + warning);

@@ -18,7 +18,7 @@ std::vector<RateFrame> rate_frames(const FrameRange& range) {
     // In the middle of its share of the range.
     const std::int64_t begin = range.first + (2 * s + 1) * range.count / (2 * stretches) - length / 2;
     for (std::int64_t i = 0; i < length; ++i) {
-      frames.push_back({whole ? range.first + i : begin + i, i >= warm_up});
+      frames.push_back({whole ? range.first + i : begin + i, i >= warm_up, static_cast<int>(s)});
     }
   }
   return frames;

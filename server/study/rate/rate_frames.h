@@ -15,6 +15,7 @@ inline constexpr int kRateFrames =
 struct RateFrame {
   std::int64_t frame = 0;
   bool counts = true;  // false: warms caches and probes up
+  int stretch = 0;     // 0, 1, ... in the session's order
 };
 
 // One lap, ascending: four stretches spread evenly over the range, each of frames that follow one another as

@@ -64,21 +64,33 @@ std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder
   return answer;
 }
 
-LongestStage longest_stage(const std::vector<RateTrial>& trials) {
-  StageTimes sum;
-  double sample_ms = 0, frame_ms = 0, frames = 0;
+StageTimes mean_stages(const std::vector<RateTrial>& trials) {
+  StageTimes mean;
+  double frames = 0;
   for (const RateTrial& trial : trials) {
-    for (std::size_t i = 0; i < kStageCount; ++i) sum.ms[i] += trial.frames * trial.stages.ms[i];
-    sample_ms += trial.frames * trial.sample_ms;
-    frame_ms += trial.frames * trial.frame_ms;
+    for (std::size_t i = 0; i < kStageCount; ++i) mean.ms[i] += trial.frames * trial.stages.ms[i];
+    mean.frame_ms += trial.frames * trial.frame_ms;
     frames += trial.frames;
   }
-  LongestStage longest{"sample", sample_ms / frames, frame_ms / frames};
+  mean.frame_ms /= frames;
+  for (double& ms : mean.ms) ms /= frames;
+  return mean;
+}
+
+LongestStage longest_stage(const std::vector<RateTrial>& trials) {
+  double sample_ms = 0, frames = 0;
+  for (const RateTrial& trial : trials) {
+    sample_ms += trial.frames * trial.sample_ms;
+    frames += trial.frames;
+  }
+  const StageTimes mean = mean_stages(trials);
+  LongestStage longest{"sample", sample_ms / frames, mean.frame_ms, {}};
   for (std::size_t i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
-    if (stage == Stage::idle || !(sum.ms[i] / frames > longest.ms)) continue;
+    if (stage == Stage::idle || !(mean.ms[i] > longest.ms)) continue;
     longest.name = name_of(stage);
-    longest.ms = sum.ms[i] / frames;
+    longest.ms = mean.ms[i];
+    longest.stage = stage;
   }
   return longest;
 }

@@ -56,7 +56,10 @@ std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder
 struct LongestStage {
   std::string name;
   double ms = 0, frame_ms = 0;
+  std::optional<Stage> stage;  // none: the sampling
 };
 LongestStage longest_stage(const std::vector<RateTrial>& trials);
+// Means over all frames of all trials.
+StageTimes mean_stages(const std::vector<RateTrial>& trials);
 
 }  // namespace herr

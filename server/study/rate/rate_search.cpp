@@ -19,6 +19,12 @@ double median_p95_ms(const std::vector<RateTrial>& trials) {
   return sorted_p95(trials)[(trials.size() - 1) / 2];
 }
 
+const RateTrial& median_trial(const std::vector<RateTrial>& trials) {
+  const double median_ms = median_p95_ms(trials);
+  return *std::find_if(trials.begin(), trials.end(),
+                       [&](const RateTrial& trial) { return trial.p95_ms == median_ms; });
+}
+
 double spread_of(const std::vector<RateTrial>& trials) {
   const std::vector<double> sorted = sorted_p95(trials);
   return sorted.size() < 2 ? 0.0 : (sorted.back() - sorted.front()) / median_p95_ms(trials);

@@ -52,7 +52,10 @@ class RateSearch {
 
 // Largest less smallest percentile of the trials, over their median; 0 of one trial.
 double spread_of(const std::vector<RateTrial>& trials);
-// The lower of the two in the middle of an even number. Of at least one.
+// The trial whose percentile is the median; the lower of the two in the middle of an even number. Of at least
+// one.
+const RateTrial& median_trial(const std::vector<RateTrial>& trials);
+// Its percentile: the lower of the two in the middle of an even number. Of at least one.
 double median_p95_ms(const std::vector<RateTrial>& trials);
 
 }  // namespace herr

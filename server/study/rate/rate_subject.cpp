@@ -25,8 +25,9 @@ class TrialFrames {
     times_ms_.reserve(kRateFrames);
   }
 
-  void add(const FrameRecord& record, double frame_ms, int cores) {
+  void add(const RateFrame& frame, const FrameRecord& record, double frame_ms, int cores) {
     times_ms_.push_back(frame_ms);
+    add_to_stretch(frame, frame_ms);
     if (frame_ms > period_ms_) ++late_;
     if (frame_ms > 2 * period_ms_) ++far_too_slow_;
     trial_.sample_ms += record.sample_ms;
@@ -51,7 +52,13 @@ class TrialFrames {
   RateTrial result() {
     const auto count = static_cast<double>(times_ms_.size());
     trial_.frames = static_cast<int>(times_ms_.size());
-    trial_.p95_ms = percentile_95(times_ms_);
+    trial_.all_p95_ms = percentile_95(times_ms_);
+    for (Stretch& each : stretches_) {
+      each.stretch.p95_ms = percentile_95(each.times_ms);
+      trial_.stretches.push_back(each.stretch);
+    }
+    const RateStretch* worst = worst_stretch(trial_);
+    trial_.p95_ms = std::max(trial_.all_p95_ms, worst != nullptr ? worst->p95_ms : 0.0);
     trial_.cut_short = trial_.frames < kRateFrames;
     for (const double ms : times_ms_) trial_.frame_ms += ms / count;
     trial_.sample_ms /= count, trial_.stages.frame_ms /= count;
@@ -61,12 +68,43 @@ class TrialFrames {
   MachineUse& machine() { return trial_.machine; }
 
  private:
+  struct Stretch {
+    int number = 0;
+    RateStretch stretch;
+    std::vector<double> times_ms;
+  };
+  // A session that is gone through again has the same stretches.
+  void add_to_stretch(const RateFrame& frame, double frame_ms) {
+    auto found = std::find_if(stretches_.begin(), stretches_.end(),
+                              [&](const Stretch& each) { return each.number == frame.stretch; });
+    const double from_s = 1e-3 * period_ms_ * static_cast<double>(frame.frame),
+                 to_s = from_s + 1e-3 * period_ms_;
+    if (found == stretches_.end()) {
+      stretches_.push_back({frame.stretch, {from_s, to_s, 0, 0}, {}});
+      found = stretches_.end() - 1;
+    }
+    RateStretch& stretch = found->stretch;
+    stretch.from_s = std::min(stretch.from_s, from_s), stretch.to_s = std::max(stretch.to_s, to_s);
+    ++stretch.frames;
+    found->times_ms.push_back(frame_ms);
+  }
+
   const double period_ms_;
   const TimeNs began_ns_;
   std::vector<double> times_ms_;
+  std::vector<Stretch> stretches_;
   int late_ = 0, far_too_slow_ = 0;
   RateTrial trial_;
 };
+
+// " SESSION --scene FILE ..." as both commands take it.
+std::string inputs_text(const StudyOptions& options) {
+  std::string text = " " + shell_path(options.session);
+  if (!options.scene.empty()) text += " --scene " + shell_path(options.scene);
+  for (const std::filesystem::path& root : options.asset_roots) text += " --asset-root " + shell_path(root);
+  if (options.profile_given) text += " --profile " + shell_path(options.profile);
+  return text;
+}
 
 }  // namespace
 
@@ -99,12 +137,20 @@ ReplayOptions replay_options_of(const StudyOptions& options, const RateSetting& 
   return run;
 }
 
+std::string study_line_of(const StudyOptions& options, const SettingChanges& changes) {
+  std::string text = "herr study" + inputs_text(options) + " --hz " + shortest_text(*options.hz);
+  if (options.profile_scale != 1) text += " --profile-scale " + shortest_text(options.profile_scale);
+  const RenderSettings asked = with_changes(options.render, changes);
+  const std::string flags = flags_text(changes_between(RenderSettings{}, asked));
+  if (!flags.empty()) text += " " + flags;
+  if (options.light_given && asked.light_samples == RenderSettings{}.light_samples)
+    text += " --light-samples " + std::to_string(asked.light_samples);  // else more are tried
+  return text + (options.reading.strict ? " --strict" : "");
+}
+
 std::string command_line_of(const StudyOptions& options, const RateSetting& setting) {
   const ReplayOptions run = replay_options_of(options, setting);
-  std::string text = "herr replay " + shell_path(options.session);
-  if (!run.scene.empty()) text += " --scene " + shell_path(run.scene);
-  for (const std::filesystem::path& root : run.asset_roots) text += " --asset-root " + shell_path(root);
-  if (!run.profile.empty()) text += " --profile " + shell_path(run.profile);
+  std::string text = "herr replay" + inputs_text(options);
   text += " --profile-scale " + shortest_text(run.profile_scale) + " --polar " + polar_text(setting) +
           " --light-samples " + std::to_string(setting.light_samples);
   RenderSettings usual;  // what the line says already
@@ -151,7 +197,7 @@ std::optional<RateTrial> RateSubject::measure(const RateSetting& setting, bool t
       step_->prepare(each.frame);
       step_->render(rendered_);
       const double frame_ms = static_cast<double>(step_->finished_ns() - start_ns) * 1e-6;
-      if (counted.counts(each, frame_ms)) frames.add(step_->record(), frame_ms, cores);
+      if (counted.counts(each, frame_ms)) frames.add(each, step_->record(), frame_ms, cores);
       complete = frames.complete(to_the_end);
       if (complete) break;
     }

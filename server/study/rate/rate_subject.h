@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/frames/frame_step.h"
+#include "server/study/plan/study_setting.h"
 #include "server/study/rate/rate_frames.h"
 #include "server/study/rate/rate_ladder.h"
 #include "server/study/rate/rate_trial.h"
@@ -23,6 +24,9 @@ ReplayOptions replay_options_of(const StudyOptions& options, const RateSetting& 
 // The command line of `herr replay` that does the same, to be pasted into a shell. Realtime, as a display has
 // it.
 std::string command_line_of(const StudyOptions& options, const RateSetting& setting);
+
+// The command line that asks for the rate again, with `changes` to the frame.
+std::string study_line_of(const StudyOptions& options, const SettingChanges& changes);
 
 // Not thread-safe. Stays where it is: the renderer refers to its scene.
 class RateSubject {

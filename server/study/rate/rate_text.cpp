@@ -5,6 +5,7 @@
 
 #include "server/process/exit_code.h"
 #include "server/study/rate/rate_search.h"
+#include "server/study/rate/stage_remedy.h"
 #include "server/text/number_text.h"
 #include "sessions/inspect/number_words.h"
 
@@ -23,17 +24,53 @@ std::string setting_text(const RateSetting& setting, const std::string& profile)
   return text_of(setting) + " of " + profile;
 }
 
-// "the 95th percentile of 300 frames in 3 runs is 10.62 ms".
+std::string seconds_text(const RateStretch& stretch) {
+  return fixed_text(stretch.from_s, 1) + "\u2013" + fixed_text(stretch.to_s, 1) + " s";
+}
+
+// "the 95th percentile of 300 frames in 3 runs (their median) is 10.62 ms"; of several stretches "the 95th
+// percentile of the heaviest of 4 stretches, 6.1–6.5 s, is 10.62 ms (300 frames in 3 runs, their median; of
+// all stretches together 9.80 ms)".
 std::string percentile_text(const MeasuredRate& measured) {
   const std::size_t runs = measured.trials.size();
-  return "the 95th percentile of " + std::to_string(measured.frames()) + " frames" +
-         (runs > 1 ? " in " + std::to_string(runs) + " runs (their median)" : "") + " is " +
-         ms_text(measured.p95_ms);
+  const std::string frames = std::to_string(measured.frames()) + " frames" +
+                             (runs > 1 ? " in " + std::to_string(runs) + " runs" : "");
+  const RateTrial& median = median_trial(measured.trials);
+  const RateStretch* worst = worst_stretch(median);
+  if (worst == nullptr || median.stretches.size() < 2 || worst->p95_ms < median.p95_ms) {
+    return "the 95th percentile of " + frames + (runs > 1 ? " (their median)" : "") + " is " +
+           ms_text(measured.p95_ms);
+  }
+  return "the 95th percentile of the heaviest of " + std::to_string(median.stretches.size()) +
+         " stretches, " + seconds_text(*worst) + ", is " + ms_text(measured.p95_ms) + " (" + frames +
+         (runs > 1 ? ", their median" : "") + "; of all stretches together " + ms_text(median.all_p95_ms) +
+         ")";
+}
+
+// "Measured at 0.8–1.2 s, 2.1–2.5 s and 3.4–3.8 s of the session; what lies between was not."; empty where
+// the stretches are not known.
+std::string stretches_sentence(const RateAnswer& answer) {
+  const RateTrial* longest = nullptr;  // a measurement that ended early has fewer
+  for (const MeasuredRate& each : answer.tried) {
+    for (const RateTrial& trial : each.trials)
+      if (longest == nullptr || trial.frames > longest->frames) longest = &trial;
+  }
+  if (longest == nullptr || longest->stretches.empty()) return "";
+  const std::vector<RateStretch>& all = longest->stretches;
+  std::string text = "Measured at ";
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) text += i + 1 < all.size() ? ", " : " and ";
+    text += seconds_text(all[i]);
+  }
+  return text + " of the session" + (all.size() > 1 ? "; what lies between was not" : "") + ".\n";
 }
 
 std::string stage_text(const MeasuredRate& measured) {
   const LongestStage longest = longest_stage(measured.trials);
-  return longest.name + ", " + ms_text(longest.ms) + " of the mean " + ms_text(longest.frame_ms);
+  const std::string remedy =
+      longest.stage ? stage_remedy(*longest.stage, measured.setting.profile_scale) : "";
+  return longest.name + (remedy.empty() ? "" : " (" + remedy + ")") + ", " + ms_text(longest.ms) +
+         " of the mean " + ms_text(longest.frame_ms);
 }
 
 // Of a search that the time ended: what is known, and what is not.
@@ -98,9 +135,14 @@ Json measured_json(const MeasuredRate& measured, double period_ms) {
   json["runs"] = Json::array();
   for (const RateTrial& trial : measured.trials) {
     json["runs"].push_back({{"p95_ms", trial.p95_ms},
+                            {"all_p95_ms", trial.all_p95_ms},
                             {"mean_ms", trial.frame_ms},
                             {"frames", trial.frames},
-                            {"cut_short", trial.cut_short}});
+                            {"cut_short", trial.cut_short},
+                            {"stretches", Json::array()}});
+    for (const RateStretch& each : trial.stretches)
+      json["runs"].back()["stretches"].push_back(
+          {{"from_s", each.from_s}, {"to_s", each.to_s}, {"frames", each.frames}, {"p95_ms", each.p95_ms}});
   }
   return json;
 }
@@ -121,7 +163,10 @@ std::string rate_text(const RateQuestion& question, const RateAnswer& answer) {
   std::string text = answer.open > 0
                          ? open_sentences(question, answer)
                          : first_sentence(question, answer) + "\n" + second_sentence(question, answer) + "\n";
+  text += stretches_sentence(answer);
   if (!question.command_line.empty()) text += "\n" + question.command_line + "\n";
+  if (!question.try_next.empty())
+    text += "\nTo try next, without what flags leave out:\n" + question.try_next + "\n";
   return text;
 }
 
@@ -164,11 +209,15 @@ Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
   json["prevented_by"] = nullptr;
   if (answer.refused) {
     const LongestStage longest = longest_stage(answer.limit().trials);
+    const std::string remedy =
+        longest.stage ? stage_remedy(*longest.stage, answer.limit().setting.profile_scale) : "";
     json["prevented_by"] = {{"stage", longest.name},
+                            {"remedy", remedy.empty() ? Json(nullptr) : Json(remedy)},
                             {"stage_ms", longest.ms},
                             {"frame_ms", longest.frame_ms},
                             {"setting", measured_json(*answer.refused, answer.period_ms)}};
   }
+  json["try_next"] = question.try_next.empty() ? Json(nullptr) : Json(question.try_next);
   json["ended_early"] = answer.ended_early;
   json["open_settings"] = answer.open;
   json["machine"] = machine_json(answer.machine());

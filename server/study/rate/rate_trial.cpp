@@ -42,6 +42,15 @@ std::string MachineUse::text() const {
          (share ? percent(*share) : "n/a") + " of their cores, a hypervisor took " + percent(steal());
 }
 
+const RateStretch* worst_stretch(const RateTrial& trial) {
+  const RateStretch* worst = nullptr;
+  for (const RateStretch& each : trial.stretches) {
+    if (each.frames < kFewestOfStretch) continue;
+    if (worst == nullptr || each.p95_ms > worst->p95_ms) worst = &each;
+  }
+  return worst;
+}
+
 double percentile_95(std::span<const double> times_ms) {
   std::vector<double> sorted(times_ms.begin(), times_ms.end());
   std::sort(sorted.begin(), sorted.end());

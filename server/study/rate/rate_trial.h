@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "renderer/stage_times.h"
 
@@ -29,15 +30,30 @@ struct MachineUse {
   std::string text() const;
 };
 
+// Frames that follow one another in the session.
+struct RateStretch {
+  double from_s = 0, to_s = 0;  // since the session's start: its first frame, one period after its last
+  int frames = 0;               // measured
+  double p95_ms = 0;
+};
+
 struct RateTrial {
-  int frames = 0;          // measured; those that warm up are not counted
-  double p95_ms = 0;       // of whole frames, sampling of the session included
+  int frames = 0;  // measured; those that warm up are not counted
+  // Of whole frames, sampling of the session included: of the heaviest stretch (worst_stretch), or of all
+  // frames together where that is more.
+  double p95_ms = 0;
+  double all_p95_ms = 0;               // of all frames together
+  std::vector<RateStretch> stretches;  // that frames were measured in; in the session's order
   bool cut_short = false;  // given up, since more than a twentieth of the frames asked for were late already
   double frame_ms = 0;     // mean
   double sample_ms = 0;    // of it: sampling the session, camera pictures decoded
   StageTimes stages;       // of it: means
   MachineUse machine;
 };
+
+// Of the stretches that have kFewestOfStretch frames the one with the largest percentile; null: none has.
+inline constexpr int kFewestOfStretch = 20;  // their 95th percentile has one above it
+const RateStretch* worst_stretch(const RateTrial& trial);
 
 // Nearest rank: the smallest that 95 % do not exceed. Of at least one time.
 double percentile_95(std::span<const double> times_ms);

@@ -146,6 +146,22 @@ TEST(StudyFits, WhatIsOddIsRemarkedUpon) {
   EXPECT_EQ(remark_of(samples(), [](double) { return 0.0; }), "N = 1: it changes nothing in these frames");
 }
 
+// The word has the least error; among the sizes the error rises.
+TEST(StudyFits, ARemarkTellsValuesAsTheyAreWrittenAndLeavesWordsOut) {
+  std::vector<StudyPoint> points;
+  points.push_back(test::study_point("samples", "N = 1", "acuity", 0, 0.03, 1));
+  points.push_back(test::study_point("samples", "N = 1", "196x192", 194.4839324982915, 0.04, 1));
+  points.push_back(test::study_point("samples", "N = 1", "394x384", 388.9678649965831, 0.05, 1));
+  const StudyFits fits = fits_of(samples(), points);
+  ASSERT_EQ(fits.remarks.size(), 1u);
+  EXPECT_EQ(
+      fits.remarks[0].text,
+      "N = 1: the error rises with samples per light, from 0.0400 at 196x192 to 0.0500 at 394x384, against "
+      "expectation");
+  points.erase(points.begin() + 1);
+  EXPECT_TRUE(fits_of(samples(), points).remarks.empty()) << "one size has no direction";
+}
+
 TEST(StudyFits, TooFewPointsAndWordsHaveNoFit) {
   const StudyFits few = fits_of(samples(), sweep([](double n) { return 1 / n; }, "N = 1", {1, 4}));
   ASSERT_EQ(few.fits.size(), 1u);

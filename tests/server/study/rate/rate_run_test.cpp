@@ -145,7 +145,7 @@ RateAnswer plain_answer() {
 
 TEST(RateText, IsTwoSentencesAndALineToPaste) {
   EXPECT_EQ(
-      rate_text({kHz, "xr1", "herr replay walk"}, plain_answer()),
+      rate_text({kHz, "xr1", "herr replay walk", ""}, plain_answer()),
       "90 Hz leaves 11.11 ms for a frame, and the largest setting with which this machine holds that is "
       "polar "
       "788x384, light samples 1, profile scale 0.5 of xr1: the 95th percentile of 300 frames in 3 runs "
@@ -163,7 +163,7 @@ TEST(RateText, WhenEvenTheLargestHoldsNoStageIsBlamed) {
   RateAnswer answer = plain_answer();
   answer.refused.reset();
   EXPECT_EQ(
-      rate_text({kHz, "xr1", "herr replay walk"}, answer),
+      rate_text({kHz, "xr1", "herr replay walk", ""}, answer),
       "90 Hz leaves 11.11 ms for a frame, and this machine holds that even with the largest setting that was "
       "tried, polar 788x384, light samples 1, profile scale 0.5 of xr1: the 95th percentile of 300 frames in "
       "3 "
@@ -180,7 +180,7 @@ TEST(RateText, WhenNotEvenTheSmallestHoldsThereIsNothingToPaste) {
   answer.period_ms = kPeriod_ms;
   answer.refused = MeasuredRate{{98, 192, 1, 0.1}, {plain_trial(43, 30)}, 43};
   answer.tried = {*answer.refused};
-  EXPECT_EQ(rate_text({kHz, "xr1", ""}, answer),
+  EXPECT_EQ(rate_text({kHz, "xr1", "", ""}, answer),
             "90 Hz leaves 11.11 ms for a frame, and this machine holds that with no setting: with the "
             "smallest, polar "
             "196x192, light samples 1, profile scale 0.1 of xr1, the 95th percentile of 100 frames is 43.00 "
@@ -199,7 +199,7 @@ TEST(RateText, OfASearchThatEndedEarlySaysWhatIsOpenAndHowManyMinutesItTakes) {
   answer.held->trials.resize(1);
   answer.tried = {*answer.held, *answer.refused};
   answer.ended_early = true, answer.open = 3, answer.runs_to_go = 6;
-  EXPECT_EQ(rate_text({kHz, "xr1", "herr replay walk"}, answer),
+  EXPECT_EQ(rate_text({kHz, "xr1", "herr replay walk", ""}, answer),
             "90 Hz leaves 11.11 ms for a frame, and the search ended before its answer: of what was measured "
             "the largest setting that holds is polar 788x384, light samples 1, profile scale 0.5 of xr1, the "
             "95th percentile of 100 frames is 10.50 ms.\n"
@@ -210,15 +210,56 @@ TEST(RateText, OfASearchThatEndedEarlySaysWhatIsOpenAndHowManyMinutesItTakes) {
       too_few_minutes_text(0.1, 12, answer),
       "--minutes 0.1 ended the search after 2 runs, and it takes about 6 more; give --minutes 2 or more");
   EXPECT_EQ(rate_exit_code(answer), 5);
-  EXPECT_EQ(rate_json({kHz, "xr1", "x"}, answer)["open_settings"], 3);
+  EXPECT_EQ(rate_json({kHz, "xr1", "x", ""}, answer)["open_settings"], 3);
   answer.held.reset(), answer.refused.reset();
-  const std::string neither = rate_text({kHz, "xr1", ""}, answer);
+  const std::string neither = rate_text({kHz, "xr1", "", ""}, answer);
   EXPECT_NE(neither.find("no setting that was measured holds that.\nOf all others 3 settings are open."),
             std::string::npos)
       << neither;
   EXPECT_TRUE(rate_warnings(answer).empty());
-  EXPECT_TRUE(rate_json({kHz, "xr1", ""}, answer)["prevented_by"].is_null());
+  EXPECT_TRUE(rate_json({kHz, "xr1", "", ""}, answer)["prevented_by"].is_null());
   EXPECT_EQ(rate_exit_code(answer), 4);
+}
+
+// Where the trial of the median lies: 10.5, whose second stretch is the heaviest.
+TEST(RateText, OfSeveralStretchesNamesTheHeaviestAndWhereItMeasured) {
+  RateAnswer answer = plain_answer();
+  RateTrial& median = answer.held->trials[1];
+  median.stretches = {{0.8, 1.2, 25, 9}, {2.5, 2.91, 25, 10.5}, {4, 4.4, 25, 8}};
+  median.all_p95_ms = 9.75;
+  median.frames = 101;
+  answer.tried = {*answer.held, *answer.refused};
+  const std::string text = rate_text({kHz, "xr1", "herr replay walk", ""}, answer);
+  EXPECT_NE(text.find("the 95th percentile of the heaviest of 3 stretches, 2.5\u20132.9 s, is 10.50 ms (301 "
+                      "frames in 3 runs, their median; of all stretches together 9.75 ms).\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("\nMeasured at 0.8\u20131.2 s, 2.5\u20132.9 s and 4.0\u20134.4 s of the session; what lies "
+                "between was not.\n"),
+      std::string::npos)
+      << text;
+  const auto json = rate_json({kHz, "xr1", "x", ""}, answer);
+  EXPECT_EQ(json["held"]["runs"][1]["stretches"][1]["p95_ms"], 10.5);
+  EXPECT_EQ(json["held"]["runs"][1]["all_p95_ms"], 9.75);
+}
+
+TEST(RateText, NamesTheFlagThatLeavesTheStageOut) {
+  RateAnswer answer = plain_answer();
+  answer.held.reset();
+  answer.refused->trials.front().stages[Stage::probe_rays] = 5;
+  answer.tried = {*answer.refused};
+  const std::string text =
+      rate_text({kHz, "xr1", "", "herr study walk --hz 90 --occlusion-rays 0 --no-probes"}, answer);
+  EXPECT_NE(text.find("The stage that prevents it is probe_rays (--no-probes leaves it out), 5.00 ms of the "
+                      "mean 9.00 ms.\n"),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(
+      text.ends_with("\nTo try next, without what flags leave out:\nherr study walk --hz 90 "
+                     "--occlusion-rays 0 --no-probes\n"))
+      << text;
+  EXPECT_EQ(rate_json({kHz, "xr1", "", ""}, answer)["prevented_by"]["remedy"], "--no-probes leaves it out");
 }
 
 TEST(RateText, WarnsOfABusyMachineAndOfNoise) {
@@ -233,7 +274,7 @@ TEST(RateText, WarnsOfABusyMachineAndOfNoise) {
 }
 
 TEST(RateJson, TellsWhatWasTriedAndWhatPreventsMore) {
-  const nlohmann::ordered_json json = rate_json({kHz, "xr1", "herr replay walk"}, plain_answer());
+  const nlohmann::ordered_json json = rate_json({kHz, "xr1", "herr replay walk", ""}, plain_answer());
   EXPECT_EQ(json["hz"], 90);
   EXPECT_EQ(json["holds"], true);
   EXPECT_EQ(json["held"]["polar"], "788x384");
@@ -247,7 +288,7 @@ TEST(RateJson, TellsWhatWasTriedAndWhatPreventsMore) {
   EXPECT_EQ(json["tried"].size(), 2u);
   RateAnswer all = plain_answer();
   all.refused.reset();
-  EXPECT_TRUE(rate_json({kHz, "xr1", "x"}, all)["prevented_by"].is_null());
+  EXPECT_TRUE(rate_json({kHz, "xr1", "x", ""}, all)["prevented_by"].is_null());
 }
 
 }  // namespace

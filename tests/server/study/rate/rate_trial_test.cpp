@@ -21,6 +21,14 @@ TEST(Percentile95, IsTheNearestRank) {
   EXPECT_EQ(percentile_95(times), 99);
 }
 
+TEST(RateStretch, TheWorstIsTheSlowestOfThoseWithFramesEnough) {
+  RateTrial trial;
+  EXPECT_EQ(worst_stretch(trial), nullptr);
+  trial.stretches = {{0, 1, 25, 9}, {2, 3, 25, 12}, {4, 5, 19, 30}};
+  ASSERT_NE(worst_stretch(trial), nullptr);
+  EXPECT_EQ(worst_stretch(trial)->p95_ms, 12);
+}
+
 MachineUse quiet() {
   MachineUse use;
   use.cpu_ms = 1900, use.cores_ms = 2000, use.preemptions = 3, use.late = 5, use.used_ticks = 200;
@@ -72,6 +80,7 @@ TEST(RateFrames, AreFourStretchesOfALongSession) {
     EXPECT_EQ(frames[i].frame,
               50 + 125 + 250 * static_cast<std::int64_t>(i / 30) - 15 + static_cast<int>(i % 30));
     EXPECT_EQ(frames[i].counts, i % 30 >= 5);
+    EXPECT_EQ(frames[i].stretch, static_cast<int>(i / 30));
     counted += frames[i].counts ? 1 : 0;
   }
   EXPECT_EQ(counted, kRateFrames);
