@@ -6,6 +6,7 @@
 #include "server/frames/frame_description.h"
 #include "server/frames/frame_quality.h"
 #include "server/process/steady_time.h"
+#include "server/settings/quality_target.h"
 
 namespace herr {
 
@@ -48,6 +49,10 @@ void FrameStep::describe(const RenderedFrame& rendered, const FramePacing& pacin
   if (pacing.pacer != nullptr) {
     describe_pacing(pacing.pacer->finish(started_ns_, finished_ns_), pacing.dropped, record_);
   }
+  const double shown_ms = pacing.pacer != nullptr ? static_cast<double>(finished_ns_ - started_ns_) * 1e-6
+                                                  : record_.times.frame_ms;
+  if (record_.missed) record_.over_ms = std::max(0.0, shown_ms - record_.period_ms);
+  record_.over_target = shown_ms > quality_target_ms(options_, report_.range);
   if (record_.missed) record_.cause = cause_of_miss(miss_facts(pacing.pacer != nullptr));
 }
 

@@ -1,5 +1,6 @@
 #include "server/replay/replay_command.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -22,6 +23,7 @@
 #include "server/statistics/load_json.h"
 #include "server/text/number_text.h"
 #include "sessions/files/atomic_file.h"
+#include "sessions/files/folders.h"
 #include "sessions/files/input_error.h"
 #include "sessions/inspect/number_words.h"
 
@@ -29,6 +31,20 @@ namespace herr {
 namespace {
 
 constexpr std::size_t kMostWarningsShown = 10;
+
+// A word of --format that stands apart is taken for a session: before the others are rendered in vain.
+void check_for_formats(const ReplayOptions& options) {
+  for (const std::filesystem::path& session : options.sessions) {
+    const std::string word = session.string();
+    const auto format = std::find_if(kPictureFormats.begin(), kPictureFormats.end(),
+                                     [&](PictureFormat one) { return word == name_of(one); });
+    if (format == kPictureFormats.end() || path_exists(session)) continue;
+    PictureFormats meant = options.formats;
+    meant.add(*format);
+    throw UsageError("there is no session '" + printable(word) +
+                     "', but a format of that name; did you mean --format " + text_of(meant) + "?");
+  }
+}
 
 void check_folders(const ReplayOptions& options) {
   const EarlierResults earlier = options.overwrite ? EarlierResults::replace
@@ -125,6 +141,10 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   if (report.state != ReplayState::done) {
     text += " of " + counted(report.range.count, "frame", "frames") + " (" + name_of(report.state) + ")";
   }
+  if (options.target_ms) {
+    text += ", " + std::to_string(statistics.over_target) + " over the target of " +
+            shortest_text(*options.target_ms) + " ms";
+  }
   text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
           fixed_text(report.range.period_ms(), 2) + " ms" + causes_text(statistics) + "; " +
           counted(report.settings.threads, "thread", "threads") + ", " + name_of(report.settings.isa) + ", " +
@@ -195,6 +215,7 @@ std::vector<std::string> add_refused(const std::vector<SessionReport>& checked, 
 
 int run_replay(const ReplayOptions& options) {
   check_render_settings(options.render);
+  check_for_formats(options);
   check_folders(options);
   const std::size_t asked = options.sessions.size();
   const std::vector<SessionReport> checked = check_sessions(options);

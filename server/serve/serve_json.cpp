@@ -54,7 +54,26 @@ Json statistics_json(const RunStatistics& statistics) {
   return json;
 }
 
-Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
+// Of the stages, and "sample", the one that is furthest above its median of the run; null: none is above it.
+// A wait of threads is none.
+Json late_stage_json(const FrameRecord& record, const RunStatistics& run) {
+  Json name(nullptr);
+  double most_ms = 0;
+  const auto see = [&](const char* stage, double ms, const LatencyHistogram& all) {
+    const double above_ms = ms - all.quantile_ns(0.5) * 1e-6;
+    if (!(above_ms > most_ms)) return;
+    most_ms = above_ms;
+    name = stage;
+  };
+  see("sample", record.sample_ms, run.sample);
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    if (stage != Stage::idle) see(name_of(stage), record.times.ms[i], run.stages[i]);
+  }
+  return name;
+}
+
+Json frame_json(const RecentFrame& frame, TimeNs started_ns, const RunStatistics& run) {
   const FrameRecord& record = frame.record;
   Json stages = Json::object();
   for (std::size_t i = 0; i < kStageCount; ++i) {
@@ -94,6 +113,8 @@ Json frame_json(const RecentFrame& frame, TimeNs started_ns) {
       {"misregistration_arcmin", optional_json(record.misregistration_arcmin)},
       {"missed", record.missed},
       {"cause", record.missed ? Json(name_of(record.cause)) : Json(nullptr)},
+      {"over_ms", record.missed ? Json(record.over_ms) : Json(nullptr)},
+      {"stage", record.missed ? late_stage_json(record, run) : Json(nullptr)},
       {"dropped", record.dropped_frames},
       {"repeated", record.repeated_ticks}};
 }
@@ -153,7 +174,7 @@ Json frames_json(const ServeSnapshot& snapshot, std::int64_t since, bool missed_
     if (frame.sequence <= since || (missed_only && !frame.record.missed)) continue;
     more = frames.size() == kMostFramesInAnswer;
     if (more) break;
-    frames.push_back(frame_json(frame, snapshot.started_ns));
+    frames.push_back(frame_json(frame, snapshot.started_ns, snapshot.run));
   }
   return {{"format_version", 1},
           {"oldest", recent.empty() ? Json(nullptr) : Json(recent.front().sequence)},

@@ -47,6 +47,8 @@ struct FrameRecord {
   double period_ms = 0;  // of the display: what a frame may take
   bool missed = false;   // the frame time exceeds the display period; realtime: sampling and delays included
   MissCause cause = MissCause::none;  // why it missed (miss_cause.h)
+  double over_ms = 0;                 // by how much it did; 0 in time
+  bool over_target = false;           // the same time exceeds --target-ms, or the display period without it
   bool stutter = false;             // it took much longer than the frames before it in its run (frame_pace.h)
   std::int64_t dropped_frames = 0;  // realtime: frames of the session left out just before this one
   std::int64_t repeated_ticks = 0;  // realtime: display ticks before this frame that showed nothing new

@@ -71,6 +71,7 @@ Json count_definitions_json(ReplayClock clock) {
       "missed frames that were kept off the cores and whose CPU time (likewise with the CPU time of sampling "
       "and of further views) would not have fit either";
   json["missed_by_work"] = "every other missed frame";
+  json["over_target"] = "frames for which the same time exceeds --target-ms; without it as missed";
   json["dropped"] = realtime ? "frames of the session that were never rendered: a newer one was due"
                              : "always 0: this clock leaves no frame out";
   json["repeated"] = realtime ? "display ticks between two presentations that had no new frame"
@@ -107,6 +108,7 @@ Json frame_counts_json(const RunStatistics& statistics) {
           {"missed_by_machine", statistics.missed_by_machine},
           {"missed_by_work", statistics.missed_by_work},
           {"missed_by_both", statistics.missed_by_both},
+          {"over_target", statistics.over_target},
           {"dropped", statistics.dropped_frames},
           {"repeated", statistics.repeated_ticks}};
 }

@@ -17,7 +17,8 @@ nlohmann::ordered_json distribution_json(const LatencyHistogram& values);
 nlohmann::ordered_json latencies_json(const RunStatistics& statistics);
 // Totals of a frame's counters, and values that were not finite in pictures.
 nlohmann::ordered_json counters_json(const RunStatistics& statistics);
-// {"rendered", "missed", "missed_by_machine", "missed_by_work", "missed_by_both", "dropped", "repeated"}.
+// {"rendered", "missed", "missed_by_machine", "missed_by_work", "missed_by_both", "over_target", "dropped",
+// "repeated"}.
 nlohmann::ordered_json frame_counts_json(const RunStatistics& statistics);
 // {"name": "what it counts", ...} of each of these.
 nlohmann::ordered_json count_definitions_json(ReplayClock clock);

@@ -119,6 +119,7 @@ TEST_F(ReplaySession, ATargetOutOfReachEndsAtTheFloorAndIsWarnedOf) {
   EXPECT_EQ(quality["reasons"], nlohmann::json({{"start", 1}, {"floor_too_slow", frames - 1}}));
   EXPECT_EQ(quality["polar_width"]["max"], 8.0) << "an eighth of 64";
   EXPECT_EQ(quality["polar_height"]["max"], 16.0) << "a quarter of 64";
+  EXPECT_EQ(summary()["frames"]["over_target"], frames) << "whatever the display period is";
   EXPECT_EQ(summary()["settings"]["policy"], "deadline");
   EXPECT_FALSE(fs::exists(root() / "o/walk/checkpoint.json")) << "nobody could go on with it";
 }
@@ -128,6 +129,7 @@ TEST_F(ReplaySession, ATargetThatIsEasilyReachedGivesTheWholeWidth) {
   options_.target_ms = 10'000;
   options_.clock = ReplayClock::max;
   ASSERT_EQ(replay().exit_code, 0);
+  EXPECT_EQ(summary()["frames"]["over_target"], 0);
   const nlohmann::json quality = summary()["quality"];
   EXPECT_EQ(quality["polar_width"]["min"], 8.0) << "the first frame, of which nothing is known";
   EXPECT_EQ(quality["polar_width"]["max"], 64.0);

@@ -71,6 +71,7 @@ class Serve : public ::testing::Test {
       frame.record.cpu_ms = 1.5 * static_cast<double>(i);
       frame.record.times[Stage::first_hits] = static_cast<double>(i);
       frame.record.missed = i % 2 == 0;
+      frame.record.over_ms = frame.record.missed ? static_cast<double>(i) - 16.5 : 0;
       if (frame.record.missed)
         frame.record.cause = i % 4 == 0     ? MissCause::machine
                              : i % 20 == 10 ? MissCause::both

@@ -26,6 +26,16 @@ TEST_F(ReplayMessages, OneBadSessionDoesNotStopTheOthers) {
   EXPECT_EQ(json["exit_code"], 3);
 }
 
+TEST_F(ReplayMessages, AFormatThatStandsApartIsNoSession) {
+  const Outcome outcome = replay_of("walk", "--frames 2 --out o --format png exr");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("there is no session 'exr', but a format of that name; did you mean --format "
+                             "png,exr?\n"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(root() / "o"));
+}
+
 // The folder of a refused session is written before the first frame of the others: its summary is older than
 // the rows of the session that stands before it on the line.
 TEST_F(ReplayMessages, RefusedSessionsAreToldBeforeTheFirstFrame) {
