@@ -14,6 +14,7 @@
 #include "server/bench/frame_time_table.h"
 #include "server/bench/left_out.h"
 #include "server/bench/ray_limits.h"
+#include "server/frames/warnings/picture_warnings.h"
 #include "server/process/exit_code.h"
 #include "server/process/stop_signal.h"
 #include "server/process/terminal.h"
@@ -85,6 +86,9 @@ int measure_frames(const BenchOptions& options, Subject& subject) {
   note_memory(result.picture_bytes, subject);
   const BenchSubject& described = subject.described;
   print_result(options.json ? json_text(bench_json(result, described)) : bench_table(result, described));
+  if (const std::string empty = nothing_measured_warning(static_cast<double>(result.counters.object_samples));
+      !empty.empty())
+    print_message("warning: " + empty);
   const std::string excess =
       rays_beyond_plan(result, result.plan, subject.opened.scene.lights.size(), renderer.settings());
   if (excess.empty()) return kExitDone;

@@ -1,5 +1,6 @@
 #include "server/check/check_command.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "server/check/measure/not_comparable.h"
 #include "server/check/report/ci_reports.h"
 #include "server/check/report/text_report.h"
+#include "server/frames/warnings/picture_warnings.h"
 #include "server/process/exit_code.h"
 #include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
@@ -86,6 +88,11 @@ int run_check(const CheckOptions& options) {
     exit_code = failure.exit_code();
     report.error = failure.what();
     print_message(report.error);
+  }
+  for (const CounterJudgement& counter : report.counters) {
+    if (counter.name != "object_samples") continue;
+    const std::string warning = nothing_measured_warning(std::max(counter.baseline, counter.candidate));
+    if (!warning.empty()) print_message("warning: " + warning);
   }
   report.seconds = 1e-9 * static_cast<double>(steady_now_ns() - start_ns);
   write_reports(options, report);

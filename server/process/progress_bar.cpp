@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kBarWidth = 30;
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
+constexpr auto kLogInterval = std::chrono::seconds(30);
 
 }  // namespace
 
@@ -31,6 +32,15 @@ std::string progress_text(const std::string& label, std::int64_t done, std::int6
   return text;
 }
 
+std::string log_progress_text(const std::string& label, std::int64_t done, std::int64_t total,
+                              double elapsed_s, std::int64_t done_before) {
+  std::string text = label + ": " + std::to_string(done) + " of " + std::to_string(total);
+  if (done <= done_before || !(elapsed_s > 0)) return text;
+  const double rate = static_cast<double>(done - done_before) / elapsed_s;
+  return text + ", " + fixed_text(rate, 1) + " frames/s, " +
+         minutes_text(static_cast<double>(total - done) / rate) + " left";
+}
+
 ProgressBar::ProgressBar(std::string label, std::int64_t total, std::int64_t done_before)
     : shown_(stderr_is_terminal()),
       label_(printable(label)),
@@ -45,9 +55,13 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::update(std::int64_t done) {
   const Clock::time_point now = Clock::now();
-  if (!shown_ || now - last_drawn_ < kRedrawInterval) return;
+  if (shown_ ? now - last_drawn_ < kRedrawInterval : now - last_drawn_ < kLogInterval) return;
   last_drawn_ = now;
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
+  if (!shown_) {
+    print_message(log_progress_text(label_, done, total_, elapsed_s, done_before_));
+    return;
+  }
   print_progress(kClearLine + progress_text(label_, done, total_, elapsed_s, done_before_));
 }
 

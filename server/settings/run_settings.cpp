@@ -50,7 +50,10 @@ TextSetting profile_name_or_file(std::string& profile) {
   setting.set = [set_path](const std::string& text) {
     const bool word = !text.empty() && text.find('/') == std::string::npos && !text.ends_with(".json");
     if (word && !builtin_display_profile(text) && !path_exists(text)) {
-      const std::string nearest = nearest_name(text, names_of_profiles());
+      std::string lower = text;
+      for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+      const std::string nearest = nearest_name(lower, names_of_profiles());
       throw std::invalid_argument("'" + printable(text) + "' is neither a built-in display profile (" +
                                   builtin_display_profile_names() + ") nor a file; " +
                                   (nearest.empty() ? "give one of them, or the path of a JSON file"

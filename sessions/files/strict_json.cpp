@@ -123,6 +123,9 @@ std::optional<Mistake> usual_mistake(std::string_view text, std::size_t offset) 
     if (before != std::string::npos && text[before] == ',')
       return Mistake{std::string("a comma stands before '") + at + "'", "remove that comma"};
   }
+  const std::string_view bytes = text.substr(offset, 3);
+  if (bytes.starts_with("\xe2\x80") && bytes.size() == 3 && bytes[2] >= '\x98' && bytes[2] <= '\x9f')
+    return Mistake{"it has typographic quotes", "write \""};
   if (at == '\'') return Mistake{"a text stands in ' '", "write it in \" \""};
   if (at == '/' || at == '#') return Mistake{"it has no comments", "remove this one"};
   const std::string word = word_around(text, offset), lower = in_lower_case(word);
@@ -141,6 +144,32 @@ std::optional<Mistake> usual_mistake(std::string_view text, std::size_t offset) 
 std::int64_t lines_before(std::string_view text, std::size_t offset) {
   return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size())),
                     '\n');
+}
+
+// Where another value or key begins in place of a comma: the parser has read a text to its closing quote.
+std::optional<Mistake> missing_comma(std::string_view text, std::size_t offset, const std::string& problem,
+                                     std::int64_t first_line) {
+  const bool ends =
+      problem.find("expected '}'") != std::string::npos || problem.find("expected ']'") != std::string::npos;
+  if (!ends || problem.find("expected end of input") != std::string::npos || offset == 0) return std::nullopt;
+  std::size_t begin = offset;
+  if (text[offset] == '"') {
+    begin = text.rfind('"', offset - 1);
+    while (begin != std::string_view::npos && begin > 0 && text[begin - 1] == '\\')
+      begin = text.rfind('"', begin - 1);
+  } else if (text[offset] != '{') {
+    return std::nullopt;
+  }
+  if (begin == std::string_view::npos || begin == 0) return std::nullopt;
+  const std::size_t end = text.find_last_not_of(" \t\r\n", begin - 1);
+  if (end == std::string_view::npos) return std::nullopt;
+  const std::int64_t of_value = first_line + lines_before(text, end),
+                     of_next = first_line + lines_before(text, begin);
+  const std::string next =
+      text[begin] == '{' ? "'{'" : printable(std::string(text.substr(begin, offset - begin + 1)));
+  return Mistake{"a comma is missing " +
+                     (of_value == of_next ? "before " + next : "after line " + std::to_string(of_value)),
+                 "write ',' there"};
 }
 
 void refuse_foreign_encodings(std::string_view text, const std::filesystem::path& file,
@@ -174,6 +203,9 @@ json parse_json_text(std::string_view text, const std::filesystem::path& file, s
   const std::size_t offset = read > 0 ? read - 1 : 0;
   const std::int64_t line = first_line + lines_before(text, offset);
   if (const auto mistake = builder.is_syntax() ? usual_mistake(text, offset) : std::nullopt)
+    throw InputError(file, line, "is not JSON: " + mistake->problem, mistake->remedy);
+  if (const auto mistake =
+          builder.is_syntax() ? missing_comma(text, offset, builder.problem(), first_line) : std::nullopt)
     throw InputError(file, line, "is not JSON: " + mistake->problem, mistake->remedy);
   throw InputError(file, line, builder.problem(), "correct the file");
 }

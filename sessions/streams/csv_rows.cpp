@@ -48,7 +48,7 @@ void CsvRows::split(std::string_view text) {
 }
 
 void CsvRows::read_header(const CsvLayout& layout) {
-  const std::string expected = "it reads " + joined(columns_);
+  const std::string expected = "it should read " + joined(columns_);
   if (!reader_.next(line_)) fail("has no header line", expected);
   if (line_.text.find('\0') != std::string_view::npos)
     fail("holds NUL bytes", "save it as UTF-8 text, not UTF-16");

@@ -166,6 +166,15 @@ std::string feed_distance_warning(const RenderSettings& asked, bool has_camera, 
          " has no camera, so there is no feed to show; leave it out";
 }
 
+std::string nothing_measured_warning(double object_samples) {
+  if (object_samples != 0) return {};
+  return "no virtual object was in view in any frame that was measured: this tells of empty frames alone; "
+         "take a "
+         "stretch that shows some (--start of check; 'herr inspect SESSION --scene FILE' says when an object "
+         "is "
+         "most central), or set world_from_session";
+}
+
 std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,
                                  const std::optional<Pose>& world_from_head, const DisplayProfile& profile) {
   std::string text =

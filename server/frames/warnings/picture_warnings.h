@@ -32,6 +32,10 @@ std::string feed_distance_warning(const RenderSettings& asked, bool has_camera, 
 std::string nothing_seen_warning(const Scene& scene, std::int64_t frames,
                                  const std::optional<Pose>& world_from_head, const DisplayProfile& profile);
 
+// The same of what was measured, not drawn: a gate may be green over empty frames. Empty where
+// `object_samples` is not 0.
+std::string nothing_measured_warning(double object_samples);
+
 // Of objects whose size suggests another unit than metres, as they stand at the session's start, for a head
 // at `place` in the scene: the one that looks smallest of those under kFewPixels of the finest viewport,
 // straight ahead, and the largest of those of kHuge_m and more about the head. `file` stands before each

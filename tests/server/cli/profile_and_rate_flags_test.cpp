@@ -84,6 +84,7 @@ TEST(CommandLine, AWordThatIsNoProfileIsAWrongValueAndAPathIsLeftToReading) {
         complaint(with_profile("xr2")),
         "--profile: 'xr2' is neither a built-in display profile (xr1, xr1-half, quest3, generic-90) nor "
         "a file; did you mean xr1?");
+    EXPECT_TRUE(complaint(with_profile("XR1-Half")).ends_with("; did you mean xr1-half?"));
     EXPECT_EQ(complaint(with_profile("quest33")).find("--profile: 'quest33' is neither"), 0u);
     EXPECT_NE(complaint(with_profile("vive")).find("; give one of them, or the path of a JSON file"),
               std::string::npos);

@@ -243,6 +243,8 @@ TEST(ProgressBar, TellsShareRateAndRemainingTime) {
   // 30 of the 60 were there before: the rate is that of the others.
   EXPECT_EQ(progress_text("walk", 60, 120, 5.0, 30),
             "walk [###############---------------]  60/120  6.0 frames/s  ETA 0:10");
+  EXPECT_EQ(log_progress_text("walk", 60, 120, 5.0, 30), "walk: 60 of 120, 6.0 frames/s, 0:10 left");
+  EXPECT_EQ(log_progress_text("walk", 0, 120, 5.0), "walk: 0 of 120");
   EXPECT_EQ(progress_text("walk", 0, 120, 5.0), "walk [------------------------------]  0/120");
   EXPECT_EQ(progress_text("walk", 0, 0, 0.0), "walk [##############################]  0/0");
 }

@@ -39,7 +39,13 @@ TEST(StrictJson, WhatOtherProgramsWriteIsToldWithWhatToWriteInstead) {
       {"[-.5]", "a.json:1: is not JSON: it has no number -.5; write -0.5"},
       {"{'a': 1}", "a.json:1: is not JSON: a text stands in ' '; write it in \" \""},
       {"{}\n// done", "a.json:2: is not JSON: it has no comments; remove this one"},
-      {"{\"a\": 1 \"b\": 2}", "a.json:1: is not JSON: syntax error"},
+      {"{\"a\": 1 \"b\": 2}", "a.json:1: is not JSON: a comma is missing before \"b\"; write ',' there"},
+      {"{\"a\": \"x\"\n\n\"b\": 2}",
+       "a.json:3: is not JSON: a comma is missing after line 1; write ',' there"},
+      {"[{}\n{}]", "a.json:2: is not JSON: a comma is missing after line 1; write ',' there"},
+      {"{\u201ca\u201d: 1}", "a.json:1: is not JSON: it has typographic quotes; write \""},
+      {"{\"a\" 1}", "a.json:1: is not JSON: syntax error"},
+      {"{\"a\" \"b\"}", "a.json:1: is not JSON: syntax error"},
   };
   for (const auto& [text, message] : cases) EXPECT_INPUT_ERROR(parse(text), message) << text;
 }
