@@ -154,6 +154,9 @@ FoundRecording find_recording(const std::filesystem::path& folder, const std::st
                          ") and " + fits[1].head + " (" + fits[1].recording.preset + ")",
                      "say which one with --preset");
   refuse_folder_of_recordings(folder, maps);
+  if (path_exists(folder / "session.json"))
+    throw InputError(folder, 0, "is a session already, it has a session.json",
+                     "replay it as it is: herr replay " + printable(folder.string()));
   const std::string layouts = known_layouts(maps);
   if (layouts.empty())
     throw InputError(folder, 0, "is a folder, but preset " + preset + " reads single files",

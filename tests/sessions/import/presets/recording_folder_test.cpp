@@ -80,5 +80,11 @@ TEST_F(RecordingFolder, WithoutAKnownFileSaysWhatSuchFoldersHold) {
   EXPECT_INPUT_ERROR(find_recording(folder_.path(), "ros"), "preset ros reads single files");
 }
 
+TEST_F(RecordingFolder, ASessionNeedsNoConversion) {
+  folder_.write("session.json", "{}");
+  EXPECT_INPUT_ERROR(find_recording(folder_.path(), ""),
+                     "is a session already, it has a session.json; replay it as it is: herr replay ");
+}
+
 }  // namespace
 }  // namespace herr::test
