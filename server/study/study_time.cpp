@@ -22,6 +22,7 @@ constexpr double kSoftOverHard = 8;  // times of a frame, of the sample session 
 constexpr double kOverdrawn = 1.25;  // of its share: what a last pass may take more
 constexpr double kLeastShareForAdvice = 0.25;
 constexpr double kSeedFramesOfOne = 16.0 / 5;  // about so many settings share a reference of 16 frames
+constexpr double kMostShareOfSoft = 0.25;      // its default, beside sweeps that were asked for
 constexpr double kReserve = 1.25;              // estimates are off, and machines busy
 
 }  // namespace
@@ -139,7 +140,10 @@ void StudyRun::measure_bases() {
       if (setting.name == default_name(samples)) base.push_back(setting);
     }
     subject_.rewind();
-    measure_frame(base, first, samples == kHardSamples ? HUGE_VAL : until_clip_s());
+    // Of sweeps that were asked for soft light is no more than a part.
+    const double left_s = until_clip_s() - seconds(),
+                 soft_s = options_.only.empty() ? left_s : kMostShareOfSoft * left_s;
+    measure_frame(base, first, samples == kHardSamples ? HUGE_VAL : seconds() + soft_s);
   }
 }
 

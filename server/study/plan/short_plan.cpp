@@ -78,7 +78,8 @@ StudyBudget fit_in_order(const std::vector<StudySetting>& settings, const std::v
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const double reference_s = made.contains(costs[i].reference) ? 0 : costs[i].reference_s;
     const double more_s = (costs[i].seconds + reference_s) * static_cast<double>(budget.frames);
-    if (settings[i].knob == "default" || planned_s + more_s <= most_s) {
+    const bool stays = settings[i].knob == "default" && settings[i].base == base_name(kHardSamples);
+    if (stays || planned_s + more_s <= most_s) {
       planned_s += more_s;
       made.insert(costs[i].reference);
       budget.settings.push_back(settings[i]);
