@@ -8,9 +8,9 @@
 #include "server/process/terminal.h"
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
+#include "server/study/rate/next_try.h"
 #include "server/study/rate/rate_subject.h"
 #include "server/study/rate/rate_text.h"
-#include "server/study/rate/stage_remedy.h"
 #include "server/text/number_text.h"
 #include "sessions/files/input_error.h"
 
@@ -65,8 +65,12 @@ int run_rate(const StudyOptions& options) {
   RateQuestion question{*options.hz, printable(subject.report().profile.name), "", ""};
   if (answer->held) question.command_line = command_line_of(options, answer->held->setting);
   if (!answer->held && answer->refused) {
-    const SettingChanges changes = changes_without_long_stages(mean_stages(answer->refused->trials));
-    if (!changes.empty()) question.try_next = study_line_of(options, changes);
+    const NextTry next =
+        next_try(*answer->refused, options.render, subject.report().plan.camera, subject.period_ms());
+    StudyOptions less = options;
+    if (next.hz) less.hz = next.hz;
+    question.try_next = study_line_of(less, next.changes);
+    question.try_words = next.words;
   }
   if (answer->open > 0)
     print_message("warning: " + too_few_minutes_text(options.minutes, seconds(), *answer));

@@ -46,7 +46,7 @@ bool RateSearch::decided(std::size_t setting) const {
   const bool near = std::abs(p95_ms(setting) / period_ms_ - 1) <= config_.near_share;
   const auto in_time = std::count_if(trials.begin(), trials.end(),
                                      [&](const RateTrial& trial) { return trial.p95_ms <= period_ms_; });
-  const bool last_hope = setting == 0 && p95_ms(setting) > period_ms_;
+  const bool last_hope = setting == 0 && p95_ms(setting) > period_ms_ && !trials.back().hopeless;
   const bool disputed = in_time > 0 && in_time < count;
   const int wanted = disputed && count >= config_.trials_near ? config_.trials_disputed
                      : near || disputed || last_hope          ? config_.trials_near

@@ -1,8 +1,8 @@
 // The largest of ordered settings whose 95th percentile holds a period, by bisection over measurements that
 // scatter. A setting is decided by the median of its trials: one where it is far from the period, three where
 // it is near, five where three disagree. The answer has three at least, and so has
-// the smallest before it is said not to hold. Pure: no clock, no machine. Before:
-// rate_ladder. After: run_rate_study measures what next() asks for.
+// the smallest before it is said not to hold, unless its trial was hopeless. Pure: no clock, no machine.
+// Before: rate_ladder. After: run_rate_study measures what next() asks for.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 #include "server/study/rate/rate_subject.h"
 
 #include <algorithm>
+#include <array>
 
 #include "server/check/measure/cpu_time.h"
 #include "server/process/steady_time.h"
@@ -18,6 +19,24 @@ constexpr int kFewestFrames = 20;
 constexpr int kFarTooSlow = 3;  // frames of twice the period that are enough to give up
 constexpr int kMostLate = kRateFrames / 20;
 
+// A mean of what not all frames have.
+class MeanOfSome {
+ public:
+  void add(const std::array<std::optional<double>, 2>& eyes) {
+    if (!eyes[0] && !eyes[1]) return;
+    sum_ += eyes[0] && eyes[1] ? std::min(*eyes[0], *eyes[1]) : eyes[0].value_or(eyes[1].value_or(0));
+    ++count_;
+  }
+  std::optional<double> mean() const {
+    if (count_ == 0) return std::nullopt;
+    return sum_ / count_;
+  }
+
+ private:
+  double sum_ = 0;
+  int count_ = 0;
+};
+
 // Adds frames up until a measurement has enough of them.
 class TrialFrames {
  public:
@@ -30,6 +49,8 @@ class TrialFrames {
     add_to_stretch(frame, frame_ms);
     if (frame_ms > period_ms_) ++late_;
     if (frame_ms > 2 * period_ms_) ++far_too_slow_;
+    if (frame_ms > kHopelessTimes * period_ms_) ++hopeless_;
+    k_radial_.add(record.k_radial), k_angular_.add(record.k_angular);
     trial_.sample_ms += record.sample_ms;
     for (std::size_t i = 0; i < kStageCount; ++i) trial_.stages.ms[i] += record.times.ms[i];
     trial_.stages.frame_ms += record.times.frame_ms;
@@ -46,6 +67,7 @@ class TrialFrames {
     if (count >= kRateFrames) return true;
     if (!to_the_end && far_too_slow_ >= kFarTooSlow && far_too_slow_ == count) return true;
     if (count < kFewestFrames) return false;
+    if (hopeless_ == count) return true;
     const double seconds = static_cast<double>(steady_now_ns() - began_ns_) * 1e-9;
     return (!to_the_end && late_ > kMostLate) || seconds > kMostSeconds;
   }
@@ -60,6 +82,8 @@ class TrialFrames {
     const RateStretch* worst = worst_stretch(trial_);
     trial_.p95_ms = std::max(trial_.all_p95_ms, worst != nullptr ? worst->p95_ms : 0.0);
     trial_.cut_short = trial_.frames < kRateFrames;
+    trial_.hopeless = hopeless_ == trial_.frames;
+    trial_.k_radial = k_radial_.mean(), trial_.k_angular = k_angular_.mean();
     for (const double ms : times_ms_) trial_.frame_ms += ms / count;
     trial_.sample_ms /= count, trial_.stages.frame_ms /= count;
     for (double& ms : trial_.stages.ms) ms /= count;
@@ -93,7 +117,8 @@ class TrialFrames {
   const TimeNs began_ns_;
   std::vector<double> times_ms_;
   std::vector<Stretch> stretches_;
-  int late_ = 0, far_too_slow_ = 0;
+  int late_ = 0, far_too_slow_ = 0, hopeless_ = 0;
+  MeanOfSome k_radial_, k_angular_;
   RateTrial trial_;
 };
 

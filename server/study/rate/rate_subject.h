@@ -38,7 +38,8 @@ class RateSubject {
   const SessionReport& report() const { return report_; }
 
   // kRateFrames frames, or as many as fit into a time; fewer where more than a twentieth of them was late
-  // before, unless `to_the_end`. None: a signal asked for the end.
+  // before, unless `to_the_end`; 20 where each of these is hopeless (RateTrial). None: a signal asked for the
+  // end.
   std::optional<RateTrial> measure(const RateSetting& setting, bool to_the_end);
 
  private:

@@ -1,5 +1,6 @@
 #include "server/study/rate/rate_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -92,14 +93,49 @@ std::string open_sentences(const RateQuestion& question, const RateAnswer& answe
          stage_text(*answer.refused) + "), " + open + " open.\n";
 }
 
+// "23.2 Hz": the rate that frames of `p95_ms` are enough for.
+std::string hz_text(double p95_ms) {
+  return fixed_text(std::floor(1e4 / p95_ms) / 10, 1) + " Hz";
+}
+
+std::string hopeless_text(const MeasuredRate& measured) {
+  if (!measured.trials.back().hopeless) return {};
+  return "; each of them took more than " + fixed_text(kHopelessTimes, 0) +
+         " times as long as it may, so that one short run was enough";
+}
+
+// What the setting is to a viewer, and the rate at all pixels of the display if that was measured.
+std::string viewer_sentences(const RateAnswer& answer) {
+  const MeasuredRate& held = *answer.held;
+  const double scale = held.setting.profile_scale;
+  std::string text = "To a viewer: " + shortest_text(std::round(1e3 * scale * scale) / 10) +
+                     " % of the pixels of the viewports (profile scale squared)";
+  const RateTrial& trial = median_trial(held.trials);
+  if (trial.k_radial && trial.k_angular) {
+    text += "; acuity at the gaze: k radial " + fixed_text(*trial.k_radial, 1) + ", k angular " +
+            fixed_text(*trial.k_angular, 1) +
+            " (samples per degree times theta + 1; 200 / (theta + 1) asks "
+            "for 200)";
+  }
+  text += ".\n";
+  const auto full = std::find_if(answer.tried.begin(), answer.tried.end(),
+                                 [](const MeasuredRate& each) { return each.setting.profile_scale == 1; });
+  if (scale == 1 || full == answer.tried.end()) return text;
+  return text + "With all pixels (profile scale 1) the smallest that was measured, polar " +
+         polar_text(full->setting) + ", light samples " + std::to_string(full->setting.light_samples) +
+         ", is enough for " + hz_text(full->p95_ms) + " (" + ms_text(full->p95_ms) + ", " +
+         counted(full->frames(), "frame", "frames") + ").\n";
+}
+
 std::string first_sentence(const RateQuestion& question, const RateAnswer& answer) {
   const std::string asked =
       shortest_text(question.hz) + " Hz leaves " + ms_text(answer.period_ms) + " for a frame, and ";
   if (!answer.held) {
     const MeasuredRate& least = *answer.refused;
-    return asked + "this machine holds that with no setting: with the smallest, " +
-           setting_text(least.setting, question.profile) + ", " + percentile_text(least) + ", enough for " +
-           fixed_text(std::floor(1e4 / least.p95_ms) / 10, 1) + " Hz.";
+    return asked + "this machine holds that with no setting down to " +
+           setting_text(least.setting, question.profile) +
+           " (an eighth of the width and a quarter of the height of --polar): there " +
+           percentile_text(least) + ", enough for " + hz_text(least.p95_ms) + hopeless_text(least) + ".";
   }
   const MeasuredRate& held = *answer.held;
   return asked +
@@ -132,6 +168,10 @@ Json measured_json(const MeasuredRate& measured, double period_ms) {
   json["p95_ms"] = measured.p95_ms;
   json["holds"] = measured.p95_ms <= period_ms;
   json["frames"] = measured.frames();
+  json["viewport_pixels_share"] = measured.setting.profile_scale * measured.setting.profile_scale;
+  const RateTrial& median = median_trial(measured.trials);
+  json["k_radial"] = median.k_radial ? Json(*median.k_radial) : Json(nullptr);
+  json["k_angular"] = median.k_angular ? Json(*median.k_angular) : Json(nullptr);
   json["runs"] = Json::array();
   for (const RateTrial& trial : measured.trials) {
     json["runs"].push_back({{"p95_ms", trial.p95_ms},
@@ -139,6 +179,7 @@ Json measured_json(const MeasuredRate& measured, double period_ms) {
                             {"mean_ms", trial.frame_ms},
                             {"frames", trial.frames},
                             {"cut_short", trial.cut_short},
+                            {"hopeless", trial.hopeless},
                             {"stretches", Json::array()}});
     for (const RateStretch& each : trial.stretches)
       json["runs"].back()["stretches"].push_back(
@@ -163,10 +204,11 @@ std::string rate_text(const RateQuestion& question, const RateAnswer& answer) {
   std::string text = answer.open > 0
                          ? open_sentences(question, answer)
                          : first_sentence(question, answer) + "\n" + second_sentence(question, answer) + "\n";
+  if (answer.held) text += viewer_sentences(answer);
   text += stretches_sentence(answer);
   if (!question.command_line.empty()) text += "\n" + question.command_line + "\n";
   if (!question.try_next.empty())
-    text += "\nTo try next, without what flags leave out:\n" + question.try_next + "\n";
+    text += "\nTo try next, " + question.try_words + ":\n" + question.try_next + "\n";
   return text;
 }
 

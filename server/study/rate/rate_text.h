@@ -15,12 +15,14 @@ struct RateQuestion {
   double hz = 90;
   std::string profile;       // its name
   std::string command_line;  // that renders `held`; empty without
-  std::string try_next;      // where nothing holds: that asks again without what flags leave out; or empty
+  std::string try_next;      // where nothing holds: the line that asks for less; or empty
+  std::string try_words = "without what flags leave out";  // what it asks for
 };
 
 // Two sentences, a line each: the largest setting that holds, and what prevents more, with the flags that
-// leave that out; then where in the session it was measured. Below them the line to be pasted: that renders
-// what holds, or where none does the same question without the stages that can be left out.
+// leave that out; where one holds what that is to a viewer, and the rate at all pixels of the display if that
+// was measured; then where in the session it was measured. Below them the line to be pasted: that renders
+// what holds, or where none does the question that asks for less.
 std::string rate_text(const RateQuestion& question, const RateAnswer& answer);
 // One for a machine that was busy, one for percentiles that scatter by more than a tenth; mostly none.
 std::vector<std::string> rate_warnings(const RateAnswer& answer);

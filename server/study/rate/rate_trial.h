@@ -45,11 +45,17 @@ struct RateTrial {
   double all_p95_ms = 0;               // of all frames together
   std::vector<RateStretch> stretches;  // that frames were measured in; in the session's order
   bool cut_short = false;  // given up, since more than a twentieth of the frames asked for were late already
+  bool hopeless = false;   // given up, since each of its frames took more than kHopelessTimes the period
   double frame_ms = 0;     // mean
   double sample_ms = 0;    // of it: sampling the session, camera pictures decoded
   StageTimes stages;       // of it: means
   MachineUse machine;
+  // Means of the eye that reaches less (FrameRecord); none without polar buffers.
+  std::optional<double> k_radial, k_angular;
 };
+
+// A setting that misses by more is not measured again in the hope of better.
+inline constexpr double kHopelessTimes = 3;
 
 // Of the stretches that have kFewestOfStretch frames the one with the largest percentile; null: none has.
 inline constexpr int kFewestOfStretch = 20;  // their 95th percentile has one above it

@@ -153,7 +153,8 @@ TEST(RateText, IsTwoSentencesAndALineToPaste) {
       "median) is 10.50 ms.\n"
       "The stage that prevents more is first_hits, 3.25 ms of the mean 9.00 ms of a frame of the next "
       "larger, "
-      "polar 808x390, light samples 1, profile scale 0.51 of xr1, whose 95th percentile is 11.50 ms.\n\n"
+      "polar 808x390, light samples 1, profile scale 0.51 of xr1, whose 95th percentile is 11.50 ms.\n"
+      "To a viewer: 25 % of the pixels of the viewports (profile scale squared).\n\n"
       "herr replay walk\n");
   EXPECT_EQ(rate_exit_code(plain_answer()), 0);
   EXPECT_TRUE(rate_warnings(plain_answer()).empty());
@@ -169,7 +170,8 @@ TEST(RateText, WhenEvenTheLargestHoldsNoStageIsBlamed) {
       "3 "
       "runs (their median) is 10.50 ms.\n"
       "No stage prevents more (the longest is first_hits, 3.00 ms of the mean 9.00 ms); --polar, "
-      "--light-samples, --profile and --profile-scale say the most that is tried.\n\n"
+      "--light-samples, --profile and --profile-scale say the most that is tried.\n"
+      "To a viewer: 25 % of the pixels of the viewports (profile scale squared).\n\n"
       "herr replay walk\n");
   EXPECT_EQ(rate_exit_code(answer), 0);
 }
@@ -181,13 +183,18 @@ TEST(RateText, WhenNotEvenTheSmallestHoldsThereIsNothingToPaste) {
   answer.refused = MeasuredRate{{98, 192, 1, 0.1}, {plain_trial(43, 30)}, 43};
   answer.tried = {*answer.refused};
   EXPECT_EQ(rate_text({kHz, "xr1", "", ""}, answer),
-            "90 Hz leaves 11.11 ms for a frame, and this machine holds that with no setting: with the "
-            "smallest, polar "
-            "196x192, light samples 1, profile scale 0.1 of xr1, the 95th percentile of 100 frames is 43.00 "
-            "ms, enough "
-            "for 23.2 Hz.\n"
+            "90 Hz leaves 11.11 ms for a frame, and this machine holds that with no setting down to polar "
+            "196x192, light samples 1, profile scale 0.1 of xr1 (an eighth of the width and a quarter of the "
+            "height of --polar): there the 95th percentile of 100 frames is 43.00 ms, enough for 23.2 Hz.\n"
             "The stage that prevents it is first_hits, 30.00 ms of the mean 9.00 ms.\n");
   EXPECT_EQ(rate_exit_code(answer), 1);
+  answer.refused->trials.back().hopeless = true;
+  const std::string hopeless = rate_text({kHz, "xr1", "", "herr study --polar 788x384", "with half"}, answer);
+  EXPECT_NE(hopeless.find("enough for 23.2 Hz; each of them took more than 3 times as long as it may, so "
+                          "that one short run was enough.\n"),
+            std::string::npos)
+      << hopeless;
+  EXPECT_TRUE(hopeless.ends_with("\nTo try next, with half:\nherr study --polar 788x384\n")) << hopeless;
   answer.tried.front().trials.front().machine.late = 4;
   answer.tried.front().trials.front().machine.late_by_machine = 3;
   EXPECT_EQ(rate_exit_code(answer), 4) << "a busy machine cannot tell";
@@ -204,7 +211,8 @@ TEST(RateText, OfASearchThatEndedEarlySaysWhatIsOpenAndHowManyMinutesItTakes) {
             "the largest setting that holds is polar 788x384, light samples 1, profile scale 0.5 of xr1, the "
             "95th percentile of 100 frames is 10.50 ms.\n"
             "Below polar 808x390, light samples 1, profile scale 0.51 of xr1, which does not hold (11.50 ms, "
-            "most of it first_hits, 3.25 ms of the mean 9.00 ms), 3 settings are open.\n\n"
+            "most of it first_hits, 3.25 ms of the mean 9.00 ms), 3 settings are open.\n"
+            "To a viewer: 25 % of the pixels of the viewports (profile scale squared).\n\n"
             "herr replay walk\n");
   EXPECT_EQ(
       too_few_minutes_text(0.1, 12, answer),
@@ -242,6 +250,27 @@ TEST(RateText, OfSeveralStretchesNamesTheHeaviestAndWhereItMeasured) {
   const auto json = rate_json({kHz, "xr1", "x", ""}, answer);
   EXPECT_EQ(json["held"]["runs"][1]["stretches"][1]["p95_ms"], 10.5);
   EXPECT_EQ(json["held"]["runs"][1]["all_p95_ms"], 9.75);
+}
+
+// 0.5 squared is 25 %; 1000 / 30 = 33.33. The trial of the median, 10.5, has the acuity.
+TEST(RateText, SaysWhatTheSettingIsToAViewerAndTheRateAtAllPixels) {
+  RateAnswer answer = plain_answer();
+  answer.held->trials[1].k_radial = 91.25, answer.held->trials[1].k_angular = 65.5;
+  answer.tried.push_back({{788, 768, 1, 1}, {test::trial_of(30, 3)}, 30});
+  answer.tried.push_back({{788, 768, 8, 1}, {test::trial_of(60, 3)}, 60});
+  const std::string text = rate_text({kHz, "xr1", "herr replay walk", ""}, answer);
+  EXPECT_NE(
+      text.find("To a viewer: 25 % of the pixels of the viewports (profile scale squared); acuity at the "
+                "gaze: k radial 91.2, k angular 65.5 (samples per degree times theta + 1; 200 / (theta "
+                "+ 1) asks for 200).\n"
+                "With all pixels (profile scale 1) the smallest that was measured, polar 1576x768, "
+                "light samples 1, is enough for 33.3 Hz (30.00 ms, 3 frames).\n"),
+      std::string::npos)
+      << text;
+  const auto json = rate_json({kHz, "xr1", "x", ""}, answer);
+  EXPECT_EQ(json["held"]["viewport_pixels_share"], 0.25);
+  EXPECT_EQ(json["held"]["k_angular"], 65.5);
+  EXPECT_TRUE(json["tried"][2]["k_radial"].is_null());
 }
 
 TEST(RateText, NamesTheFlagThatLeavesTheStageOut) {

@@ -110,6 +110,21 @@ TEST(RateSearch, TheSmallestIsNotGivenUpForOneSlowTrial) {
   }
 }
 
+// 43, 21, 10, 4, 1 and once the smallest, each of whose frames took more than three times the period.
+TEST(RateSearch, AHopelessTrialOfTheSmallestIsNotRepeated) {
+  RateSearch search(87, kPeriod_ms);
+  int trials = 0;
+  while (const auto next = search.next()) {
+    RateTrial trial = test::trial_of(50);
+    trial.hopeless = true;
+    search.observe(trial);
+    ++trials;
+  }
+  EXPECT_EQ(trials, 6);
+  EXPECT_FALSE(search.held());
+  EXPECT_EQ(search.refused(), 0u);
+}
+
 TEST(RateSearch, ThePeriodItselfHolds) {
   RateSearch search(1, kPeriod_ms);
   run(search, [](std::size_t) { return kPeriod_ms; });

@@ -1,0 +1,39 @@
+#include "server/study/rate/next_try.h"
+
+#include <cmath>
+#include <utility>
+
+#include "server/study/rate/stage_remedy.h"
+
+namespace herr {
+namespace {
+
+constexpr int kLeastColumns = 64, kLeastRows = 64;  // of a --polar that is worth asking for
+
+}  // namespace
+
+NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, bool has_feed, double period_ms) {
+  const LongestStage longest = longest_stage(smallest.trials);
+  const bool pixels = longest.stage == Stage::viewports;
+  NextTry next;
+  next.changes = changes_without_long_stages(mean_stages(smallest.trials));
+  if (pixels && has_feed && asked.camera) next.changes = merged(std::move(next.changes), {{"camera", "off"}});
+  if (!next.changes.empty()) {
+    next.words = "without what flags leave out";
+    return next;
+  }
+  RateSetting half;
+  half.polar_width = asked.polar_width / 2, half.polar_height = asked.polar_height / 4 * 2;
+  const bool hopeless = pixels && longest.ms > period_ms;  // however little the polar buffers take
+  if (!hopeless && 2 * half.polar_width >= kLeastColumns && half.polar_height >= kLeastRows) {
+    next.changes = {{"polar", polar_text(half)}};
+    next.words = "with half of --polar";
+    return next;
+  }
+  const double hz = 1e3 / smallest.p95_ms;
+  next.hz = hz >= 1 ? std::floor(hz) : std::floor(1e3 * hz) / 1e3;
+  next.words = "the rate that the smallest is enough for";
+  return next;
+}
+
+}  // namespace herr

@@ -1,0 +1,24 @@
+// What to ask next where no setting holds the rate. Before: the smallest setting as it was measured. After:
+// rate_command makes a line of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "server/study/plan/study_setting.h"
+#include "server/study/rate/rate_run.h"
+
+namespace herr {
+
+struct NextTry {
+  SettingChanges changes;    // to what was asked
+  std::optional<double> hz;  // in place of the rate; mostly none
+  std::string words;         // "without what flags leave out"
+};
+
+// The flags of all long stages, and --no-camera where viewports take most and `has_feed`; without any half of
+// the --polar of `asked`; where that is the least, or viewports alone take longer than the period, the rate
+// that `smallest` is enough for, in whole Hz where it is 1 or more.
+NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, bool has_feed, double period_ms);
+
+}  // namespace herr
