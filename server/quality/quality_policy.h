@@ -55,11 +55,15 @@ enum class QualityReason : std::uint8_t {
   overload,        // frames were missed in a row: less than the cost model says
   less_light,      // fewer light samples or probes, or the width would fall below half
   more_light,      // more light samples or probes: they have fitted for a while
-  floor,           // as little as allowed, and that fits
-  floor_too_slow,  // as little as allowed, and the target is still not to be reached
+  floor,           // as little as allowed, and that should fit
+  floor_too_slow,  // as little as allowed, and even that is foretold to exceed the target
 };
 inline constexpr std::size_t kQualityReasons = 17;
 const char* name_of(QualityReason reason);
+// As little as allowed, whatever is foretold of it; not the start, of which nothing is known.
+inline bool is_floor(QualityReason reason) {
+  return reason == QualityReason::floor || reason == QualityReason::floor_too_slow;
+}
 
 struct QualityDecision {
   FrameQuality quality;

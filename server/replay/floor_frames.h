@@ -14,15 +14,21 @@ class FloorFrames {
  public:
   // `target_ms`: what the policy holds; `threads`: that render, as far as there are cores for them.
   void add(const FrameRecord& record, double target_ms, int threads);
-  // One line where frames had the least quality and still were too slow; empty where none was. It blames the
-  // machine where most of those that exceeded the target were kept off the cores and their work would have
-  // fitted (miss_cause.h, with the target for the period), and the settings elsewhere.
-  std::string warning() const;
+  // One line where frames had the least quality and still exceeded the target (FrameRecord::over_target,
+  // whatever the policy foretold; the first frame, of which it knows nothing, aside); empty where none did.
+  // It blames the machine where most of them were kept off the cores and their work would have fitted
+  // (miss_cause.h, with the target for the period), the stage that alone takes longer than the target where
+  // there is one, and the settings elsewhere. `profile_scale`: that the frames had.
+  std::string warning(double profile_scale) const;
 
  private:
+  // "viewports alone takes 25.3 ms; a smaller --profile-scale makes it shorter"; empty: none is too long.
+  std::string stage_advice(double profile_scale) const;
+
   double target_ms_ = 0, kept_off_cpu_ms_ = 0;
+  StageTimes stages_;  // sums over frames that are counted in late_
   int threads_ = 1;
-  std::int64_t frames_ = 0, out_of_reach_ = 0, late_ = 0, kept_off_ = 0, kept_off_preemptions_ = 0;
+  std::int64_t frames_ = 0, over_target_ = 0, late_ = 0, kept_off_ = 0, kept_off_preemptions_ = 0;
 };
 
 }  // namespace herr

@@ -28,13 +28,13 @@ std::string policy_text(const RunStatistics& statistics, QualityPolicy policy) {
   const auto frames_for = [&](QualityReason reason) {
     return statistics.reasons[static_cast<std::size_t>(reason)];
   };
-  const std::int64_t slow = frames_for(QualityReason::floor_too_slow),
-                     floor = slow + frames_for(QualityReason::floor);
+  const std::int64_t floor = frames_for(QualityReason::floor_too_slow) + frames_for(QualityReason::floor);
   if (floor > 0) {
     text +=
         ", " + std::to_string(floor) + " of " + std::to_string(statistics.frames) + " frames at the floor";
   }
-  if (slow > 0) text += ", " + std::to_string(slow) + " of them too slow there";
+  if (statistics.floor_over_target > 0)
+    text += ", " + std::to_string(statistics.floor_over_target) + " of them over the target";
   if (frames_for(QualityReason::start) > 0) text += "; its first tens of frames are a warm-up from the floor";
   return text;
 }

@@ -380,7 +380,7 @@ void SessionReplay::add_run_warnings() {
                                            statistics.counters.object_samples, report_.profile);
       !warning.empty())
     report_.warnings.push_back(std::move(warning));
-  if (const std::string warning = floor_frames_.warning(); !warning.empty()) {
+  if (const std::string warning = floor_frames_.warning(options_.profile_scale); !warning.empty()) {
     report_.warnings.push_back(warning);
   }
   if (options_.sheet == SheetChoice::one && report_.contact_sheets.empty()) {

@@ -30,6 +30,7 @@ struct RunStatistics {
   std::optional<ProbeCounts> probes;                    // of the newest frame; none once two runs were merged
   std::int64_t frames = 0, missed_frames = 0, nonfinite_pictures = 0;
   std::int64_t over_target = 0;                         // --target-ms
+  std::int64_t floor_over_target = 0;                   // of these, at a policy's floor
   std::int64_t dropped_frames = 0, repeated_ticks = 0;  // realtime only
   std::int64_t stutter_frames = 0, stutter_ns = 0;
   std::int64_t missed_by_machine = 0, missed_by_work = 0, missed_by_both = 0;  // miss_cause.h

@@ -109,6 +109,11 @@ constexpr std::array kCounts{
     CountRow{"over_target", "frames_over_target", "frames",
              "Frames that took longer than --target-ms, or than a display period without it.",
              &Run::over_target, [](const Record& r) -> std::int64_t { return r.over_target ? 1 : 0; }},
+    CountRow{
+        "floor_over_target", nullptr, "frames",
+        "Of these, frames that had the least quality that the policy deadline may give.",
+        &Run::floor_over_target,
+        [](const Record& r) -> std::int64_t { return r.over_target && is_floor(r.decision.reason) ? 1 : 0; }},
     CountRow{"dropped", "frames_dropped", "frames",
              "Frames of the session that were never rendered because a newer one was due.",
              &Run::dropped_frames, [](const Record& r) { return r.dropped_frames; }},

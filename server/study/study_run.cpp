@@ -126,6 +126,9 @@ References::Context StudyRun::reference_context(std::optional<std::int64_t> fram
   context.out_of_time = [this] {
     return stop_signal() != 0 || pixel_references_s() + seconds_since(reference_start_ns_) > references_s_;
   };
+  context.one_pass = [this](double so_far_s, double pass_s) {
+    return references_are_coarse(so_far_s + pass_s);
+  };
   context.stopped = [] { return stop_signal() != 0; };
   context.is_known = [this, frame](const std::string& name) { return frame && is_noted(name, *frame); };
   context.warn = [this](const std::string& what) { warnings_.push_back(what); };

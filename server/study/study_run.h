@@ -54,6 +54,7 @@ class StudyRun {
   void read_rows();
   void make_references();
   bool has_time_for_references(std::size_t frame) const;
+  bool references_are_coarse(double two_passes_s);
   void share_time();
   void measure_bases();
   double minutes_for_advice() const;
@@ -92,6 +93,7 @@ class StudyRun {
   double earlier_s_ = 0;
   TimeNs start_ns_, last_row_ns_, reference_start_ns_;
   double references_s_ = 0;            // that those over pixels may take, so far
+  std::optional<bool> coarse_;         // known after the first pass of the first
   std::size_t referenced_frames_ = 0;  // that have references: the first of the subject's
 };
 

@@ -7,6 +7,7 @@
 
 #include "server/process/terminal.h"
 #include "server/study/measure/measure_setting.h"
+#include "server/study/plan/reference_forecast.h"
 #include "server/study/plan/short_plan.h"
 #include "server/study/plan/study_budget.h"
 #include "server/study/reference/reference_spec.h"
@@ -129,6 +130,19 @@ bool StudyRun::has_time_for_references(std::size_t frame) const {
   const double share_s =
       half_s * static_cast<double>(frame) / static_cast<double>(subject_.frames().frames.size());
   return spent_s <= kOverdrawn * share_s || spent_s * (1 + 1 / static_cast<double>(frame)) <= half_s;
+}
+
+// Decided, and told, after the first pass of the first one that is made.
+bool StudyRun::references_are_coarse(double two_passes_s) {
+  if (coarse_) return *coarse_;
+  const std::string what =
+      too_long_references(two_passes_s, options_.minutes, subject_.defaults(), options_.profile_scale);
+  coarse_ = !what.empty();
+  if (*coarse_) {
+    print_message("warning: " + what);
+    warnings_.push_back(what);
+  }
+  return *coarse_;
 }
 
 // The default with hard light, whatever it takes; with soft light where the time is enough.

@@ -56,7 +56,7 @@ ReferencePicture References::make(const ReferenceSpec& spec, bool improve) {
   if (cached && context_.warn && !context_.cache->remark().empty()) context_.warn(context_.cache->remark());
   bool found = halves.has_value();
   if (!halves || (improve && !halves->goal_met)) {
-    ReferenceHalves fresh = render_halves(spec, instant_, context_.out_of_time);
+    ReferenceHalves fresh = render_halves(spec, instant_, context_.out_of_time, context_.one_pass);
     const bool better = !halves || fresh.goal_met || fresh.passes > halves->passes ||
                         (fresh.passes == halves->passes && fresh.most_passes > halves->most_passes);
     if (better) halves = std::move(fresh), found = false;

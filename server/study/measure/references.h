@@ -20,7 +20,9 @@ class References {
     ReferenceCache* cache = nullptr;
     ParallelFor parallel_for;
     std::function<bool()> out_of_time;  // of passes over pixels, beyond the first
-    std::function<bool()> stopped;      // what is cut short by this is not kept on disk
+    // render_halves(): asked after the first pass; true: it must be enough. Empty: it need not.
+    std::function<bool(double so_far_s, double pass_s)> one_pass;
+    std::function<bool()> stopped;  // what is cut short by this is not kept on disk
     // Rows were measured against the one of this name: another one must not take its place.
     std::function<bool(const std::string& name)> is_known;
     std::function<void(const std::string&)> warn;  // of a file that is damaged and made again

@@ -3,15 +3,10 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "renderer/render_settings.h"
+#include "server/settings/setting_changes.h"
 
 namespace herr {
-
-// Names of renderer/settings_list.h and their values as text, in the order in which they are set.
-using SettingChanges = std::vector<std::pair<std::string, std::string>>;
 
 // Which picture a setting is held against beside the one that endless effort gives.
 enum class OwnReference {
@@ -31,17 +26,5 @@ struct StudySetting {
   SettingChanges own_limit;  // OwnReference::seeds: on top of `changes`
   SettingChanges model;      // what the picture of endless effort has beside the default: probes, occlusion
 };
-
-// Throws std::invalid_argument for a name or value that is none.
-RenderSettings with_changes(const RenderSettings& settings, const SettingChanges& changes);
-
-// "--polar 788x384 --light-samples 64"; of values that no flag gives "name=value".
-std::string flags_text(const SettingChanges& changes);
-
-// `changes` and then `more`: of a setting in both the later value counts, in its first place.
-SettingChanges merged(SettingChanges changes, const SettingChanges& more);
-
-// Values of `settings` that differ from those of `from`, in the list's order.
-SettingChanges changes_between(const RenderSettings& from, const RenderSettings& settings);
 
 }  // namespace herr

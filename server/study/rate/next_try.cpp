@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "server/study/rate/stage_remedy.h"
+#include "server/settings/stage_remedy.h"
 
 namespace herr {
 namespace {

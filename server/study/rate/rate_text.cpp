@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "server/process/exit_code.h"
+#include "server/settings/stage_remedy.h"
 #include "server/study/rate/rate_search.h"
-#include "server/study/rate/stage_remedy.h"
 #include "server/text/number_text.h"
 #include "sessions/inspect/number_words.h"
 

@@ -198,15 +198,25 @@ ReferenceHalves Halves::take() {
   return out;
 }
 
+double seconds_since(TimeNs start_ns) {
+  return static_cast<double>(steady_now_ns() - start_ns) * 1e-9;
+}
+
 }  // namespace
 
 ReferenceHalves render_halves(const ReferenceSpec& spec, const FrameInstant& instant,
-                              const std::function<bool()>& out_of_time) {
+                              const std::function<bool()>& out_of_time,
+                              const std::function<bool(double so_far_s, double pass_s)>& one_pass) {
   const TimeNs start_ns = steady_now_ns();
   Halves halves(spec, instant);
+  double pass_s = 0;
   for (int pass = 0; pass < spec.passes; ++pass) {
     if (spec.by_pixels && spec.refined && pass >= kFewestPasses && out_of_time()) break;
+    if (spec.by_pixels && spec.refined && pass == 1 && one_pass && one_pass(seconds_since(start_ns), pass_s))
+      break;
+    const TimeNs pass_ns = steady_now_ns();
     halves.add_passes(1, {});
+    pass_s = seconds_since(pass_ns);
   }
   bool met = !spec.by_pixels;
   if (spec.by_pixels && spec.refined) {
@@ -226,7 +236,7 @@ ReferenceHalves render_halves(const ReferenceSpec& spec, const FrameInstant& ins
   }
   ReferenceHalves out = halves.take();
   out.goal_met = met;
-  out.seconds = static_cast<double>(steady_now_ns() - start_ns) * 1e-9;
+  out.seconds = seconds_since(start_ns);
   return out;
 }
 

@@ -41,6 +41,13 @@ TEST(ShortPlan, TheEndsOfEachSweepComeFirst) {
                                 "polar 4, N = 1", "edge 2, N = 1", "polar 2, N = 64", "polar 8, N = 64"}));
 }
 
+TEST(ShortPlan, OfLightSamplesTheCheapOnesComeFirst) {
+  std::vector<StudySetting> all;
+  for (const double n : {1, 4, 16, 64, 256})
+    all.push_back(setting("light_samples", "", n, OwnReference::seeds));
+  EXPECT_EQ(names_of(ends_first(all)), names_of(all));
+}
+
 // 13 settings of a second, and a reference of 60 for those of `light`. Of 10 s 9.5 are for them: one frame,
 // and in turn all but `light` until 9 are there.
 TEST(ShortPlan, WhatFitsStaysFramesGoFirst) {

@@ -140,6 +140,12 @@ TEST_F(ReferencePictureTest, PassesGoOnOnlyWhereTheHalvesDiffer) {
   const ReferenceHalves hurried = render_halves(spec(8, true), instant_, [] { return true; });
   EXPECT_FALSE(hurried.goal_met);
   EXPECT_EQ(hurried.most_passes, 2);
+  const auto enough = [](double so_far_s, double pass_s) { return pass_s > 0 && so_far_s >= pass_s; };
+  const ReferenceHalves coarse = render_halves(
+      spec(8, true), instant_, [] { return true; }, enough);
+  EXPECT_EQ(coarse.passes, 1);
+  EXPECT_EQ(coarse.most_passes, 1);
+  EXPECT_FALSE(coarse.goal_met);
   EXPECT_EQ(render_halves(spec(3, false), instant_, [] { return true; }).passes, 3);
 }
 

@@ -1,11 +1,11 @@
-// Which flags take a stage out of a frame, or make it smaller: what to try where a rate is not held. Before:
-// the stage that takes most. After: rate_text.
+// Which flags take a stage out of a frame, or make it smaller: what to try where a rate or a target is not
+// held. Before: the stage that takes most. After: `herr study --hz`, the warning of the policy deadline.
 #pragma once
 
 #include <string>
 
 #include "renderer/stage_times.h"
-#include "server/study/plan/study_setting.h"
+#include "server/settings/setting_changes.h"
 
 namespace herr {
 

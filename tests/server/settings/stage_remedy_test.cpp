@@ -1,5 +1,5 @@
 // Each stage with its flags, and all of them together.
-#include "server/study/rate/stage_remedy.h"
+#include "server/settings/stage_remedy.h"
 
 #include <gtest/gtest.h>
 

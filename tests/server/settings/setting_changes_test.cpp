@@ -1,5 +1,5 @@
 // Changes of settings as names and texts: what they make, what they are called.
-#include "server/study/plan/study_setting.h"
+#include "server/settings/setting_changes.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ std::vector<std::string> texts_of(RenderSettings settings) {
   return texts;
 }
 
-TEST(StudySetting, WhatLiesBetweenTwoSettingsLeadsFromOneToTheOther) {
+TEST(SettingChanges, WhatLiesBetweenTwoSettingsLeadsFromOneToTheOther) {
   const RenderSettings defaults;
   RenderSettings all = defaults;
   for (std::size_t i = 0; i < settings_of(all).size(); ++i) {
@@ -38,7 +38,7 @@ TEST(StudySetting, WhatLiesBetweenTwoSettingsLeadsFromOneToTheOther) {
   EXPECT_TRUE(changes_between(all, all).empty());
 }
 
-TEST(StudySetting, ChangesAreToldAsFlags) {
+TEST(SettingChanges, ChangesAreToldAsFlags) {
   EXPECT_EQ(flags_text({}), "");
   EXPECT_EQ(flags_text({{"polar", "788x384"}, {"light_samples", "64"}}),
             "--polar 788x384 --light-samples 64");
@@ -49,13 +49,13 @@ TEST(StudySetting, ChangesAreToldAsFlags) {
   EXPECT_EQ(flags_text({{"reflections", "on"}}), "reflections=on");
 }
 
-TEST(StudySetting, TheLaterOfTwoValuesCountsInTheFirstPlace) {
+TEST(SettingChanges, TheLaterOfTwoValuesCountsInTheFirstPlace) {
   const SettingChanges both =
       merged({{"filter", "nearest"}, {"seed", "2"}}, {{"seed", "3"}, {"scale", "0.5"}});
   EXPECT_EQ(both, (SettingChanges{{"filter", "nearest"}, {"seed", "3"}, {"scale", "0.5"}}));
 }
 
-TEST(StudySetting, UnknownNamesAndValuesAreRefused) {
+TEST(SettingChanges, UnknownNamesAndValuesAreRefused) {
   EXPECT_THROW(with_changes({}, {{"filters", "nearest"}}), std::invalid_argument);
   EXPECT_THROW(with_changes({}, {{"filter", "sharp"}}), std::invalid_argument);
   EXPECT_THROW(flags_text({{"filters", "nearest"}}), std::invalid_argument);

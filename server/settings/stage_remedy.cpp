@@ -1,4 +1,4 @@
-#include "server/study/rate/stage_remedy.h"
+#include "server/settings/stage_remedy.h"
 
 #include <cstddef>
 #include <utility>

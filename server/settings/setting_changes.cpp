@@ -1,4 +1,4 @@
-#include "server/study/plan/study_setting.h"
+#include "server/settings/setting_changes.h"
 
 #include <algorithm>
 
