@@ -184,6 +184,38 @@ TEST(FilteredEnvironmentTest, EachLampIsASourceOfItsOwn) {
   EXPECT_EQ(static_cast<int>(bright.parts.size()), parts);
 }
 
+// A lamp of 3 by 3 texels and a dimmer one of 12 by 12, whose rim is 5 texels off: the small one stands
+// first, and the picture beside the small ones keeps the wide one as it is.
+TEST(FilteredEnvironmentTest, WideLampsStayInThePictureOfNarrowLobes) {
+  EnvironmentImage picture;
+  picture.width_px = 512;
+  picture.height_px = 256;
+  picture.rgba.assign(std::size_t{4} * 512 * 256, 1.0f);
+  const auto paint = [&](int left, int size, float value) {
+    for (int y = 122; y < 122 + size; ++y) {
+      for (int x = left; x < left + size; ++x) {
+        for (int c = 0; c < 3; ++c) picture.rgba[static_cast<std::size_t>(4 * (y * 512 + x) + c)] = value;
+      }
+    }
+  };
+  paint(300, 3, 1200);
+  paint(200, 12, 700);
+  SkyPicture sky = resampled(picture, 512, one_by_one);
+  const BrightLight bright = take_bright_sources(sky);
+  ASSERT_EQ(bright.sources.size(), 2u);
+  ASSERT_EQ(bright.small, 1);
+  EXPECT_GT(bright.sources[0].direction[0], 0);  // column 300 of 512 is to the right of -Z
+  EXPECT_LT(bright.sources[1].direction[0], 0);
+  EXPECT_EQ(bright.without_small.at(205, 127)[0], 700);
+  EXPECT_LT(bright.without_small.at(301, 123)[0], 20);  // 8 times the mean, 2.3
+  EXPECT_LT(sky.at(205, 127)[0], 20);
+  const FilteredRecord record = FilteredEnvironment(picture, 0, one_by_one).record(0);
+  EXPECT_EQ(record.small_sources, 1);
+  EXPECT_EQ(record.without_small.width, 512);
+  // 0.35 texels, as half vectors turn.
+  EXPECT_NEAR(record.smooth_alpha, 0.35 * glm::two_pi<double>() / 512, 1e-6);
+}
+
 // Sources are lit by the lobe itself, 1 / the lobe's sum of it each: as parts, which lobes of twice their
 // width do not tell from points.
 TEST(FilteredEnvironmentTest, LevelsLackTheBrightSourcesAlone) {

@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "scenes/environment/environment_image.h"
-#include "tests/renderer/environment/slow_gloss.h"
 #include "tests/renderer/probes/probe_scenes.h"
+#include "tests/renderer/reflectance/slow_gloss.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace herr {

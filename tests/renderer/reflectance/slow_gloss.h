@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/renderer/environment/slow_sky.h"
+#include "tests/renderer/reflectance/slow_sky.h"
 
 namespace herr::test {
 

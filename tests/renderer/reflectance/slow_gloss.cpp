@@ -1,4 +1,4 @@
-#include "tests/renderer/environment/slow_gloss.h"
+#include "tests/renderer/reflectance/slow_gloss.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tests/renderer/environment/slow_sky.h"
+#include "tests/renderer/reflectance/slow_sky.h"
 
 #include <algorithm>
 #include <cmath>
