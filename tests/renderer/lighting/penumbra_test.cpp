@@ -91,6 +91,67 @@ TEST(AdaptiveLightTest, APenumbraKeepsItsErrorAndTheRestOfTheFloorTracesFewerRay
   EXPECT_LE(error_adaptive, error_all + 1e-3);
 }
 
+// Of each tenth of what is seen of the light, the mean error: a screen on one side of the light's middle or
+// on the other, many frames of other random numbers.
+struct TenthError {
+  double mean = 0, standard_error = 0;
+};
+std::array<TenthError, 10> errors_by_tenth(const glm::vec3& light_size, bool mirrored) {
+  constexpr int kFrames = 20;
+  Scene scene = edge_scene(light_size);
+  if (mirrored) scene.instances.back().world_from_object[3].x += 50;
+  const DisplayProfile profile = test::penumbra_view(96, 24);
+  RenderSettings settings = test::planar_settings();
+  settings.light_samples = 64;
+  Scene open = scene;
+  open.instances.pop_back();
+  std::vector<double> exact = test::exact_shares(scene.lights[0], profile.viewports[0]);
+  const auto width = static_cast<std::size_t>(profile.viewports[0].width_px);
+  if (mirrored) {
+    for (std::size_t row = 0; row < exact.size(); row += width) {
+      std::reverse(exact.begin() + static_cast<std::ptrdiff_t>(row),
+                   exact.begin() + static_cast<std::ptrdiff_t>(row + width));
+    }
+  }
+  const RenderedFrame unshadowed = test::render(open, profile, settings, test::penumbra_sample());
+  std::array<std::vector<double>, 10> of_frames;  // the mean error of each frame
+  for (int frame = 0; frame < kFrames; ++frame) {
+    settings.seed = static_cast<std::uint32_t>(frame);
+    const RenderedFrame picture = test::render(scene, profile, settings, test::penumbra_sample());
+    const std::vector<double> seen = test::shares_of(picture.viewports[0], unshadowed.viewports[0]);
+    std::array<double, 10> sum{}, count{};
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (exact[i] <= 0.001 || exact[i] >= 0.999) continue;
+      const auto tenth = static_cast<std::size_t>(exact[i] * 10);
+      sum.at(tenth) += seen[i] - exact[i];
+      count.at(tenth) += 1;
+    }
+    for (std::size_t t = 0; t < 10; ++t) of_frames.at(t).push_back(sum.at(t) / std::max(count.at(t), 1.0));
+  }
+  std::array<TenthError, 10> out;
+  for (std::size_t t = 0; t < 10; ++t) {
+    double mean = 0, square = 0;
+    for (const double error : of_frames.at(t)) mean += error / kFrames;
+    for (const double error : of_frames.at(t)) square += (error - mean) * (error - mean);
+    out.at(t) = {mean, std::sqrt(square / (kFrames - 1) / kFrames)};
+  }
+  return out;
+}
+
+// Twenty frames leave a standard error of 0.0008 at most.
+TEST(PenumbraTest, ItsMeanIsRightWhicheverSideIsHidden) {
+  for (const glm::vec3& size : {glm::vec3{0.5f, 0, 0.5f}, glm::vec3{0.5f, 0.4f, 0.5f}}) {
+    for (const bool mirrored : {false, true}) {
+      const std::array<TenthError, 10> errors = errors_by_tenth(size, mirrored);
+      for (std::size_t t = 0; t < 10; ++t) {
+        EXPECT_LE(std::abs(errors.at(t).mean), 0.003)
+            << size.y << (mirrored ? " +x" : " -x") << ", tenth " << t;
+        EXPECT_LE(errors.at(t).standard_error, 0.001);
+      }
+    }
+  }
+}
+
 TEST(AdaptiveLightTest, AsManyFirstSamplesAsThereAreIsTheSamePicture) {
   const Scene scene = edge_scene({1, 0, 1});
   RenderSettings settings = test::small_settings();
