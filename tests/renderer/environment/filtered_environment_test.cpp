@@ -117,18 +117,35 @@ double light_of(const float* texels, int width, int height) {
   return sum * glm::two_pi<double>() / width;
 }
 
+double angle2(const BrightDisc& disc, const glm::dvec3& d) {
+  const glm::dvec3 off = glm::dvec3{disc.direction[0], disc.direction[1], disc.direction[2]} - d;
+  return glm::dot(off, off);
+}
+
+// White of 1 all around, twice as wide as high.
+EnvironmentImage even_picture(int width_px) {
+  EnvironmentImage picture;
+  picture.width_px = width_px;
+  picture.height_px = width_px / 2;
+  picture.rgba.assign(std::size_t{4} * static_cast<std::size_t>(width_px * picture.height_px), 1.0f);
+  return picture;
+}
+
+// A square lamp.
+void paint(EnvironmentImage& picture, int left, int top, int size, float value) {
+  for (int y = top; y < top + size; ++y) {
+    for (int x = left; x < left + size; ++x) {
+      const int at = 4 * (y * picture.width_px + x);
+      std::fill_n(picture.rgba.begin() + at, 3, value);
+    }
+  }
+}
+
 // A sun of 2 by 2 texels, half of all light, stands apart from every level: were it in one as well, surfaces
 // would show it twice.
 TEST(FilteredEnvironmentTest, ASmallSunIsShownOnce) {
-  EnvironmentImage picture;
-  picture.width_px = 1024;
-  picture.height_px = 512;
-  picture.rgba.assign(std::size_t{4} * 1024 * 512, 1.0f);
-  for (const int y : {200, 201}) {
-    for (const int x : {300, 301}) {
-      for (int c = 0; c < 3; ++c) picture.rgba[static_cast<std::size_t>(4 * (y * 1024 + x) + c)] = 1e5f;
-    }
-  }
+  EnvironmentImage picture = even_picture(1024);
+  paint(picture, 300, 200, 2, 1e5f);
   const FilteredEnvironment filtered(picture, 0, one_by_one);
   const FilteredRecord record = filtered.record(0);
   ASSERT_EQ(record.source_count, 1);
@@ -141,27 +158,12 @@ TEST(FilteredEnvironmentTest, ASmallSunIsShownOnce) {
   }
 }
 
-double angle2(const BrightDisc& disc, const glm::dvec3& d) {
-  const glm::dvec3 off = glm::dvec3{disc.direction[0], disc.direction[1], disc.direction[2]} - d;
-  return glm::dot(off, off);
-}
-
 // Two lamps of 4 by 4 texels, 10 degrees apart and three to one in power: each is one source of its own
 // place, size and parts.
 TEST(FilteredEnvironmentTest, EachLampIsASourceOfItsOwn) {
-  EnvironmentImage picture;
-  picture.width_px = 1024;
-  picture.height_px = 512;
-  picture.rgba.assign(std::size_t{4} * 1024 * 512, 1.0f);
-  const auto paint = [&](int left, int right, float value) {
-    for (int y = 254; y < 258; ++y) {
-      for (int x = left; x < right; ++x) {
-        for (int c = 0; c < 3; ++c) picture.rgba[static_cast<std::size_t>(4 * (y * 1024 + x) + c)] = value;
-      }
-    }
-  };
-  paint(500, 504, 3e4f);
-  paint(528, 532, 1e4f);
+  EnvironmentImage picture = even_picture(1024);
+  paint(picture, 500, 254, 4, 3e4f);
+  paint(picture, 528, 254, 4, 1e4f);
   SkyPicture sky = resampled(picture, 1024, one_by_one);
   const BrightLight bright = take_bright_sources(sky);
   ASSERT_EQ(bright.sources.size(), 2u);
@@ -187,19 +189,9 @@ TEST(FilteredEnvironmentTest, EachLampIsASourceOfItsOwn) {
 // A lamp of 3 by 3 texels and a dimmer one of 12 by 12, whose rim is 5 texels off: the small one stands
 // first, and the picture beside the small ones keeps the wide one as it is.
 TEST(FilteredEnvironmentTest, WideLampsStayInThePictureOfNarrowLobes) {
-  EnvironmentImage picture;
-  picture.width_px = 512;
-  picture.height_px = 256;
-  picture.rgba.assign(std::size_t{4} * 512 * 256, 1.0f);
-  const auto paint = [&](int left, int size, float value) {
-    for (int y = 122; y < 122 + size; ++y) {
-      for (int x = left; x < left + size; ++x) {
-        for (int c = 0; c < 3; ++c) picture.rgba[static_cast<std::size_t>(4 * (y * 512 + x) + c)] = value;
-      }
-    }
-  };
-  paint(300, 3, 1200);
-  paint(200, 12, 700);
+  EnvironmentImage picture = even_picture(512);
+  paint(picture, 300, 122, 3, 1200);
+  paint(picture, 200, 122, 12, 700);
   SkyPicture sky = resampled(picture, 512, one_by_one);
   const BrightLight bright = take_bright_sources(sky);
   ASSERT_EQ(bright.sources.size(), 2u);
