@@ -77,29 +77,37 @@ constexpr float kProbesTell = 0.0625f;
 
 // What the lobe shows of the environment picture where nothing hides it, and sends on of it, per channel.
 HWY_NOINLINE inline V3 shown_by_lobe(const ShadingInputs& shading, const HitBatch& hits, int slot,
-                                     const LobeSeen& lobe) {
+                                     const LobeSeen& lobe, MF own) {
   const FilteredRecord& from = shading.filtered;
   const VF one = set(1.0f);
   const V3 albedo = load3(hits.gloss->albedo, slot);
-  const V3 gain = scattered_again(lobe.f0, lobe.f90, load(&hits.gloss->again[slot]));
   const LobeWidths widths = widths_of(from, hits, slot, lobe);
+  const MF blurred = hn::And(own, hn::Gt(widths.filtered, hn::Zero(kF)));
+  const MF mirrors = hn::And(own, hn::Lt(widths.filtered, one));
+  V3 seen{one, one, one};
+  if (!hn::AllFalse(kF, mirrors)) {
+    const VF twice = hn::Mul(set(2.0f), dot(lobe.v, lobe.n));
+    const V3 ahead = mul_add(twice, lobe.n, scale(lobe.v, set(-1.0f)));
+    seen = multiply(albedo, environment_texel(shading.environment_map, ahead));
+    if (hn::AllFalse(kF, blurred)) return seen;
+  }
+  const V3 gain = scattered_again(lobe.f0, lobe.f90, load(&hits.gloss->again[slot]));
   V3 shine = multiply(albedo, light_in_lobe(from, shading.environment_map.turn, hits, slot, lobe));
   const int small = from.small_sources, all = from.source_count;
   if (small < all) {
-    const V3 lit = sources_lit(from, hits, slot, {lobe, widths.smooth2}, small, all);
+    const V3 lit = sources_lit(from, hits, slot, {lobe, widths.smooth2}, blurred, small, all);
     shine = mul_add(gain, lit, shine);
     const VF share = hn::Div(widths.seen2, widths.smooth2);
-    const MF narrow = hn::Lt(share, one);
+    const MF narrow = hn::And(blurred, hn::Lt(share, one));
     if (!hn::AllFalse(kF, narrow)) {
       const V3 core = multiply(albedo, core_of_lobe(from, hits, slot, lobe, widths));
       shine = select(narrow, mul_add(share, sub(shine, core), core), shine);
     }
   }
-  if (small > 0) shine = mul_add(gain, sources_lit(from, hits, slot, {lobe, widths.seen2}, 0, small), shine);
-  const MF mirrors = hn::Lt(widths.filtered, one);
-  if (hn::AllFalse(kF, mirrors)) return shine;
-  const V3 ahead = mul_add(hn::Add(lobe.n_v, lobe.n_v), lobe.n, scale(lobe.v, set(-1.0f)));
-  const V3 seen = multiply(albedo, environment_texel(shading.environment_map, ahead));
+  if (small > 0) {
+    const V3 lit = sources_lit(from, hits, slot, {lobe, widths.seen2}, blurred, 0, small);
+    shine = mul_add(gain, lit, shine);
+  }
   return select(mirrors, mul_add(widths.filtered, sub(shine, seen), seen), shine);
 }
 
@@ -119,7 +127,7 @@ HWY_NOINLINE inline void show_environment(const ShadingInputs& shading, HitBatch
     const VF n_v = hn::Min(hn::Max(hn::Abs(dot(n, v)), set(1e-4f)), one);
     const V3 albedo = load3(gloss.albedo, slot);
     const VF f90 = grazing_reflectance(plan, hits, slot);
-    const V3 shine = shown_by_lobe(shading, hits, slot, {n, v, n_v, load3(hits.f0, slot), f90});
+    const V3 shine = shown_by_lobe(shading, hits, slot, {n, v, n_v, load3(hits.f0, slot), f90}, own);
     store3(only(own, shine), gloss.shine, slot);
     V3 around = shine;
     if (shading.probes != nullptr) {

@@ -77,17 +77,18 @@ HWY_NOINLINE inline V3 lit_by_parts(const FilteredRecord& from, const HitBatch& 
 }
 
 // Highlights of bright sources [first, last), which the lobe takes by themselves: as discs, and near each of
-// those as the parts that it is made of.
+// those as the parts that it is made of. Other lanes than `lanes` matter to nobody.
 HWY_NOINLINE inline V3 sources_lit(const FilteredRecord& from, const HitBatch& hits, int slot,
-                                   const LitLobe& lobe, int first, int last) {
+                                   const LitLobe& lobe, MF lanes, int first, int last) {
   V3 sum{hn::Zero(kF), hn::Zero(kF), hn::Zero(kF)};
   for (int i = first; i < last; ++i) {
     const BrightSource& source = from.sources[i];
     const DiscLight by = light_of_disc(hits, slot, lobe, source);
     if (hn::AllFalse(kF, by.in_front)) continue;
     V3 lit = coloured(lobe, by, source.irradiance);
-    if (source.parts > 1 && !hn::AllFalse(kF, by.near)) {
-      lit = select(by.near, lit_by_parts(from, hits, slot, lobe, source), lit);
+    const MF near = hn::And(by.near, lanes);
+    if (source.parts > 1 && !hn::AllFalse(kF, near)) {
+      lit = select(near, lit_by_parts(from, hits, slot, lobe, source), lit);
     }
     sum = add(sum, lit);
   }

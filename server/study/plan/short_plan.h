@@ -24,8 +24,7 @@ struct SettingCost {
 };
 
 // What of `settings` fits, each where its turn comes and it still fits: further frames go before settings.
-// `costs`: of each. The default with hard light
-// stays.
+// `costs`: of each. The default with hard light stays.
 StudyBudget fit_in_order(const std::vector<StudySetting>& settings, const std::vector<SettingCost>& costs,
                          std::size_t frames, double seconds);
 
