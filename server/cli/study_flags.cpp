@@ -43,8 +43,10 @@ void add_hz_flag(CLI::App& app, StudyOptions& options) {
       "machine, in place of error against time: --polar, --light-samples (default 256 here), --profile "
       "(default "
       "the session's here) and --profile-scale say the most of each, all other flags what else a frame has; "
-      "ends "
-      "with 1 when no setting holds it; takes a minute or two, some ten runs of 100 frames or 20 s at most; "
+      "where no setting holds it leaves out what flags can, then halves --polar, step by step until one "
+      "does, "
+      "and ends with 1 all the same, since what was asked does not hold; "
+      "takes a minute or two a step, some ten runs of 100 frames or 20 s at most; "
       "--minutes ends it before, which with less than 2 mostly leaves settings open, 1 ... 1000",
       [&options](const std::string& text) { options.hz = parse_real_number("--hz", text, 1, 1000); });
 }

@@ -10,13 +10,22 @@ namespace {
 
 constexpr int kLeastColumns = 64, kLeastRows = 64;  // of a --polar that is worth asking for
 
+// Those that `asked` does not have yet: what bounces is lit without probes, too.
+SettingChanges new_ones(const RenderSettings& asked, const SettingChanges& changes) {
+  SettingChanges left;
+  for (const auto& change : changes) {
+    if (!changes_between(asked, with_changes(asked, {change})).empty()) left.push_back(change);
+  }
+  return left;
+}
+
 }  // namespace
 
 NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, bool has_feed, double period_ms) {
   const LongestStage longest = longest_stage(smallest.trials);
   const bool pixels = longest.stage == Stage::viewports;
   NextTry next;
-  next.changes = changes_without_long_stages(mean_stages(smallest.trials));
+  next.changes = new_ones(asked, changes_without_long_stages(mean_stages(smallest.trials)));
   if (pixels && has_feed && asked.camera) next.changes = merged(std::move(next.changes), {{"camera", "off"}});
   if (!next.changes.empty()) {
     next.words = "without what flags leave out";

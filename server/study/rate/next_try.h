@@ -1,5 +1,5 @@
 // What to ask next where no setting holds the rate. Before: the smallest setting as it was measured. After:
-// rate_command makes a line of it.
+// run_rate_chain asks it, or rate_command makes a line of it.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@ namespace herr {
 
 struct NextTry {
   SettingChanges changes;    // to what was asked
-  std::optional<double> hz;  // in place of the rate; mostly none
+  std::optional<double> hz;  // in place of the rate, where there are no changes; mostly none
   std::string words;         // "without what flags leave out"
 };
 
-// The flags of all long stages, and --no-camera where viewports take most and `has_feed`; without any half of
-// the --polar of `asked`; where that is the least, or viewports alone take longer than the period, the rate
-// that `smallest` is enough for, in whole Hz where it is 1 or more.
+// The flags of all long stages that `asked` does not have yet, and --no-camera where viewports take most and
+// `has_feed`; without any half of the --polar of `asked`; where that is the least, or viewports alone take
+// longer than the period, the rate that `smallest` is enough for, in whole Hz where it is 1 or more.
 NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, bool has_feed, double period_ms);
 
 }  // namespace herr

@@ -7,8 +7,6 @@
 namespace herr {
 namespace {
 
-constexpr std::size_t kRunsAtTheEnd = 4;
-
 MeasuredRate measured(const RateSetting& setting, const std::vector<RateTrial>& trials) {
   return {setting, trials, median_p95_ms(trials)};
 }

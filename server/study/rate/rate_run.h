@@ -44,6 +44,9 @@ using TellRate = std::function<void(const RateSetting&, const RateTrial&)>;
 // Asked before each trial but the first.
 using RateTimeIsUp = std::function<bool()>;
 
+// That a search takes once what is open is halved to nothing: of the settings beside its answer, about.
+inline constexpr std::size_t kRunsAtTheEnd = 4;
+
 // None where a measurement gave none. The smallest setting is always measured whole: its percentile is told
 // where it does not hold.
 std::optional<RateAnswer> run_rate_search(const std::vector<RateSetting>& ladder, double period_ms,

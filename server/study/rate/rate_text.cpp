@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "server/process/exit_code.h"
 #include "server/settings/stage_remedy.h"
@@ -12,8 +11,6 @@
 
 namespace herr {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMostSpread = 0.1;
 
@@ -100,8 +97,9 @@ std::string hz_text(double p95_ms) {
 
 std::string hopeless_text(const MeasuredRate& measured) {
   if (!measured.trials.back().hopeless) return {};
-  return "; each of them took more than " + fixed_text(kHopelessTimes, 0) +
-         " times as long as it may, so that one short run was enough";
+  const std::string times = " took more than " + fixed_text(kHopelessTimes, 0) + " times as long as it may, ";
+  return measured.trials.size() == 1 ? "; each of them" + times + "so that one short run was enough"
+                                     : "; each of the last run" + times + "so that it was not repeated";
 }
 
 // What the setting is to a viewer, and the rate at all pixels of the display if that was measured.
@@ -155,66 +153,25 @@ std::string second_sentence(const RateQuestion& question, const RateAnswer& answ
          ", whose 95th percentile is " + ms_text(answer.refused->p95_ms) + ".";
 }
 
-Json setting_json(const RateSetting& setting) {
-  return {{"polar", polar_text(setting)},
-          {"polar_width_per_eye", setting.polar_width},
-          {"polar_height", setting.polar_height},
-          {"light_samples", setting.light_samples},
-          {"profile_scale", setting.profile_scale}};
-}
-
-Json measured_json(const MeasuredRate& measured, double period_ms) {
-  Json json = setting_json(measured.setting);
-  json["p95_ms"] = measured.p95_ms;
-  json["holds"] = measured.p95_ms <= period_ms;
-  json["frames"] = measured.frames();
-  json["viewport_pixels_share"] = measured.setting.profile_scale * measured.setting.profile_scale;
-  const RateTrial& median = median_trial(measured.trials);
-  json["k_radial"] = median.k_radial ? Json(*median.k_radial) : Json(nullptr);
-  json["k_angular"] = median.k_angular ? Json(*median.k_angular) : Json(nullptr);
-  json["runs"] = Json::array();
-  for (const RateTrial& trial : measured.trials) {
-    json["runs"].push_back({{"p95_ms", trial.p95_ms},
-                            {"all_p95_ms", trial.all_p95_ms},
-                            {"mean_ms", trial.frame_ms},
-                            {"frames", trial.frames},
-                            {"cut_short", trial.cut_short},
-                            {"hopeless", trial.hopeless},
-                            {"stretches", Json::array()}});
-    for (const RateStretch& each : trial.stretches)
-      json["runs"].back()["stretches"].push_back(
-          {{"from_s", each.from_s}, {"to_s", each.to_s}, {"frames", each.frames}, {"p95_ms", each.p95_ms}});
-  }
-  return json;
-}
-
-Json machine_json(const MachineUse& machine) {
-  const std::optional<double> share = machine.cpu_share();
-  return {{"busy", machine.busy()},
-          {"cpu_share", share ? Json(*share) : Json(nullptr)},
-          {"preemptions", machine.preemptions},
-          {"late_frames", machine.late},
-          {"late_by_machine", machine.late_by_machine},
-          {"steal", machine.steal()}};
-}
-
-}  // namespace
-
-std::string rate_text(const RateQuestion& question, const RateAnswer& answer) {
+// All but the lines to be pasted.
+std::string sentences(const RateQuestion& question, const RateAnswer& answer) {
   std::string text = answer.open > 0
                          ? open_sentences(question, answer)
                          : first_sentence(question, answer) + "\n" + second_sentence(question, answer) + "\n";
   if (answer.held) text += viewer_sentences(answer);
-  text += stretches_sentence(answer);
+  return text + stretches_sentence(answer);
+}
+
+std::string lines_to_paste(const RateQuestion& question) {
+  std::string text;
   if (!question.command_line.empty()) text += "\n" + question.command_line + "\n";
   if (!question.try_next.empty())
     text += "\nTo try next, " + question.try_words + ":\n" + question.try_next + "\n";
   return text;
 }
 
-std::vector<std::string> rate_warnings(const RateAnswer& answer) {
+std::vector<std::string> warnings_of(const MachineUse& machine, const RateAnswer& answer) {
   std::vector<std::string> warnings;
-  const MachineUse machine = answer.machine();
   if (machine.busy()) {
     warnings.push_back("the machine was busy with something else (" + machine.text() +
                        "): a quiet one holds more; repeat this when it is");
@@ -230,50 +187,62 @@ std::vector<std::string> rate_warnings(const RateAnswer& answer) {
   return warnings;
 }
 
-std::string too_few_minutes_text(double minutes, double seconds, const RateAnswer& answer) {
+// "--minutes 0.1 ended the search after 2 runs, and it takes about 6 more; give --minutes 1 or more".
+std::string more_minutes_text(double minutes, double seconds, std::size_t runs, std::size_t to_go) {
   constexpr double kRoom = 1.5;  // larger settings take longer, and machines are busy
-  std::size_t runs = 0;
-  for (const MeasuredRate& each : answer.tried) runs += each.trials.size();
-  const double all = static_cast<double>(runs + answer.runs_to_go) / static_cast<double>(runs);
+  const double all = static_cast<double>(runs + to_go) / static_cast<double>(runs);
   return "--minutes " + shortest_text(minutes) + " ended the search after " +
          counted(static_cast<std::int64_t>(runs), "run", "runs") + ", and it takes about " +
-         std::to_string(answer.runs_to_go) + " more; give --minutes " +
+         std::to_string(to_go) + " more; give --minutes " +
          fixed_text(std::ceil(kRoom * all * seconds / 60), 0) + " or more";
 }
 
-Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
-  Json json{{"hz", question.hz},
-            {"period_ms", answer.period_ms},
-            {"profile", question.profile},
-            {"holds", answer.held.has_value()},
-            {"command_line", question.command_line.empty() ? Json(nullptr) : Json(question.command_line)}};
-  json["held"] = answer.held ? measured_json(*answer.held, answer.period_ms) : Json(nullptr);
-  json["prevented_by"] = nullptr;
-  if (answer.refused) {
-    const LongestStage longest = longest_stage(answer.limit().trials);
-    const std::string remedy =
-        longest.stage ? stage_remedy(*longest.stage, answer.limit().setting.profile_scale) : "";
-    json["prevented_by"] = {{"stage", longest.name},
-                            {"remedy", remedy.empty() ? Json(nullptr) : Json(remedy)},
-                            {"stage_ms", longest.ms},
-                            {"frame_ms", longest.frame_ms},
-                            {"setting", measured_json(*answer.refused, answer.period_ms)}};
+}  // namespace
+
+std::string rate_text(const RateQuestion& question, const RateAnswer& answer) {
+  return sentences(question, answer) + lines_to_paste(question);
+}
+
+std::string rate_text(const RateQuestion& question, const RateChain& chain) {
+  const RateAnswer& last = chain.last().answer;
+  if (chain.steps.size() == 1) return rate_text(question, last);
+  const std::string flags = flags_text(chain.last().changes);
+  std::string text = sentences(question, chain.asked()) + "\nWhat was asked does not hold; ";
+  if (last.held) {
+    text += "changed by " + flags + " it does:\n";
+  } else if (last.open > 0) {
+    text += "changed by " + flags + " it is not certain:\n";
+  } else {
+    text += "not even changed by " + flags + " does it:\n";
   }
-  json["try_next"] = question.try_next.empty() ? Json(nullptr) : Json(question.try_next);
-  json["ended_early"] = answer.ended_early;
-  json["open_settings"] = answer.open;
-  json["machine"] = machine_json(answer.machine());
-  json["warnings"] = rate_warnings(answer);
-  json["tried"] = Json::array();
-  for (const MeasuredRate& each : answer.tried)
-    json["tried"].push_back(measured_json(each, answer.period_ms));
-  return json;
+  return text + sentences(question, last) + lines_to_paste(question);
+}
+
+std::vector<std::string> rate_warnings(const RateAnswer& answer) {
+  return warnings_of(answer.machine(), answer);
+}
+
+std::vector<std::string> rate_warnings(const RateChain& chain) {
+  return warnings_of(chain.machine(), chain.last().answer);
+}
+
+std::string too_few_minutes_text(double minutes, double seconds, const RateChain& chain) {
+  const RateAnswer& last = chain.last().answer;
+  if (last.open > 0) return more_minutes_text(minutes, seconds, chain.runs(), last.runs_to_go);
+  if (!chain.ended_early) return {};
+  std::size_t of_last = 0;  // the next step takes about as many, and more where it finds something
+  for (const MeasuredRate& each : last.tried) of_last += each.trials.size();
+  return more_minutes_text(minutes, seconds, chain.runs(), of_last + kRunsAtTheEnd);
 }
 
 int rate_exit_code(const RateAnswer& answer) {
   if (answer.held) return answer.open > 0 ? kExitPartial : kExitDone;
   if (answer.open > 0) return kExitInconclusive;
   return answer.machine().busy() ? kExitInconclusive : kExitRegression;
+}
+
+int rate_exit_code(const RateChain& chain) {
+  return rate_exit_code(chain.asked());
 }
 
 }  // namespace herr

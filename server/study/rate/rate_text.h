@@ -1,12 +1,11 @@
-// The answer of `herr study --hz` for people and machines. Before: RateAnswer. After: stdout; warnings for
+// The answer of `herr study --hz` for people. Before: RateAnswer, RateChain. After: stdout; warnings for
 // stderr.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "server/study/rate/rate_run.h"
+#include "server/study/rate/rate_chain.h"
 
 namespace herr {
 
@@ -24,16 +23,21 @@ struct RateQuestion {
 // was measured; then where in the session it was measured. Below them the line to be pasted: that renders
 // what holds, or where none does the question that asks for less.
 std::string rate_text(const RateQuestion& question, const RateAnswer& answer);
+// Where steps came after what was asked: that this does not hold, then the same of the last step with its
+// changes.
+std::string rate_text(const RateQuestion& question, const RateChain& chain);
+
 // One for a machine that was busy, one for percentiles that scatter by more than a tenth; mostly none.
 std::vector<std::string> rate_warnings(const RateAnswer& answer);
-// Of a search that the time ended with settings open: "--minutes 0.1 ended the search after 2 runs; ... give
-// --minutes 1 or more".
-std::string too_few_minutes_text(double minutes, double seconds, const RateAnswer& answer);
-// {"hz", "period_ms", "holds", "command_line", "held", "prevented_by", "ended_early", "open_settings",
-// "machine", "warnings", "tried"}; null: there is none.
-nlohmann::ordered_json rate_json(const RateQuestion& question, const RateAnswer& answer);
+std::vector<std::string> rate_warnings(const RateChain& chain);
+// Where the time ended the search with settings open, or before the next step: "--minutes 0.1 ended the
+// search after 2 runs, and it takes about 6 more; give --minutes 1 or more"; else empty.
+std::string too_few_minutes_text(double minutes, double seconds, const RateChain& chain);
+
 // 0, or 1 when not even the smallest setting holds; 4 when that may be the fault of a busy machine. Where the
 // time ended the search with settings open: 5 with one that holds, 4 without.
 int rate_exit_code(const RateAnswer& answer);
+// That of what was asked: what holds with changes alone makes no 0 of it.
+int rate_exit_code(const RateChain& chain);
 
 }  // namespace herr

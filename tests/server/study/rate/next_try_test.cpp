@@ -27,6 +27,16 @@ TEST(NextTry, LeavesOutWhatFlagsLeaveOutFirst) {
   EXPECT_FALSE(next.hz);
 }
 
+// Surroundings are indirect light, too: with probes off that stage stays, and half of --polar is next.
+TEST(NextTry, LeavesOutNothingTwice) {
+  RenderSettings asked;
+  asked.probes.on = false;
+  EXPECT_EQ(flags_text(next_try(smallest_of(Stage::indirect_light, 20), {}, false, kPeriod_ms).changes),
+            "--no-probes");
+  EXPECT_EQ(flags_text(next_try(smallest_of(Stage::indirect_light, 20), asked, false, kPeriod_ms).changes),
+            "--polar 788x384");
+}
+
 TEST(NextTry, LeavesTheFeedOutWhereThereIsOneAndViewportsTakeMost) {
   EXPECT_EQ(flags_text(next_try(smallest_of(Stage::viewports, 20), {}, true, kPeriod_ms).changes),
             "--no-camera");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "server/study/rate/rate_json.h"
 #include "server/study/rate/rate_text.h"
 #include "tests/server/study/rate/simulated_rate.h"
 
@@ -194,6 +195,11 @@ TEST(RateText, WhenNotEvenTheSmallestHoldsThereIsNothingToPaste) {
                           "that one short run was enough.\n"),
             std::string::npos)
       << hopeless;
+  answer.refused->trials.push_back(answer.refused->trials.back());
+  EXPECT_NE(rate_text({kHz, "xr1", "", ""}, answer)
+                .find("; each of the last run took more than 3 times as long as it may, so that it was not "
+                      "repeated.\n"),
+            std::string::npos);
   EXPECT_TRUE(hopeless.ends_with("\nTo try next, with half:\nherr study --polar 788x384\n")) << hopeless;
   answer.tried.front().trials.front().machine.late = 4;
   answer.tried.front().trials.front().machine.late_by_machine = 3;
@@ -215,7 +221,7 @@ TEST(RateText, OfASearchThatEndedEarlySaysWhatIsOpenAndHowManyMinutesItTakes) {
             "To a viewer: 25 % of the pixels of the viewports (profile scale squared).\n\n"
             "herr replay walk\n");
   EXPECT_EQ(
-      too_few_minutes_text(0.1, 12, answer),
+      too_few_minutes_text(0.1, 12, {{{{}, answer}}, {}}),
       "--minutes 0.1 ended the search after 2 runs, and it takes about 6 more; give --minutes 2 or more");
   EXPECT_EQ(rate_exit_code(answer), 5);
   EXPECT_EQ(rate_json({kHz, "xr1", "x", ""}, answer)["open_settings"], 3);
