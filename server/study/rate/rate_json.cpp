@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/settings/stage_remedy.h"
+#include "server/study/rate/free_cores.h"
 #include "server/study/rate/rate_search.h"
 
 namespace herr {
@@ -35,6 +36,7 @@ Json measured_json(const MeasuredRate& measured, double period_ms) {
   for (const RateTrial& trial : measured.trials) {
     json["runs"].push_back({{"p95_ms", trial.p95_ms},
                             {"all_p95_ms", trial.all_p95_ms},
+                            {"free_p95_ms", trial.free_p95_ms ? Json(*trial.free_p95_ms) : Json(nullptr)},
                             {"mean_ms", trial.frame_ms},
                             {"frames", trial.frames},
                             {"cut_short", trial.cut_short},
@@ -73,6 +75,19 @@ Json held_json(const RateAnswer& answer) {
   return answer.held ? measured_json(*answer.held, answer.period_ms) : Json(nullptr);
 }
 
+// An estimate, where a busy machine gave the answer.
+Json free_cores_json(const RateAnswer& answer) {
+  const std::optional<FreeCores> free = free_cores_of(answer);
+  if (!free) return nullptr;
+  const auto json_of = [](const std::optional<FreeRate>& rate) {
+    if (!rate) return Json(nullptr);
+    Json json = setting_json(rate->setting);
+    json["p95_ms"] = rate->p95_ms;
+    return json;
+  };
+  return {{"holds", json_of(free->holds)}, {"holds_not", json_of(free->refused)}};
+}
+
 }  // namespace
 
 Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
@@ -87,6 +102,7 @@ Json rate_json(const RateQuestion& question, const RateAnswer& answer) {
   json["ended_early"] = answer.ended_early;
   json["open_settings"] = answer.open;
   json["machine"] = machine_json(answer.machine());
+  json["estimate_for_free_cores"] = free_cores_json(answer);
   json["warnings"] = rate_warnings(answer);
   json["tried"] = Json::array();
   for (const MeasuredRate& each : answer.tried)
@@ -107,7 +123,8 @@ Json rate_json(const RateQuestion& question, const RateChain& chain) {
     json["steps"].push_back({{"changes", text_json(flags_text(step.changes))},
                              {"holds", step.answer.held.has_value()},
                              {"held", held_json(step.answer)},
-                             {"prevented_by", prevented_json(step.answer)}});
+                             {"prevented_by", prevented_json(step.answer)},
+                             {"estimate_for_free_cores", free_cores_json(step.answer)}});
   }
   return json;
 }

@@ -41,12 +41,14 @@ class MeanOfSome {
 class TrialFrames {
  public:
   explicit TrialFrames(double period_ms) : period_ms_(period_ms), began_ns_(steady_now_ns()) {
-    times_ms_.reserve(kRateFrames);
+    times_ms_.reserve(kRateFrames), free_ms_.reserve(kRateFrames);
   }
 
   void add(const RateFrame& frame, const FrameRecord& record, double frame_ms, int cores) {
-    times_ms_.push_back(frame_ms);
-    add_to_stretch(frame, frame_ms);
+    const double free_ms =
+        free_frame_ms(frame_ms, record.times.frame_ms, record.cpu_ms.value_or(record.times.frame_ms), cores);
+    times_ms_.push_back(frame_ms), free_ms_.push_back(free_ms);
+    add_to_stretch(frame, frame_ms, free_ms);
     if (frame_ms > period_ms_) ++late_;
     if (frame_ms > 2 * period_ms_) ++far_too_slow_;
     if (frame_ms > kHopelessTimes * period_ms_) ++hopeless_;
@@ -79,6 +81,7 @@ class TrialFrames {
       each.stretch.p95_ms = percentile_95(each.times_ms);
       trial_.stretches.push_back(each.stretch);
     }
+    if (trial_.machine.cpu_known) trial_.free_p95_ms = free_p95_ms();
     const RateStretch* worst = worst_stretch(trial_);
     trial_.p95_ms = std::max(trial_.all_p95_ms, worst != nullptr ? worst->p95_ms : 0.0);
     trial_.cut_short = trial_.frames < kRateFrames;
@@ -95,27 +98,34 @@ class TrialFrames {
   struct Stretch {
     int number = 0;
     RateStretch stretch;
-    std::vector<double> times_ms;
+    std::vector<double> times_ms, free_ms;
   };
+  double free_p95_ms() const {
+    double worst_ms = percentile_95(free_ms_);
+    for (const Stretch& each : stretches_) {
+      if (each.stretch.frames >= kFewestOfStretch) worst_ms = std::max(worst_ms, percentile_95(each.free_ms));
+    }
+    return worst_ms;
+  }
   // A session that is gone through again has the same stretches.
-  void add_to_stretch(const RateFrame& frame, double frame_ms) {
+  void add_to_stretch(const RateFrame& frame, double frame_ms, double free_ms) {
     auto found = std::find_if(stretches_.begin(), stretches_.end(),
                               [&](const Stretch& each) { return each.number == frame.stretch; });
     const double from_s = 1e-3 * period_ms_ * static_cast<double>(frame.frame),
                  to_s = from_s + 1e-3 * period_ms_;
     if (found == stretches_.end()) {
-      stretches_.push_back({frame.stretch, {from_s, to_s, 0, 0}, {}});
+      stretches_.push_back({frame.stretch, {from_s, to_s, 0, 0}, {}, {}});
       found = stretches_.end() - 1;
     }
     RateStretch& stretch = found->stretch;
     stretch.from_s = std::min(stretch.from_s, from_s), stretch.to_s = std::max(stretch.to_s, to_s);
     ++stretch.frames;
-    found->times_ms.push_back(frame_ms);
+    found->times_ms.push_back(frame_ms), found->free_ms.push_back(free_ms);
   }
 
   const double period_ms_;
   const TimeNs began_ns_;
-  std::vector<double> times_ms_;
+  std::vector<double> times_ms_, free_ms_;
   std::vector<Stretch> stretches_;
   int late_ = 0, far_too_slow_ = 0, hopeless_ = 0;
   MeanOfSome k_radial_, k_angular_;

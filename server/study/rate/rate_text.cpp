@@ -5,6 +5,7 @@
 
 #include "server/process/exit_code.h"
 #include "server/settings/stage_remedy.h"
+#include "server/study/rate/free_cores.h"
 #include "server/study/rate/rate_search.h"
 #include "server/text/number_text.h"
 #include "sessions/inspect/number_words.h"
@@ -170,21 +171,29 @@ std::string lines_to_paste(const RateQuestion& question) {
   return text;
 }
 
-std::vector<std::string> warnings_of(const MachineUse& machine, const RateAnswer& answer) {
-  std::vector<std::string> warnings;
-  if (machine.busy()) {
-    warnings.push_back("the machine was busy with something else (" + machine.text() +
-                       "): a quiet one holds more; repeat this when it is");
-  }
-  if (!answer.held && !answer.refused) return warnings;
+// What free cores would hold of an answer, where a busy machine gave it.
+void add_estimate(std::vector<std::string>& warnings, const RateAnswer& answer, const std::string& of_what) {
+  const std::optional<FreeCores> free = free_cores_of(answer);
+  if (!free) return;
+  warnings.push_back("an estimate for cores that nobody else has, not measured" + of_what + ": " +
+                     free_cores_text(*free) +
+                     "; 95th percentiles of frames less what their threads waited for cores, at best");
+}
+
+void add_busy(std::vector<std::string>& warnings, const MachineUse& machine) {
+  if (!machine.busy()) return;
+  warnings.push_back("the machine was busy with something else (" + machine.text() +
+                     "): a quiet one holds more; repeat this when it is");
+}
+
+void add_spread(std::vector<std::string>& warnings, const RateAnswer& answer) {
+  if (!answer.held && !answer.refused) return;
   const MeasuredRate& told = answer.held ? *answer.held : *answer.refused;
   const double spread = spread_of(told.trials);
-  if (spread > kMostSpread) {
-    warnings.push_back("the 95th percentiles of the " + std::to_string(told.trials.size()) +
-                       " runs differ by " + fixed_text(100 * spread, 0) +
-                       " %: the setting may not hold every time; take a smaller one for certain");
-  }
-  return warnings;
+  if (spread <= kMostSpread) return;
+  warnings.push_back("the 95th percentiles of the " + std::to_string(told.trials.size()) +
+                     " runs differ by " + fixed_text(100 * spread, 0) +
+                     " %: the setting may not hold every time; take a smaller one for certain");
 }
 
 // "--minutes 0.1 ended the search after 2 runs, and it takes about 6 more; give --minutes 1 or more".
@@ -219,11 +228,22 @@ std::string rate_text(const RateQuestion& question, const RateChain& chain) {
 }
 
 std::vector<std::string> rate_warnings(const RateAnswer& answer) {
-  return warnings_of(answer.machine(), answer);
+  std::vector<std::string> warnings;
+  add_busy(warnings, answer.machine());
+  add_estimate(warnings, answer, "");
+  add_spread(warnings, answer);
+  return warnings;
 }
 
 std::vector<std::string> rate_warnings(const RateChain& chain) {
-  return warnings_of(chain.machine(), chain.last().answer);
+  const RateAnswer& last = chain.last().answer;
+  if (chain.steps.size() == 1) return rate_warnings(last);
+  std::vector<std::string> warnings;
+  add_busy(warnings, chain.machine());
+  add_estimate(warnings, chain.asked(), ", of what was asked");
+  add_estimate(warnings, last, ", with " + flags_text(chain.last().changes));
+  add_spread(warnings, last);
+  return warnings;
 }
 
 std::string too_few_minutes_text(double minutes, double seconds, const RateChain& chain) {

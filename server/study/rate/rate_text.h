@@ -27,8 +27,10 @@ std::string rate_text(const RateQuestion& question, const RateAnswer& answer);
 // changes.
 std::string rate_text(const RateQuestion& question, const RateChain& chain);
 
-// One for a machine that was busy, one for percentiles that scatter by more than a tenth; mostly none.
+// One for a machine that was busy and one for what it would hold otherwise, as an estimate; one for
+// percentiles that scatter by more than a tenth; mostly none.
 std::vector<std::string> rate_warnings(const RateAnswer& answer);
+// Busy: of all steps. The estimate: of what was asked, and of the last step.
 std::vector<std::string> rate_warnings(const RateChain& chain);
 // Where the time ended the search with settings open, or before the next step: "--minutes 0.1 ended the
 // search after 2 runs, and it takes about 6 more; give --minutes 1 or more"; else empty.

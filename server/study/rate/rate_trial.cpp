@@ -51,6 +51,10 @@ const RateStretch* worst_stretch(const RateTrial& trial) {
   return worst;
 }
 
+double free_frame_ms(double frame_ms, double render_ms, double cpu_ms, int cores) {
+  return frame_ms - std::max(0.0, render_ms - cpu_ms / cores);
+}
+
 double percentile_95(std::span<const double> times_ms) {
   std::vector<double> sorted(times_ms.begin(), times_ms.end());
   std::sort(sorted.begin(), sorted.end());

@@ -42,7 +42,9 @@ struct RateTrial {
   // Of whole frames, sampling of the session included: of the heaviest stretch (worst_stretch), or of all
   // frames together where that is more.
   double p95_ms = 0;
-  double all_p95_ms = 0;               // of all frames together
+  double all_p95_ms = 0;  // of all frames together
+  // As p95_ms, of frames less what their threads waited (free_frame_ms); none where CPU times are not known.
+  std::optional<double> free_p95_ms;
   std::vector<RateStretch> stretches;  // that frames were measured in; in the session's order
   bool cut_short = false;  // given up, since more than a twentieth of the frames asked for were late already
   bool hopeless = false;   // given up, since each of its frames took more than kHopelessTimes the period
@@ -60,6 +62,11 @@ inline constexpr double kHopelessTimes = 3;
 // Of the stretches that have kFewestOfStretch frames the one with the largest percentile; null: none has.
 inline constexpr int kFewestOfStretch = 20;  // their 95th percentile has one above it
 const RateStretch* worst_stretch(const RateTrial& trial);
+
+// Roughly what a frame takes while nobody else has its cores: its rendering takes its CPU time spread evenly
+// over `cores`, which no frame does quite, and no longer than it did. What is beside it stays, sampling above
+// all.
+double free_frame_ms(double frame_ms, double render_ms, double cpu_ms, int cores);
 
 // Nearest rank: the smallest that 95 % do not exceed. Of at least one time.
 double percentile_95(std::span<const double> times_ms);
