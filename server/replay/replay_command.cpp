@@ -143,7 +143,7 @@ std::string report_text(const SessionReport& report, const ReplayOptions& option
   }
   if (options.target_ms) {
     text += ", " + std::to_string(statistics.over_target) + " over the target of " +
-            shortest_text(*options.target_ms) + " ms";
+            target_text(*options.target_ms) + " ms";
   }
   text += ", " + std::to_string(statistics.missed_frames) + " over the display period of " +
           fixed_text(report.range.period_ms(), 2) + " ms" + causes_text(statistics) + "; " +

@@ -1,9 +1,17 @@
 #include "server/settings/quality_target.h"
 
+#include <cmath>
+
+#include "server/text/number_text.h"
+
 namespace herr {
 
 double quality_target_ms(const ReplayOptions& options, const FrameRange& range) {
   return options.target_ms.value_or(range.period_ms());
+}
+
+std::string target_text(double target_ms) {
+  return shortest_text(std::round(100 * target_ms) / 100);
 }
 
 int narrowest_width(const ReplayOptions& options, const RenderSettings& settings) {

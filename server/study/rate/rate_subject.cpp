@@ -7,6 +7,7 @@
 #include "server/process/steady_time.h"
 #include "server/process/stop_signal.h"
 #include "server/results/output_folder.h"
+#include "server/settings/quality_target.h"
 #include "server/study/plan/study_setting.h"
 #include "server/text/number_text.h"
 #include "server/text/shell_word.h"
@@ -193,7 +194,7 @@ std::string command_line_of(const StudyOptions& options, const RateSetting& sett
   usual.light_samples = setting.light_samples;
   const std::string flags = flags_text(changes_between(usual, run.render));
   return text + (flags.empty() ? "" : " " + flags) + (run.session.strict ? " --strict" : "") +
-         " --clock realtime --target-ms " + shortest_text(*run.target_ms) +
+         " --clock realtime --target-ms " + target_text(*run.target_ms) +
          " --format none --contact-sheet none";
 }
 
