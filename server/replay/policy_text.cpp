@@ -7,9 +7,9 @@
 namespace herr {
 namespace {
 
-// Of values that the histogram keeps as milliseconds.
-std::string range_text(const std::string& name, const LatencyHistogram& values) {
-  const auto whole = [](double value) { return std::to_string(std::llround(value * 1e-6)); };
+// Of values that the histogram keeps as milliseconds; told `times` as large.
+std::string range_text(const std::string& name, const LatencyHistogram& values, int times = 1) {
+  const auto whole = [times](double value) { return std::to_string(std::llround(times * value * 1e-6)); };
   const std::string least = whole(static_cast<double>(values.min_ns())),
                     most = whole(static_cast<double>(values.max_ns()));
   if (least == most) return name + " " + least;
@@ -21,7 +21,7 @@ std::string range_text(const std::string& name, const LatencyHistogram& values) 
 std::string policy_text(const RunStatistics& statistics, QualityPolicy policy) {
   if (policy == QualityPolicy{} || statistics.frames == 0) return {};
   std::string text = std::string(name_of(policy)) + ": " +
-                     range_text("width per eye", statistics.polar_width) + ", " +
+                     range_text("polar width", statistics.polar_width, 2) + ", " +
                      range_text("height", statistics.polar_height) + ", " +
                      range_text("light samples", statistics.light_samples);
   if (statistics.allowed_probes.max_ns() > 0) text += ", " + range_text("probes", statistics.allowed_probes);

@@ -38,7 +38,8 @@ void add_quality(PrometheusText& page, const ServeSnapshot& snapshot) {
   }
   if (snapshot.recent.empty()) return;
   const FrameRecord& newest = snapshot.recent.back().record;
-  page.family("herr_polar_width_samples", "gauge", "Radial samples per eye of the newest frame.");
+  page.family("herr_polar_width_samples", "gauge",
+              "Radial samples per eye of the newest frame, half of the width of --polar.");
   page.sample(std::int64_t{newest.decision.quality.polar_width});
   page.family("herr_polar_height_samples", "gauge", "Angular samples per eye of the newest frame.");
   page.sample(std::int64_t{newest.decision.quality.polar_height});

@@ -60,10 +60,11 @@ constexpr std::array kDistributions{
         "CPU time of the whole process, all threads, during the frame time; writers, encoders and "
         "HTTP replies that ran beside the frame are in it",
         &Run::cpu, [](const Record& r) { return r.cpu_ms; }},
-    DistributionRow{"polar_width", "samples", Group::quality,
-                    "radial samples per eye that a frame traced; light_samples: for each light and hit",
-                    &Run::polar_width,
-                    [](const Record& r) -> Value { return double(r.decision.quality.polar_width); }},
+    DistributionRow{
+        "polar_width", "samples", Group::quality,
+        "radial samples per eye that a frame traced, half of the width of --polar; light_samples: for each "
+        "light and hit",
+        &Run::polar_width, [](const Record& r) -> Value { return double(r.decision.quality.polar_width); }},
     DistributionRow{"polar_height", "samples", Group::quality,
                     "angular samples that a frame traced: rows of the polar buffers", &Run::polar_height,
                     [](const Record& r) -> Value { return double(r.decision.quality.polar_height); }},

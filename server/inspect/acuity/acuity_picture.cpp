@@ -42,8 +42,8 @@ std::string acuity_picture(const AcuityFacts& facts, const RenderSettings& setti
   plot.id = "acuity";
   plot.width = 640, plot.height = 460;
   plot.title = "samples per degree over eccentricity, gaze straight ahead";
-  const std::string size = std::to_string(ahead.columns) + " x " + std::to_string(ahead.rows) +
-                           " samples per eye" + (settings.polar_acuity ? " (--polar acuity)" : "");
+  const std::string size = "polar buffers of both eyes " + std::to_string(2 * ahead.columns) + "x" +
+                           std::to_string(ahead.rows) + (settings.polar_acuity ? " (--polar acuity)" : "");
   plot.x_label = "degrees off the gaze, straight ahead; " + size;
   plot.y_label = "samples or pixels per degree";
   add_curve(plot, facts, "acuity function 200 / (theta + 1)", 0, true,

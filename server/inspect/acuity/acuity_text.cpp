@@ -23,9 +23,10 @@ std::string gaze_row(const AcuityFacts& facts, const AcuityOfGaze& of) {
   });
   if (alike && of.eye == Eye::right && facts.gazes.front().eye == Eye::left) return "";
   const std::string eye = alike ? "" : of.eye == Eye::left ? ", left eye" : ", right eye";
-  return whole_row("gaze " + of.gaze + eye,
-                   {fixed_text(of.theta_max_deg, 1), std::to_string(of.columns),
-                    fixed_text(of.reached.k_radial, 1), fixed_text(of.reached.k_angular, 1)});
+  return whole_row(
+      "gaze " + of.gaze + eye,
+      {fixed_text(of.theta_max_deg, 1), std::to_string(2 * of.columns) + "x" + std::to_string(of.rows),
+       fixed_text(of.reached.k_radial, 1), fixed_text(of.reached.k_angular, 1)});
 }
 
 std::string frames_rows(const AcuityOfFrames& frames) {
@@ -125,14 +126,13 @@ std::string acuity_plot(const std::vector<AcuityPoint>& points) {
 
 std::string acuity_text(const AcuityFacts& facts) {
   std::string text = "acuity: k = samples per degree times theta + 1, theta = degrees off the gaze\n" +
-                     whole_row("", {"theta max", "columns", "k radial", "k angular"});
+                     whole_row("", {"theta max", "polar", "k radial", "k angular"});
   for (const AcuityOfGaze& of : facts.gazes) text += gaze_row(facts, of);
   if (facts.frames) text += frames_rows(*facts.frames);
   const AcuityOfGaze& first = facts.gazes.front();
   text += whole_row("f = 200 / (theta + 1) asks for", {"", "", "200", "200"});
   text += "k angular: of the worst circle, " + fixed_text(first.reached.k_angular_at_deg, 1) +
-          " deg off the gaze; " + std::to_string(first.rows) +
-          " rows. --polar acuity reaches f everywhere\n\n";
+          " deg off the gaze. polar: width of both eyes x height. --polar acuity reaches f everywhere\n\n";
   return text + "samples per degree, gaze straight ahead: f 200 / (theta + 1), r radial, a angular,\n" +
          "d display (its finest viewport), * f and r together, + other ones together\n" +
          acuity_plot(facts.ahead) + "\n";

@@ -163,7 +163,7 @@ function drawCharts() {
   }
   names.forEach((name, i) => { charts.stages.data.datasets[i].data = points((f) => f.stages_ms[name]); });
   const [width, samples] = charts.quality.data.datasets;
-  width.data = points((f) => f.polar_width ?? settings.polar_width_per_eye);
+  width.data = points((f) => 2 * (f.polar_width ?? settings.polar_width_per_eye));
   samples.data = points((f) => f.light_samples ?? settings.light_samples);
   const ages = charts.ages.data.datasets;
   ['pose_age_ms', 'gaze_age_ms', 'camera_age_ms', 'motion_to_photon_ms'].forEach((key, i) => {
