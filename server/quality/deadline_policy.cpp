@@ -33,9 +33,7 @@ double ratio_to(const CostModel& model, const FrameCost& cost) {
 }  // namespace
 
 DeadlinePolicy::DeadlinePolicy(const DeadlineConfig& config)
-    : config_(config),
-      size_{config.limits.narrowest, config.limits.lowest},
-      wait_s_(config.more_light_after_s) {
+    : config_(config), size_(least_size(config.limits.narrowest)), wait_s_(config.more_light_after_s) {
   const QualityLimits& limits = config_.limits;
   Effort effort{limits.full.light_samples, limits.full.probes};
   efforts_.push_back(effort);
@@ -98,16 +96,24 @@ double DeadlinePolicy::columns_of(const PolarSize& size) const {
   return rows == size.height ? size.width : static_cast<double>(size.width) * size.height / rows;
 }
 
-DeadlinePolicy::PolarSize DeadlinePolicy::size_of(double columns, int narrowest) const {
-  const QualityLimits& limits = config_.limits;
-  if (columns >= narrowest) return {static_cast<int>(columns), limits.full.polar_height};
+// Rows and columns shrink by powers of the share of the whole that end at their least together. Where one of
+// them is fixed the size is what the other is rounded to.
+DeadlinePolicy::PolarSize DeadlinePolicy::size_of(double columns, int narrowest, int widest) const {
+  const int rows = config_.limits.full.polar_height, lowest = config_.limits.lowest;
+  if (lowest >= rows) return {static_cast<int>(columns), rows, std::floor(columns)};
   constexpr double kRounding = 1 + 1e-9;  // a height there and back is the same one
-  const double pairs = columns / narrowest * limits.full.polar_height / 2 * kRounding;
-  return {narrowest, std::max(limits.lowest, 2 * static_cast<int>(pairs))};
+  const double of_rows = std::log(static_cast<double>(rows) / lowest),
+               of_columns = std::log(static_cast<double>(widest) / narrowest);
+  const double share = std::pow(columns / widest, of_rows / (of_rows + of_columns));
+  const int height = std::clamp(2 * static_cast<int>(rows * share / 2 * kRounding), lowest, rows);
+  const int width = static_cast<int>(columns * rows / height * kRounding);
+  PolarSize size{std::clamp(width, narrowest, widest), height, columns};
+  if (narrowest == widest) size.columns = columns_of(size);
+  return size;
 }
 
 double DeadlinePolicy::wanted_columns(double fitting, QualityReason& reason) const {
-  const double before = columns_of(size_);
+  const double before = size_.columns;
   if (missed_in_row_ >= 2 && fitting > config_.overload_share * before) {
     reason = QualityReason::overload;
     return config_.overload_share * before;
@@ -128,23 +134,26 @@ double DeadlinePolicy::wanted_columns(double fitting, QualityReason& reason) con
   return fitting;
 }
 
+DeadlinePolicy::PolarSize DeadlinePolicy::least_size(int narrowest) const {
+  PolarSize least{narrowest, config_.limits.lowest, 0};
+  least.columns = columns_of(least);
+  return least;
+}
+
 DeadlinePolicy::PolarSize DeadlinePolicy::choose_size(const FrameQuality& quality, double aim_ms,
                                                       QualityReason& reason) const {
   const int widest = quality.polar_width, narrowest = std::min(config_.limits.narrowest, widest);
   const double wanted = wanted_columns(model_.width_for(aim_ms, quality), reason);
   if (wanted >= widest) {
     reason = QualityReason::full;
-    return {widest, quality.polar_height};
+    return {widest, quality.polar_height, static_cast<double>(widest)};
   }
-  const PolarSize least{narrowest, config_.limits.lowest};
-  if (wanted < columns_of(least)) {
+  const PolarSize least = least_size(narrowest);
+  if (wanted < least.columns) {
     reason = QualityReason::floor;
     return least;
   }
-  const PolarSize size = size_of(wanted, narrowest);
-  if (reason == QualityReason::shrink && size.height < size_.height) reason = QualityReason::fewer_rows;
-  if (reason == QualityReason::grow && size.height > size_.height) reason = QualityReason::more_rows;
-  return size;
+  return size_of(wanted, narrowest, widest);
 }
 
 QualityDecision DeadlinePolicy::decide(const FrameQuality& wish) {
@@ -152,7 +161,7 @@ QualityDecision DeadlinePolicy::decide(const FrameQuality& wish) {
   decision.aim_ms = config_.target_ms / (1 + headroom());
   if (!knows_) {
     decision.quality = with_effort(effort_, wish);
-    size_ = {std::min(config_.limits.narrowest, wish.polar_width), config_.limits.lowest};
+    size_ = least_size(std::min(config_.limits.narrowest, wish.polar_width));
     decision.quality.polar_width = size_.width;
     decision.quality.polar_height = size_.height;
     decision.reason = QualityReason::start;

@@ -1,10 +1,10 @@
 // Holds the frame time at a target by polar width and height, light samples and probes. A controller without
 // a clock: it is told what finished frames cost and says what the next one may have. The size of the polar
-// buffer is one number, its samples as columns of full height: width alone changes down to the least, below
-// that the height. So whatever holds the width (growth, dead band, holds) holds the height too. The aim is
-// target / (1 + head-room): of frames that scatter around it like a normal distribution, 2 % miss the target
-// when the head-room is 2.06 standard deviations. A frame far from its forecast replaces what the cost model
-// knows, until the next one proves it a hiccup; others only move it, towards "slower" twice as fast as
+// buffer is one number, its samples as columns of full height; width and height follow from it together, from
+// the whole to the least of both. So whatever holds that number (growth, dead band, holds) holds both. The
+// aim is target / (1 + head-room): of frames that scatter around it like a normal distribution, 2 % miss the
+// target when the head-room is 2.06 standard deviations. A frame far from its forecast replaces what the cost
+// model knows, until the next one proves it a hiccup; others only move it, towards "slower" twice as fast as
 // towards "faster". Before: FrameCost of each frame. After: QualityController.
 #pragma once
 
@@ -33,8 +33,8 @@ struct DeadlineConfig {
   double keep_above = 0.99;         // or 1 % less would fit
   int hold_frames = 2;              // after a missed frame the size does not grow for so long
   double overload_share = 0.8;      // of the size, at most, after two missed frames in a row
-  double less_light_below = 0.5;    // of the full width: rather fewer light samples and probes
-  double more_light_above = 0.7;    // of the full width: more of them again, after a wait
+  double less_light_below = 0.5;    // of the full size: rather fewer light samples and probes
+  double more_light_above = 0.7;    // of the full size: more of them again, after a wait
   double more_light_after_s = 0.5;  // that much later; twice as long each time that it had to be taken back
   double longest_wait_s = 60;
 };
@@ -62,9 +62,11 @@ class DeadlinePolicy {
   bool choose_effort(const FrameQuality& wish, double aim_ms);
   struct PolarSize {
     int width, height;
+    double columns;  // of full height that it has, before rounding: what is kept is the same size again
   };
   double columns_of(const PolarSize& size) const;
-  PolarSize size_of(double columns, int narrowest) const;
+  PolarSize least_size(int narrowest) const;
+  PolarSize size_of(double columns, int narrowest, int widest) const;
   // How many columns of full height the next frame may have, before limits; the reason by how they change.
   double wanted_columns(double fitting, QualityReason& reason) const;
   PolarSize choose_size(const FrameQuality& quality, double aim_ms, QualityReason& reason) const;

@@ -59,10 +59,6 @@ const char* name_of(QualityReason reason) {
       return "hold";
     case QualityReason::shrink:
       return "shrink";
-    case QualityReason::fewer_rows:
-      return "fewer_rows";
-    case QualityReason::more_rows:
-      return "more_rows";
     case QualityReason::overload:
       return "overload";
     case QualityReason::less_light:

@@ -47,18 +47,16 @@ enum class QualityReason : std::uint8_t {
   full,            // deadline: all that may be had fits
   steady,          // as the frame before: what would fit is within the dead band
   grow,            // more fits
-  grow_limited,    // more than twice the width fits; it grows to twice
+  grow_limited,    // more than twice the size fits; it grows to twice
   hold,            // more would fit, but a frame was missed just before
   shrink,          // less fits
-  fewer_rows,      // less fits than the least width has: the height goes down
-  more_rows,       // the height comes back, before the width does
   overload,        // frames were missed in a row: less than the cost model says
-  less_light,      // fewer light samples or probes, or the width would fall below half
+  less_light,      // fewer light samples or probes, or the size would fall below half
   more_light,      // more light samples or probes: they have fitted for a while
   floor,           // as little as allowed, and that should fit
   floor_too_slow,  // as little as allowed, and even that is foretold to exceed the target
 };
-inline constexpr std::size_t kQualityReasons = 17;
+inline constexpr std::size_t kQualityReasons = 15;
 const char* name_of(QualityReason reason);
 // As little as allowed, whatever is foretold of it; not the start, of which nothing is known.
 inline bool is_floor(QualityReason reason) {

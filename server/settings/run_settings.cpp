@@ -146,7 +146,7 @@ std::vector<Setting> of_time(ReplayOptions& o) {
   return {
       {"policy", "--policy", "", Group::time, Effect::error_for_time,
        "quality of each frame: fixed; motion: less while the head moves fast; deadline: what holds "
-       "--target-ms (width, light samples, probes, at last height), from the floor upwards in some tens of "
+       "--target-ms (polar width and height, light samples, probes), from the floor upwards in some tens of "
        "frames; "
        "motion+deadline",
        policy_name(o.policy)},
@@ -154,9 +154,8 @@ std::vector<Setting> of_time(ReplayOptions& o) {
        "least width of the polar buffers, both eyes together, that a policy may choose",
        width_of_both_eyes(o.narrowest_width), "an eighth of that of --polar"},
       {"polar_floor_height", "--polar-floor-height", "", Group::time, Effect::error_for_time,
-       "least height of the polar buffers, even, that the policy deadline may choose; it lowers them when "
-       "the least "
-       "width is still too slow",
+       "least height of the polar buffers, even, that the policy deadline may choose; width and height "
+       "reach their least together",
        even(o.lowest_height, kHighestPolarBuffer), "a quarter of that of --polar"},
       {"clock", "--clock", "", Group::time, Effect::pictures,
        "virtual: one display period per frame; realtime: late frames drop; max: as fast as it goes",

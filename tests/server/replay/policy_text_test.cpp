@@ -16,7 +16,7 @@ FrameRecord frame_of(const FrameQuality& quality, QualityReason reason) {
 TEST(PolicyText, TellsTheRangeOfWhatTheDeadlineChose) {
   RunStatistics statistics;
   statistics.add(frame_of({1, 98, 128, 192}, QualityReason::floor_too_slow));
-  statistics.add(frame_of({1, 98, 128, 384}, QualityReason::fewer_rows));
+  statistics.add(frame_of({1, 98, 128, 384}, QualityReason::shrink));
   statistics.add(frame_of({64, 788, 2048, 768}, QualityReason::full));
   // Foretold to fit, and over the target all the same: what was measured counts.
   FrameRecord late = frame_of({1, 98, 128, 192}, QualityReason::floor);
