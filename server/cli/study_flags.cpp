@@ -11,6 +11,7 @@
 #include "server/process/exit_code.h"
 #include "server/settings/flag_values.h"
 #include "server/settings/run_settings.h"
+#include "server/study/plan/only_sweeps.h"
 #include "server/study/relations/relation.h"
 
 namespace herr {
@@ -28,11 +29,9 @@ std::vector<std::string> names_in(const std::string& text) {
 }
 
 std::string group_names() {
-  std::string names;
-  for (const RelationGroup& group : relation_groups()) {
-    names += (names.empty() ? "" : ",") + std::string(group.name);
-  }
-  return names;
+  std::vector<std::string> names;
+  for (const RelationGroup& group : relation_groups()) names.emplace_back(group.name);
+  return joined(names);
 }
 
 // The rate that --hz asks for, and what it does not go together with.
@@ -82,9 +81,9 @@ void add_sweep_flags(CLI::App& app, StudyOptions& options) {
   value_flag(
       app, "--minutes", "M",
       "time for all of it, half of it for references; fewer frames and settings where it is short, "
-      "all listed; "
-      "one frame's references and the default are measured whatever they take, and where less than a "
-      "quarter of the settings fits, a warning says for how long to ask (default 20; with --hz no limit)",
+      "all listed; one frame's references and the default are measured whatever they take; where less than "
+      "a quarter of the settings fits, a warning says so before they are measured, and what to type; what is "
+      "left over is used for what was dropped (default 20; with --hz no limit)",
       [&options, took](const std::string& text) {
         options.minutes = parse_real_number("--minutes", text, 0.1, 10000);
         took("--minutes");
@@ -105,7 +104,8 @@ void add_sweep_flags(CLI::App& app, StudyOptions& options) {
         options.resume = true;
         took("--resume");
       },
-      "go on with the study in that folder");
+      "go on with the study in that folder; its rows and references stay, and more --minutes than before are "
+      "shared out anew");
 }
 
 void check_stability_options(const StudyOptions& options) {
@@ -133,9 +133,8 @@ void add_study_flags(CLI::App& app, StudyOptions& options) {
       "relations that must hold on stiff and extreme cases, in place of error against time; ends with 1 when "
       "one fails");
   value_flag(app, "--only", "NAME,...",
-             "sweep these alone, by the name of their setting as in study.csv: polar,light_samples,filter; "
-             "with --stability groups of relations: " +
-                 group_names(),
+             "sweep these alone: " + joined(sweep_names()) +
+                 "; with --stability groups of relations: " + group_names(),
              [&](const std::string& text) { options.only = names_in(text); });
   add_sweep_flags(app, options);
   add_hz_flag(app, options);

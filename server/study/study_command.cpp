@@ -10,7 +10,7 @@
 #include "server/results/summary_json.h"
 #include "server/settings/option_checks.h"
 #include "server/study/export_sequences.h"
-#include "server/study/plan/knobs.h"
+#include "server/study/plan/only_sweeps.h"
 #include "server/study/report/study_json.h"
 #include "server/study/report/study_page.h"
 #include "server/study/report/study_text.h"

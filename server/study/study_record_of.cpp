@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "server/results/settings_report.h"
+#include "server/study/findings/default_points.h"
 #include "server/study/findings/study_advice.h"
 #include "server/study/findings/study_fits.h"
 #include "server/study/findings/study_points.h"
@@ -146,6 +147,7 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   record.clip = frames.clip;
   record.references = references_of(run.state(), subject);
   record.points = points_of(run.rows(), record.references);
+  add_points_of_default(run.sweeps().of_default, record.points);
   StudyFits fits = fit_knobs(run.sweeps().knobs, record.points, record.references);
   record.fits = std::move(fits.fits);
   record.remarks = std::move(fits.remarks);

@@ -171,10 +171,12 @@ bool StudyRun::measure() {
     share_time();
     progress_.expect(state_.settings->size() * state_.frames);
     measure_settings(wanted_settings(), state_.frames, until_clip_s());
+    measure_left_over(until_clip_s());
     choose_combinations();
     progress_.expect(state_.combinations->size() * state_.frames);
     measure_settings(*state_.combinations, state_.frames, until_clip_s());
     measure_flicker();
+    measure_left_over(limit_s() - kReportSeconds);
   } catch (const Stopped&) {
     return false;
   }
@@ -193,7 +195,7 @@ void StudyRun::make_references() {
   subject_.rewind();
   for (const StudyFrame& frame : subject_.frames().frames) {
     const auto is_known = [&](const ReferenceSpec& spec) { return is_noted(spec.name, frame.number); };
-    if (state_.settings && referenced_frames_ == state_.frames) break;
+    if (!shares_anew() && referenced_frames_ == state_.frames) break;
     if (std::all_of(specs.begin(), specs.end(), is_known)) {
       done += static_cast<double>(specs.size());
       ++referenced_frames_;
@@ -221,7 +223,7 @@ void StudyRun::make_references() {
 // Three blocks over all frames: six pairs, the fewest that have an interval.
 MeasuringRules StudyRun::measuring_rules() const {
   MeasuringRules rules;
-  const auto frames = static_cast<int>(state_.settings ? state_.frames : referenced_frames_);
+  const auto frames = static_cast<int>(shares_anew() ? referenced_frames_ : state_.frames);
   rules.timing.fewest_blocks = (3 + frames - 1) / std::max(1, frames);
   rules.timing.blocks = std::max(rules.timing.blocks, rules.timing.fewest_blocks);
   return rules;
@@ -240,9 +242,10 @@ const StudyRow* StudyRun::row_of(const std::string& name, std::int64_t frame) co
 
 std::vector<StudySetting> StudyRun::wanted_settings() const {
   std::vector<StudySetting> wanted;
-  for (const StudySetting& setting : sweeps_.settings) {
-    const auto& names = *state_.settings;
-    if (std::find(names.begin(), names.end(), setting.name) != names.end()) wanted.push_back(setting);
+  for (const std::string& name : *state_.settings) {
+    const auto found = std::find_if(sweeps_.settings.begin(), sweeps_.settings.end(),
+                                    [&](const StudySetting& setting) { return setting.name == name; });
+    if (found != sweeps_.settings.end()) wanted.push_back(*found);
   }
   return wanted;
 }
@@ -283,7 +286,8 @@ void StudyRun::measure_frame(const std::vector<StudySetting>& settings, std::int
                        !has_made(references, own_reference(subject_.defaults(), setting).name);
     const double reference_s = waits ? reference_seconds(setting) : 0;
     if (seconds() + expected_seconds(setting) + reference_s > until_s) {
-      out_of_time_.push_back(setting.name + ", frame " + std::to_string(frame));
+      if (setting.knob == "combination")
+        out_of_time_.push_back(setting.name + ", frame " + std::to_string(frame));
       continue;
     }
     progress_.tell(setting.name + ", frame " + std::to_string(frame), seconds());
@@ -372,12 +376,6 @@ void StudyRun::measure_flicker() {
   });
   stop_if_asked();
   for (StudyRow& row : rows) keep(std::move(row));
-}
-
-std::vector<std::string> StudyRun::dropped() const {
-  std::vector<std::string> all = state_.dropped;
-  all.insert(all.end(), out_of_time_.begin(), out_of_time_.end());
-  return all;
 }
 
 }  // namespace herr

@@ -40,8 +40,8 @@ class StudyRun {
   std::vector<std::string> dropped() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   double seconds() const;  // earlier runs included
-  // "3 of 74 settings measured: no recommendation; give --minutes 12 or more" where so little was measured
-  // that a choice among it would be none; else empty.
+  // "3 of 74 settings measured: no recommendation; give --minutes 12 or more (...)" where so little was
+  // measured that a choice among it would be none; else empty.
   std::string no_advice() const;
   // `frame`: whose rows are measured against them; none for pictures that no row needs.
   References::Context reference_context(std::optional<std::int64_t> frame = {});
@@ -55,7 +55,11 @@ class StudyRun {
   void make_references();
   bool has_time_for_references(std::size_t frame) const;
   bool references_are_coarse(double two_passes_s);
+  bool shares_anew() const;
   void share_time();
+  StudyBudget plan_of(double seconds);
+  void tell_plan();
+  void measure_left_over(double until_s);
   void measure_bases();
   double minutes_for_advice() const;
   void measure_settings(const std::vector<StudySetting>& settings, std::size_t frames, double until_s);
@@ -66,10 +70,12 @@ class StudyRun {
   bool is_noted(const std::string& name, std::int64_t frame) const;
   void note(const References& references, std::int64_t frame);
   bool is_measured(const std::string& name, std::int64_t frame) const;
+  bool is_measured_everywhere(const StudySetting& setting) const;
   const StudyRow* row_of(const std::string& name, std::int64_t frame) const;
   std::vector<StudySetting> wanted_settings() const;
   double estimated_seconds(const StudySetting& setting) const;
-  std::vector<SettingCost> costs() const;
+  std::vector<SettingCost> costs(const std::vector<StudySetting>& settings) const;
+  double share_of_frames(const StudySetting& setting) const;
   double reference_seconds(const StudySetting& setting) const;
   double seconds_of_frame(const RenderSettings& of) const;
   double expected_seconds(const StudySetting& setting) const;

@@ -47,6 +47,7 @@ void write_state(const std::filesystem::path& file, const StudyState& state) {
   StateJson json{{"format", "herr study state"}, {"version", kStateVersion}, {"subject", state.subject}};
   if (state.settings) json["settings"] = *state.settings;
   json["frames"] = state.frames;
+  json["minutes"] = state.minutes;
   json["dropped"] = state.dropped;
   if (state.combinations) {
     json["combinations"] = StateJson::array();
@@ -77,6 +78,7 @@ StudyState read_state(const std::filesystem::path& file) {
   state.subject = root.text("subject");
   if (root.has("settings")) state.settings = texts_of(root, "settings");
   state.frames = static_cast<std::size_t>(root.integer("frames", 0, 1000000));
+  if (root.has("minutes")) state.minutes = root.number("minutes", 0, 1e6);
   state.dropped = texts_of(root, "dropped");
   if (root.has("combinations")) {
     state.combinations.emplace();

@@ -16,9 +16,11 @@ namespace herr {
 
 struct StudyState {
   std::string subject;  // inputs, settings, frames and program: another one is another study
-  // Once the time was shared out: names of the settings that are measured, on how many frames, and what else.
+  // Once the time was shared out: names of the settings that are measured, in turn, on how many frames, and
+  // what beside settings was dropped.
   std::optional<std::vector<std::string>> settings;
   std::size_t frames = 0;
+  double minutes = 0;  // that were shared out; more of them are shared out anew
   std::vector<std::string> dropped;
   std::optional<std::vector<StudySetting>> combinations;            // once they were chosen
   std::vector<std::pair<std::int64_t, StudyReference>> references;  // made so far, by frame

@@ -8,11 +8,7 @@
 #include <optional>
 
 #include "renderer/settings_list.h"
-#include "server/process/exit_code.h"
-#include "server/study/plan/short_plan.h"
 #include "server/text/number_text.h"
-#include "sessions/files/input_error.h"
-#include "sessions/files/nearest_name.h"
 
 namespace herr {
 namespace {
@@ -351,6 +347,21 @@ void Sweeps::add_unknown() {
   }
 }
 
+// What no frame need be rendered for: the default's own frames show it, against the same references.
+void take_out_defaults(StudySweeps& sweeps) {
+  const auto is_default = [&](const StudySetting& setting) {
+    return setting.knob != "default" &&
+           std::any_of(sweeps.settings.begin(), sweeps.settings.end(), [&](const StudySetting& other) {
+             return other.knob == "default" && other.changes == setting.changes && other.own == setting.own &&
+                    other.base == setting.base;
+           });
+  };
+  std::vector<StudySetting> rest;
+  for (const StudySetting& setting : sweeps.settings)
+    (is_default(setting) ? sweeps.of_default : rest).push_back(setting);
+  sweeps.settings = std::move(rest);
+}
+
 }  // namespace
 
 std::string base_name(int samples) {
@@ -372,28 +383,9 @@ StudySweeps sweeps_of(const RenderSettings& defaults,
   sweeps.add_adaptive();
   for (const KnobRow& row : knob_rows()) sweeps.add_row(row);
   sweeps.add_unknown();
-  return sweeps.take();
-}
-
-void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps) {
-  if (only.empty()) return;
-  std::vector<std::string> known{"adaptive_samples", "uniform", "paper", "polar_width", "polar_height"};
-  RenderSettings any;
-  for (const Setting& setting : settings_of(any)) {
-    // Rays per pixel are swept as `uniform`.
-    const bool uniform = setting.name == "foveation" || setting.name == "scale";
-    if (setting.effect == SettingEffect::error_for_time && !uniform) known.push_back(setting.name);
-  }
-  for (const std::string& name : only) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw UsageError("--only: '" + printable(name) + "' is no sweep; " + key_remedy(name, known));
-  }
-  const auto is_other = [&](const std::string& name) {
-    return name != "default" && std::find(only.begin(), only.end(), name) == only.end();
-  };
-  std::erase_if(sweeps.settings, [&](const StudySetting& setting) { return is_other(setting.knob); });
-  std::erase_if(sweeps.knobs, [&](const Knob& knob) { return is_other(knob.name); });
-  sweeps.settings = ends_first(sweeps.settings);
+  StudySweeps all = sweeps.take();
+  take_out_defaults(all);
+  return all;
 }
 
 }  // namespace herr

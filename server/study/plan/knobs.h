@@ -35,16 +35,15 @@ struct Knob {
 struct StudySweeps {
   std::vector<Knob> knobs;
   std::vector<StudySetting> settings;  // most wanted first
-  std::vector<std::string> left_out;   // "reflections: no material reflects"
+  // Of sweeps, with the settings of the default of their base and held against the same references: points
+  // that the default's rows give (findings/default_points.h).
+  std::vector<StudySetting> of_default;
+  std::vector<std::string> left_out;  // "reflections: no material reflects"
 };
 
 // `plan_of`: the frame plan of the scene with other settings. Settings that no row of knobs.cpp knows are
 // swept over a quarter to four times their default, or over their words.
 StudySweeps sweeps_of(const RenderSettings& defaults,
                       const std::function<FramePlan(const RenderSettings&)>& plan_of);
-
-// `only` these knobs and the default, their ends first (short_plan.h); empty: all, as they are. Throws
-// UsageError that names the nearest for one that is none; one that the scene has nothing for stays left out.
-void keep_only(const std::vector<std::string>& only, StudySweeps& sweeps);
 
 }  // namespace herr

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kReferences = 2;  // endless effort and hard light
 constexpr double kShare = 0.5;     // of the minutes
-constexpr double kReserve = 1.25;  // estimates are off, and machines busy
-constexpr double kSmallScale = 0.4;
 
 }  // namespace
 

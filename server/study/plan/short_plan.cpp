@@ -1,7 +1,9 @@
 #include "server/study/plan/short_plan.h"
 
 #include <algorithm>
+#include <compare>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,53 +16,108 @@ namespace {
 
 constexpr double kShareOfSettings = 0.95;  // the rest is for the clip and the report
 
-// Least and largest effort of its sweep around one base; of words the first and the last.
-bool is_an_end(const StudySetting& setting, const std::vector<StudySetting>& all) {
+enum class Place { least, most, between };
+
+bool is_number(const StudySetting& setting) {
+  return setting.n != 0 || setting.value.starts_with('0');
+}
+
+// Least and largest effort of the sweep around one base; where all are words the first and the last.
+Place place_of(const StudySetting& setting, const std::vector<StudySetting>& all) {
+  const auto is_of_sweep = [&](const StudySetting& other) {
+    return other.knob == setting.knob && other.base == setting.base;
+  };
+  const bool numbers = std::any_of(all.begin(), all.end(), [&](const StudySetting& other) {
+    return is_of_sweep(other) && is_number(other);
+  });
   const StudySetting *least = nullptr, *most = nullptr;
   for (const StudySetting& other : all) {
-    if (other.knob != setting.knob || other.base != setting.base) continue;
+    if (!is_of_sweep(other) || is_number(other) != numbers) continue;
     if (least == nullptr || other.n < least->n) least = &other;
     if (most == nullptr || other.n >= most->n) most = &other;
   }
+  if (least != nullptr && least->name == setting.name) return Place::least;
   // Light samples cost as much as they are many: the cheap ones come before the most.
-  return &setting == least || (&setting == most && setting.knob != "light_samples");
+  if (most != nullptr && most->name == setting.name && setting.knob != "light_samples") return Place::most;
+  return Place::between;
 }
 
-int turn_of(const StudySetting& setting, const std::vector<StudySetting>& all) {
-  if (setting.knob == "default") return 0;
-  const int soft = setting.base == base_name(kHardSamples) || setting.base.empty() ? 0 : 10;
-  if (setting.own == OwnReference::seeds) return soft + 2;
-  return soft + (is_an_end(setting, all) ? 1 : 3);
+struct Turn {
+  int tier = 0;
+  std::size_t sweep = 0;  // of those with references of seeds: where their sweep begins
+  int rank = 0;           // within a sweep, or of what lies between: one of each in turn
+  std::size_t at = 0;
+  auto operator<=>(const Turn&) const = default;
+};
+
+Turn turn_of(std::size_t at, const std::vector<StudySetting>& settings,
+             const std::vector<StudySetting>& all) {
+  const StudySetting& setting = settings[at];
+  const auto is_of_sweep = [&](const StudySetting& other) {
+    return other.knob == setting.knob && other.base == setting.base;
+  };
+  const bool hard = setting.base == base_name(kHardSamples) || setting.base.empty();
+  Turn turn{hard ? 0 : 10, 0, 0, at};
+  if (setting.knob == "default") return turn;
+  const Place place = place_of(setting, all);
+  if (setting.own == OwnReference::seeds) {
+    const auto first = std::find_if(settings.begin(), settings.end(),
+                                    [&](const StudySetting& other) { return other.knob == setting.knob; });
+    turn.tier += 3;
+    turn.sweep = static_cast<std::size_t>(first - settings.begin());
+    turn.rank = place == Place::between ? 1 : 0;
+  } else if (place == Place::between) {
+    turn.tier += 4;
+    for (std::size_t i = 0; i < at; ++i) {
+      const StudySetting& other = settings[i];
+      if (is_of_sweep(other) && place_of(other, all) == Place::between) ++turn.rank;
+    }
+  } else {
+    turn.tier += place == Place::least ? 1 : 2;
+  }
+  return turn;
 }
 
 }  // namespace
 
-std::vector<StudySetting> ends_first(const std::vector<StudySetting>& settings) {
-  struct Turn {
-    int turn = 0;
-    std::size_t sweep = 0, at = 0;  // of those with one reference: whole sweeps, their ends first
-    bool between = false;
-  };
+std::vector<StudySetting> ends_first(const std::vector<StudySetting>& settings,
+                                     const std::vector<StudySetting>& of_default) {
+  std::vector<StudySetting> all = settings;
+  // A word that is the default is no end, wherever it stands among the words.
+  std::copy_if(of_default.begin(), of_default.end(), std::back_inserter(all), is_number);
   std::vector<Turn> turns;
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    Turn turn{turn_of(settings[i], settings), 0, i, false};
-    if (settings[i].own == OwnReference::seeds) {
-      const auto first = std::find_if(settings.begin(), settings.end(), [&](const StudySetting& other) {
-        return other.knob == settings[i].knob;
-      });
-      turn.sweep = static_cast<std::size_t>(first - settings.begin());
-      turn.between = !is_an_end(settings[i], settings);
-    }
-    turns.push_back(turn);
-  }
-  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
-    if (a.turn != b.turn) return a.turn < b.turn;
-    if (a.sweep != b.sweep) return a.sweep < b.sweep;
-    return a.between != b.between ? b.between : a.at < b.at;
-  });
+  for (std::size_t i = 0; i < settings.size(); ++i) turns.push_back(turn_of(i, settings, all));
+  std::sort(turns.begin(), turns.end());
   std::vector<StudySetting> ordered;
   for (const Turn& turn : turns) ordered.push_back(settings[turn.at]);
   return ordered;
+}
+
+std::vector<std::string> left_out_settings(const std::vector<StudySetting>& settings,
+                                           const std::function<bool(const StudySetting&)>& stays) {
+  std::vector<std::pair<std::string, std::int64_t>> without;
+  for (const StudySetting& setting : settings) {
+    if (stays(setting)) continue;
+    const auto same = std::find_if(without.begin(), without.end(),
+                                   [&](const auto& one) { return one.first == setting.knob; });
+    if (same == without.end()) {
+      without.emplace_back(setting.knob, 1);
+    } else {
+      ++same->second;
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& [knob, count] : without)
+    lines.push_back(knob + ": " + counted(count, "setting", "settings"));
+  return lines;
+}
+
+double seconds_of_first(const std::vector<SettingCost>& costs, std::size_t count) {
+  std::set<std::string> made;
+  double sum_s = 0;
+  for (std::size_t i = 0; i < std::min(count, costs.size()); ++i)
+    sum_s += costs[i].seconds + (made.insert(costs[i].reference).second ? costs[i].reference_s : 0);
+  return sum_s;
 }
 
 StudyBudget fit_in_order(const std::vector<StudySetting>& settings, const std::vector<SettingCost>& costs,
@@ -68,39 +125,30 @@ StudyBudget fit_in_order(const std::vector<StudySetting>& settings, const std::v
   StudyBudget budget;
   budget.frames = frames;
   std::set<std::string> made;
-  double needed_s = 0;
-  for (const SettingCost& cost : costs)
-    needed_s += cost.seconds + (made.insert(cost.reference).second ? cost.reference_s : 0);
-  made.clear();
+  const double needed_s = seconds_of_first(costs, costs.size());
   const double most_s = kShareOfSettings * seconds;
   while (budget.frames > 1 && needed_s * static_cast<double>(budget.frames) > most_s) --budget.frames;
-  std::vector<std::pair<std::string, std::int64_t>> without;
   double planned_s = 0;
+  std::set<std::string> planned;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const double reference_s = made.contains(costs[i].reference) ? 0 : costs[i].reference_s;
     const double more_s = (costs[i].seconds + reference_s) * static_cast<double>(budget.frames);
     const bool stays = settings[i].knob == "default" && settings[i].base == base_name(kHardSamples);
-    if (stays || planned_s + more_s <= most_s) {
-      planned_s += more_s;
-      made.insert(costs[i].reference);
-      budget.settings.push_back(settings[i]);
-      continue;
-    }
-    const auto same = std::find_if(without.begin(), without.end(),
-                                   [&](const auto& one) { return one.first == settings[i].knob; });
-    if (same == without.end()) {
-      without.emplace_back(settings[i].knob, 1);
-    } else {
-      ++same->second;
-    }
+    if (!stays && planned_s + more_s > most_s) continue;
+    planned_s += more_s;
+    made.insert(costs[i].reference);
+    planned.insert(settings[i].name);
+    budget.settings.push_back(settings[i]);
   }
+  budget.fits = planned_s <= most_s;
   budget.dropped.emplace_back("combinations");
   if (budget.settings.size() == settings.size() && budget.frames == frames) budget.dropped.clear();
-  for (const auto& [knob, count] : without)
-    budget.dropped.push_back(knob + ": " + counted(count, "setting", "settings"));
+  for (std::string& line : left_out_settings(
+           settings, [&](const StudySetting& setting) { return planned.contains(setting.name); })) {
+    budget.dropped.push_back(std::move(line));
+  }
   if (budget.frames < frames) {
-    budget.dropped.push_back(std::to_string(frames - budget.frames) + " of " + std::to_string(frames) +
-                             " frames");
+    budget.dropped.push_back(left_out_frames(budget.frames, frames));
   }
   return budget;
 }

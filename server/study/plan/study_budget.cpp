@@ -25,6 +25,10 @@ bool is_kept(const std::string& knob) {
 
 }  // namespace
 
+std::string left_out_frames(std::size_t kept, std::size_t all) {
+  return std::to_string(all - kept) + " of " + std::to_string(all) + " frames";
+}
+
 StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::vector<double>& seconds_of,
                         std::size_t frames, double seconds) {
   StudyBudget budget;
@@ -57,9 +61,9 @@ StudyBudget fit_to_time(const std::vector<StudySetting>& settings, const std::ve
   }
   while (needed() > seconds * kShareOfKnobs && budget.frames > 1) --budget.frames;
   if (budget.frames < frames) {
-    budget.dropped.push_back(std::to_string(frames - budget.frames) + " of " + std::to_string(frames) +
-                             " frames");
+    budget.dropped.push_back(left_out_frames(budget.frames, frames));
   }
+  budget.fits = needed() <= seconds * kShareOfKnobs;
   return budget;
 }
 

@@ -74,6 +74,7 @@ Json point_json(const StudyPoint& point) {
   put_number(json, "n", point.n);
   put_text(json, "flags", point.flags);
   json["frames"] = point.frames;
+  if (point.of_default) json["of_default"] = true;
   json["error"] = error_json(point.error);
   if (point.own_error) json["own_error"] = error_json(*point.own_error);
   put_text(json, "own_reference", point.own_reference);

@@ -126,7 +126,7 @@ StudyPoint read_point(const JsonObject& object) {
                      "comparable",    "time_ratio", "work_ratio",
                      "frame_ms",      "pixels_ms",  "calibration_ms",
                      "counters",      "on_front",   "front_confidence",
-                     "flicker"});
+                     "flicker",       "of_default"});
   StudyPoint point;
   point.name = bounded_text(object, "name");
   point.knob = bounded_text(object, "knob");
@@ -135,6 +135,7 @@ StudyPoint read_point(const JsonObject& object) {
   point.n = number_of(object, "n");
   point.flags = bounded_text(object, "flags");
   point.frames = count_of(object, "frames");
+  point.of_default = object.boolean_or("of_default", false);
   point.error = read_error(object, "error");
   if (object.has("own_error")) point.own_error = read_error(object, "own_error");
   point.own_reference = bounded_text(object, "own_reference");

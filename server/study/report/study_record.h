@@ -43,13 +43,14 @@ struct StudyReference {
 
 // One setting, over its frames.
 struct StudyPoint {
-  std::string name;   // "polar 788x384, N = 1": unique
-  std::string knob;   // which sweep: a setting's name, or "default", "combination", "uniform", "paper"
-  std::string base;   // what it is swept around: "N = 1", "N = 64"
-  std::string value;  // "788x384"
-  double n = 0;       // effort: samples, rays, or scale; 0: a word, not a number
-  std::string flags;  // that give it: "--polar 788x384 --light-samples 64"
-  int frames = 0;     // that it was measured on
+  std::string name;         // "polar 788x384, N = 1": unique
+  std::string knob;         // which sweep: a setting's name, or "default", "combination", "uniform", "paper"
+  std::string base;         // what it is swept around: "N = 1", "N = 64"
+  std::string value;        // "788x384"
+  double n = 0;             // effort: samples, rays, or scale; 0: a word, not a number
+  std::string flags;        // that give it: "--polar 788x384 --light-samples 64"
+  int frames = 0;           // that it was measured on
+  bool of_default = false;  // a point of a sweep that the default's own frames give: not measured again
 
   ErrorTable error;                     // against the picture that endless effort would give
   std::optional<ErrorTable> own_error;  // against endless effort of this knob alone, all others as here

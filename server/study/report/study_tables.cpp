@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 
@@ -26,7 +27,7 @@ double counter_of(const StudyPoint& point, const std::string& name) {
 std::vector<std::string> point_row(const StudyPoint& point) {
   const std::string floor = point.at_floor ? " *" : "";
   return {point.base,
-          point.value,
+          point.value + (point.of_default ? " (default)" : ""),
           figure(point.error.at(Metric::acuity_rmse)) + floor,
           figure(point.error.at(Metric::rmse)),
           figure(point.error.at(Metric::flip)),
@@ -40,6 +41,19 @@ std::vector<std::string> point_row(const StudyPoint& point) {
           std::to_string(point.frames),
           point.own_reference,
           point.flags};
+}
+
+// By effort around each base, in whatever order they were measured.
+std::vector<const StudyPoint*> sweep_points(const StudyRecord& record, const std::string& knob) {
+  std::vector<const StudyPoint*> points;
+  for (const StudyPoint& point : record.points) {
+    if (point.knob == knob) points.push_back(&point);
+  }
+  const auto effort = [](const StudyPoint* point) { return std::isfinite(point->n) ? point->n : 0; };
+  std::stable_sort(points.begin(), points.end(), [&](const StudyPoint* a, const StudyPoint* b) {
+    return a->base != b->base ? a->base < b->base : effort(a) < effort(b);
+  });
+  return points;
 }
 
 // The default, then the front.
@@ -75,11 +89,12 @@ void drop_empty_columns(ReportTable& table) {
 std::vector<std::pair<std::string, std::string>> study_facts(const StudyRecord& record) {
   ReportFacts facts;
   facts.add_head(record);
-  facts.add("Measured",
-            {counted(static_cast<std::int64_t>(record.points.size()), "setting", "settings") + " on " +
-             counted(static_cast<std::int64_t>(record.frames.size()), "frame", "frames") + ", in " +
-             fixed_figure(record.minutes_taken, 1) + " of " + fixed_figure(record.minutes_allowed, 1) +
-             " minutes"});
+  const auto measured = std::count_if(record.points.begin(), record.points.end(),
+                                      [](const StudyPoint& point) { return !point.of_default; });
+  facts.add("Measured", {counted(static_cast<std::int64_t>(measured), "setting", "settings") + " on " +
+                         counted(static_cast<std::int64_t>(record.frames.size()), "frame", "frames") +
+                         ", in " + fixed_figure(record.minutes_taken, 1) + " of " +
+                         fixed_figure(record.minutes_allowed, 1) + " minutes"});
   facts.add("Default", {record.default_settings});
   facts.add("Program", {record.program});
   if (record.timing) facts.add("Times", {record.timing->sentence});
@@ -157,10 +172,9 @@ std::vector<ReportTable> point_tables(const StudyRecord& record) {
                        {"flags", true, true}},
                       {},
                       ""};
-    for (const StudyPoint& point : record.points) {
-      if (point.knob != knob) continue;
-      table.rows.push_back(point_row(point));
-      if (point.at_floor) table.note = "* below 3 times the reference's own error: not told apart from it.";
+    for (const StudyPoint* point : sweep_points(record, knob)) {
+      table.rows.push_back(point_row(*point));
+      if (point->at_floor) table.note = "* below 3 times the reference's own error: not told apart from it.";
     }
     drop_empty_columns(table);
     tables.push_back(table);

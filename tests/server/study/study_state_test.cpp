@@ -30,6 +30,7 @@ StudyState full_state() {
   state.subject = "herr 1; session \"a\"\n; --threads 2";
   state.settings = {"default, N = 1", "polar 788x384, N = 64"};
   state.frames = 3;
+  state.minutes = 2.5;
   state.dropped = {"combinations"};
   StudySetting pair;
   pair.name = pair.value = "--filter bicubic --polar 788x384";
@@ -50,6 +51,7 @@ TEST_F(StudyStateTest, IsReadAsItWasWritten) {
   EXPECT_EQ(read.subject, state.subject);
   EXPECT_EQ(read.settings, state.settings);
   EXPECT_EQ(read.frames, 3u);
+  EXPECT_EQ(read.minutes, 2.5);
   EXPECT_EQ(read.dropped, state.dropped);
   ASSERT_TRUE(read.combinations);
   ASSERT_EQ(read.combinations->size(), 2u);
@@ -101,7 +103,8 @@ TEST_F(StudyStateTest, DamagedFilesAreRefused) {
                                        {"\"filter\",", ""},
                                        {"[9000000000,7]", "[7]"},
                                        {"[9000000000,7]", "[7,7.5]"},
-                                       {"\"frames\":3", "\"frames\":-3"}}) {
+                                       {"\"frames\":3", "\"frames\":-3"},
+                                       {"\"minutes\":2.5", "\"minutes\":-2.5"}}) {
     std::string changed = text;
     const std::size_t at = changed.find(found);
     ASSERT_NE(at, std::string::npos) << found;

@@ -203,9 +203,35 @@ TEST(Knobs, SizesAtAnEndOfTheRangeAreSweptOnce) {
     if (setting.knob == "polar" && setting.base == "N = 1") hard.push_back(setting.value);
   }
   // 0.25, 0.354 (8192 * 0.354 = 2899.97; 4096 * 0.354 = 1449.98 pairs of rows), 0.5, 0.707 (5791.7; 2895.9),
-  // 1; 1.414 and 2 would be larger than the largest. Before them the size that follows the display.
-  EXPECT_EQ(hard, (std::vector<std::string>{"acuity", "4096x2048", "5800x2900", "8192x4096", "11584x5792",
-                                            "16384x8192"}));
+  // 1, which is the default; 1.414 and 2 would be larger than the largest. Before them the size that follows
+  // the display.
+  EXPECT_EQ(hard, (std::vector<std::string>{"acuity", "4096x2048", "5800x2900", "8192x4096", "11584x5792"}));
+}
+
+// What the default's own frames show is a point of its sweep, and no further frame. Against another reference
+// it is another point: that of light samples is of many seeds.
+TEST(Knobs, TheDefaultIsMeasuredOnce) {
+  const Scene scene = full_scene();
+  for (const RenderSettings& defaults : many_defaults()) {
+    const StudySweeps sweeps = sweeps_in(scene, defaults);
+    for (const StudySetting& setting : sweeps.of_default) {
+      const RenderSettings base =
+          with_changes(defaults, {{"light_samples", setting.base == "N = 1" ? "1" : "64"}});
+      EXPECT_TRUE(changes_between(base, with_changes(defaults, setting.changes)).empty()) << setting.name;
+      EXPECT_NE(setting.own, OwnReference::seeds) << setting.name;
+    }
+    for (const StudySetting& setting : sweeps.settings) {
+      if (setting.knob == "default" || setting.own == OwnReference::seeds) continue;
+      for (const char* samples : {"1", "64"}) {
+        const RenderSettings base = with_changes(defaults, {{"light_samples", samples}});
+        EXPECT_FALSE(changes_between(base, with_changes(defaults, setting.changes)).empty()) << setting.name;
+      }
+    }
+  }
+  std::set<std::string> of_default;
+  for (const StudySetting& setting : sweeps_in(scene).of_default) of_default.insert(setting.name);
+  for (const char* name : {"polar 1576x768, N = 1", "edge samples 0, N = 1", "edge samples 0, N = 64"})
+    EXPECT_TRUE(of_default.contains(name)) << name;
 }
 
 // A default that follows the acuity is no point of its own sweep; sizes around it have a fixed one.

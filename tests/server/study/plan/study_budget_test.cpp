@@ -64,6 +64,7 @@ TEST(StudyBudget, DropsCombinationsThenKnobsThenFrames) {
     EXPECT_EQ(budget.frames, one.frames) << one.seconds;
     EXPECT_EQ(budget.dropped, one.dropped) << one.seconds;
     EXPECT_EQ(std::count_if(budget.settings.begin(), budget.settings.end(), is_kept), 6) << one.seconds;
+    EXPECT_EQ(budget.fits, one.seconds > 1) << one.seconds;  // the six that stay take 6 s
   }
 }
 
