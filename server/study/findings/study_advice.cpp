@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "server/study/findings/study_points.h"
 #include "server/text/number_text.h"
@@ -12,6 +14,7 @@ namespace herr {
 namespace {
 
 constexpr double kLeastGainAtFullScale = 8, kMostShareOfPaper = 0.7;
+constexpr std::size_t kFewestForAKnee = 3;
 constexpr double kSameError = 1.02;  // times an error: the same, for who compares
 
 std::string ratio_text(const Interval& ratio) {
@@ -49,6 +52,13 @@ double frame_time(const StudyPoint& point) {
   return point.time_ratio.estimate;
 }
 
+// "--polar 788x384; error 0.1000, time of the default times 0.50 [0.48, 0.52]".
+std::string words_of(const StudyPoint& point) {
+  return (point.flags.empty() ? "the default" : point.flags) + "; error " + error_text(acuity_error(point)) +
+         (point.at_floor ? " (at the floor of the reference)" : "") + ", time of the default times " +
+         ratio_text(point.time_ratio);
+}
+
 StudyAdvice advise(std::span<const StudyPoint> points, double most_error, const std::string& reason) {
   StudyAdvice advice;
   advice.most_error = most_error;
@@ -60,10 +70,35 @@ StudyAdvice advise(std::span<const StudyPoint> points, double most_error, const 
     return advice;
   }
   advice.point = best->name;
-  advice.sentence = wish + "take " + (best->flags.empty() ? "the default" : best->flags) + "; error " +
-                    error_text(acuity_error(*best)) +
-                    (best->at_floor ? " (at the floor of the reference)" : "") +
-                    ", time of the default times " + ratio_text(best->time_ratio) + ".";
+  advice.sentence = wish + "take " + words_of(*best) + ".";
+  return advice;
+}
+
+// Of the front the point with the smallest product of error and time (in logarithms where a line of slope -1
+// touches it): any other one with half its error takes at least twice its time, and the other way round.
+std::optional<StudyAdvice> knee_of(std::span<const StudyPoint> points) {
+  const StudyPoint *knee = nullptr, *quickest = nullptr, *most_exact = nullptr;
+  std::size_t count = 0;
+  const auto product = [](const StudyPoint& point) { return acuity_error(point) * frame_time(point); };
+  for (const StudyPoint& point : points) {
+    if (!point.on_front || !(product(point) > 0)) continue;
+    ++count;
+    if (knee == nullptr || product(point) < product(*knee)) knee = &point;
+    if (quickest == nullptr || frame_time(point) < frame_time(*quickest)) quickest = &point;
+    if (most_exact == nullptr || acuity_error(point) < acuity_error(*most_exact)) most_exact = &point;
+  }
+  if (count < kFewestForAKnee) return {};
+  StudyAdvice advice;
+  advice.most_error = acuity_error(*knee);
+  advice.point = knee->name;
+  advice.sentence = "At the knee of the front: take " + words_of(*knee) +
+                    ". Nothing that was measured has half its error in less than twice its time, or takes "
+                    "half its time with less than twice its error.";
+  // An end of what was measured need not be the end of the front.
+  if (knee == quickest)
+    advice.sentence += " It is the quickest that was measured: quicker ones may pay, too.";
+  if (knee == most_exact)
+    advice.sentence += " It has the least error that was measured: more effort may pay.";
   return advice;
 }
 
@@ -145,6 +180,7 @@ StudyAim against_paper(std::span<const StudyPoint> points, const StudyPoint& pap
 
 std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points) {
   std::vector<StudyAdvice> all;
+  if (std::optional<StudyAdvice> knee = knee_of(points)) all.push_back(std::move(*knee));
   for (const char* base : {"N = 1", "N = 64"}) {
     const StudyPoint* point = point_named(points, std::string("default, ") + base);
     if (point == nullptr) continue;

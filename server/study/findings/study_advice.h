@@ -9,8 +9,9 @@
 
 namespace herr {
 
-// For twice, once, half and a quarter of the errors of the default with hard and with soft light: the fastest
-// point that is no worse.
+// The knee of the front first: of three points on it or more the one with the smallest product of error and
+// time. Then for twice, once, half and a quarter of the errors of the default with hard and with soft light:
+// the fastest point that is no worse.
 std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points);
 
 // Rays per pixel at the default's error, and at full scale, for each number of light samples; and for each of

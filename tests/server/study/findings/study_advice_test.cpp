@@ -64,6 +64,42 @@ TEST(StudyAdvice, TellsThatNothingIsGoodEnough) {
   EXPECT_TRUE(advice_of({}).empty());
 }
 
+// Errors times times: 0.05, 0.03, 0.04, 0.08. From `b` half of the error (`d`) takes 4 times its time, and a
+// third of its time (`a`) has 5 times its error. What is off the front, however small its product, is no
+// knee.
+TEST(StudyAdvice, TheKneeHasTheLeastProductOfErrorAndTimeOnTheFront) {
+  std::vector<StudyPoint> points{
+      point("a", "polar", "N = 1", "", 0.1, 0.5), point("b", "polar", "N = 1", "", 0.02, 1.5),
+      point("c", "polar", "N = 64", "", 0.016, 2.5), point("d", "polar", "N = 64", "", 0.01, 8)};
+  for (StudyPoint& one : points) one.on_front = true;
+  points.push_back(point("off", "polar", "N = 1", "", 0.001, 0.1));
+  const std::vector<StudyAdvice> advice = advice_of(points);
+  ASSERT_EQ(advice.size(), 1u);  // no default, nothing else to say
+  EXPECT_EQ(advice[0].point, "b");
+  EXPECT_EQ(advice[0].most_error, 0.02);
+  EXPECT_EQ(
+      advice[0].sentence,
+      "At the knee of the front: take --b; error 0.0200, time of the default times 1.50 [1.46, 1.54]. "
+      "Nothing that was measured has half its error in less than twice its time, or takes half its time "
+      "with less than twice its error.");
+  // 0.05, 0.04: of two points one is no knee.
+  points[1].on_front = points[3].on_front = false;
+  EXPECT_TRUE(advice_of(points).empty());
+}
+
+TEST(StudyAdvice, SaysWhereTheKneeIsAnEndOfWhatWasMeasured) {
+  std::vector<StudyPoint> points{point("a", "polar", "N = 1", "", 0.1, 1),
+                                 point("b", "polar", "N = 1", "", 0.05, 1.9),
+                                 point("c", "polar", "N = 1", "", 0.01, 4)};
+  for (StudyPoint& one : points) one.on_front = true;
+  // 0.1, 0.095, 0.04.
+  EXPECT_NE(advice_of(points)[0].sentence.find(" It has the least error that was measured: "),
+            std::string::npos);
+  points[1].time_ratio.estimate = 8, points[2].time_ratio.estimate = 100;  // 0.1, 0.4, 1
+  EXPECT_EQ(advice_of(points)[0].point, "a");
+  EXPECT_NE(advice_of(points)[0].sentence.find(" It is the quickest that was measured: "), std::string::npos);
+}
+
 // With soft light the number of their samples is free: what foveation buys is not to be flattered.
 TEST(StudyAims, RaysPerPixelHaveTheirLightSamplesFree) {
   std::vector<StudyPoint> points = some_points();
