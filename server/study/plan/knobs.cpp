@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include "renderer/settings_list.h"
 #include "server/text/number_text.h"
+#include "server/text/text_number.h"
 
 namespace herr {
 namespace {
@@ -137,12 +137,6 @@ std::vector<std::string> values_around(const Setting& setting) {
   return values;
 }
 
-double number_in(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? value : 0.0;
-}
-
 class Sweeps {
  public:
   Sweeps(const RenderSettings& defaults, const std::function<FramePlan(const RenderSettings&)>& plan_of)
@@ -170,7 +164,7 @@ class Sweeps {
     setting.base = base_name(samples);
     setting.value = value;
     setting.name = knob.label + " " + value + ", " + setting.base;
-    setting.n = knob.effort.empty() ? 0 : number_in(value);
+    setting.n = knob.effort.empty() ? 0 : number_in(value).value_or(0);
     setting.changes = changes_between(defaults_, with_changes(defaults_, merged(light(samples), changes)));
     setting.own = by_pixels(samples);
     out_.settings.push_back(std::move(setting));

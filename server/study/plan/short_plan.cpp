@@ -4,11 +4,13 @@
 #include <compare>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "server/study/plan/knobs.h"
+#include "server/text/text_number.h"
 #include "sessions/inspect/number_words.h"
 
 namespace herr {
@@ -18,8 +20,13 @@ constexpr double kShareOfSettings = 0.95;  // the rest is for the clip and the r
 
 enum class Place { least, most, between };
 
+// None of a word. A size has its own; not every number is an effort (StudySetting::n).
+std::optional<double> effort_of(const StudySetting& setting) {
+  return setting.n != 0 ? setting.n : number_in(setting.value);
+}
+
 bool is_number(const StudySetting& setting) {
-  return setting.n != 0 || setting.value.starts_with('0');
+  return effort_of(setting).has_value();
 }
 
 // Least and largest effort of the sweep around one base; where all are words the first and the last.
@@ -33,8 +40,8 @@ Place place_of(const StudySetting& setting, const std::vector<StudySetting>& all
   const StudySetting *least = nullptr, *most = nullptr;
   for (const StudySetting& other : all) {
     if (!is_of_sweep(other) || is_number(other) != numbers) continue;
-    if (least == nullptr || other.n < least->n) least = &other;
-    if (most == nullptr || other.n >= most->n) most = &other;
+    if (least == nullptr || effort_of(other) < effort_of(*least)) least = &other;
+    if (most == nullptr || effort_of(other) >= effort_of(*most)) most = &other;
   }
   if (least != nullptr && least->name == setting.name) return Place::least;
   // Light samples cost as much as they are many: the cheap ones come before the most.

@@ -9,6 +9,7 @@
 #include "server/study/report/figure_text.h"
 #include "server/study/report/report_facts.h"
 #include "server/study/report/study_plots.h"
+#include "server/text/text_number.h"
 #include "sessions/inspect/number_words.h"
 
 namespace herr {
@@ -49,7 +50,9 @@ std::vector<const StudyPoint*> sweep_points(const StudyRecord& record, const std
   for (const StudyPoint& point : record.points) {
     if (point.knob == knob) points.push_back(&point);
   }
-  const auto effort = [](const StudyPoint* point) { return std::isfinite(point->n) ? point->n : 0; };
+  const auto effort = [](const StudyPoint* point) {
+    return std::isfinite(point->n) && point->n != 0 ? point->n : number_in(point->value).value_or(0);
+  };
   std::stable_sort(points.begin(), points.end(), [&](const StudyPoint* a, const StudyPoint* b) {
     return a->base != b->base ? a->base < b->base : effort(a) < effort(b);
   });

@@ -172,6 +172,33 @@ TEST_F(StudyProgram, SaysFirstWhenTheTimeIsTooShortForARecommendationAndEndsSoon
   EXPECT_GE(rows_of(root() / "short/study.csv").size(), 2u);
 }
 
+// More minutes are shared out anew: what the first were too few for is measured, and what they gave stays.
+TEST_F(StudyProgram, GoesOnWithMoreMinutesToWhatWasDropped) {
+  const auto study_of = [&](const std::string& minutes) {
+    const std::string source = test::source_dir();
+    return run_program(root(),
+                       "study '" + source + "/sessions/samples/desk-walk' --scene '" + source +
+                           "/scenes/samples/shapes.scene.json' --profile small.json --preset direct "
+                           "--polar 64x32 --frames 1 --only polar,edge_samples --out more --minutes " +
+                           minutes);
+  };
+  const Outcome few = study_of("0.1");
+  ASSERT_EQ(few.exit_code, 0) << few.err;
+  EXPECT_NE(few.err.find("herr: warning: --minutes 0.1 is enough for 1 of "), std::string::npos) << few.err;
+  EXPECT_NE(few.err.find("; in the next study --references more/references, "), std::string::npos) << few.err;
+  EXPECT_NE(few.out.find("\n  polar: "), std::string::npos) << few.out;
+  const std::string rows = content_of(root() / "more/study.csv");
+  const Outcome more = study_of("3 --resume");
+  ASSERT_EQ(more.exit_code, 0) << more.err;
+  EXPECT_EQ(content_of(root() / "more/study.csv").substr(0, rows.size()), rows);
+  // Twelve sizes beside the default's, three numbers of edge samples beside 0 with hard light and one with
+  // soft light, and two defaults.
+  EXPECT_NE(more.err.find("plan: 18 of 18 settings"), std::string::npos) << more.err;
+  EXPECT_EQ(more.out.find("\n  polar: "), std::string::npos) << more.out;
+  EXPECT_NE(more.out.find("64x32 (default)"), std::string::npos) << more.out;
+  EXPECT_NE(more.out.find("\nRecommendation"), std::string::npos) << more.out;
+}
+
 TEST_F(StudyProgram, RefusesWhatItCannotDoInOneLine) {
   const struct {
     const char* arguments;

@@ -136,6 +136,8 @@ inline StudyRecord rich_record() {
     record.points.push_back(study_point("paper", "", std::to_string(i + 1), 0, 0.028 / size, 1.2 * size));
   }
   record.points.push_back(study_point("combination", "", "no. 1", 0, 0.006, 1.4));
+  record.points.push_back(study_point("edge", "N = 1", "0", 0, 0.021, 1));
+  record.points.back().of_default = true;
   mark_front(record);
   record.advice = {{0.02, record.points[1].name, "For an error of at most 0.02 take light-samples 1, N = 1."},
                    {0.0001, "", "No setting reaches an error of at most 0.0001."}};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "server/study/report/figure_text.h"
 #include "server/study/report/report_table.h"
@@ -48,6 +49,30 @@ TEST(StudyText, BeginsWithWhatIsTooLittleForAdvice) {
   const std::string text = study_text(record);
   EXPECT_EQ(text.find(record.no_advice + "\n"), 0u) << text;
   EXPECT_EQ(text.find("Recommendation"), std::string::npos) << text;
+}
+
+// By effort around each base, in whatever order they were measured; the default's point says what it is, and
+// is no setting that was measured.
+TEST(StudyText, SweepsAreInTheOrderOfTheirEffort) {
+  StudyRecord record;
+  for (const auto& [base, value] : {std::pair<const char*, const char*>{"N = 64", "4"},
+                                    {"N = 1", "16"},
+                                    {"N = 1", "4"},
+                                    {"N = 1", "8"},
+                                    {"N = 1", "0"}}) {
+    record.points.push_back(test::study_point("edge", base, value, 0, 0.02, 1));  // numbers, but no effort
+  }
+  record.points.back().of_default = true;
+  const std::string text = study_text(record);
+  std::size_t last = text.find("\nedge\n");
+  ASSERT_NE(last, std::string::npos) << text;
+  for (const char* row : {"N = 1   0 (default) ", "N = 1   4 ", "N = 1   8 ", "N = 1   16 ", "N = 64  4 "}) {
+    const std::size_t at = text.find(std::string("\n") + row);
+    ASSERT_NE(at, std::string::npos) << row << text;
+    EXPECT_GT(at, last) << row;
+    last = at;
+  }
+  EXPECT_NE(text.find("Measured: 4 settings"), std::string::npos) << text;
 }
 
 TEST(StudyText, NumbersOfTheRichRecordAreWhole) {
