@@ -103,9 +103,9 @@ void add_reference_warnings(StudyRecord& record) {
     if (reference.goal_met) continue;
     record.warnings.push_back(
         "the reference '" + reference.name +
-        "' was left with a larger error than a fifth of the smallest that is judged by it: " +
-        "its share of the time was spent (give more --minutes), or 512 passes a half did not do, or probes "
-        "of two "
+        "' was left with an error that may be larger than a fifth of the smallest that is judged by it: its "
+        "share of the time was spent (give more --minutes), or 512 passes a half did not do, or probes of "
+        "two "
         "seeds differ, which no pass mends");
   }
 }
@@ -152,8 +152,10 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   record.fits = std::move(fits.fits);
   record.remarks = std::move(fits.remarks);
   record.no_advice = run.no_advice();
-  if (record.no_advice.empty()) record.advice = advice_of(record.points);
-  record.aims = aims_of(record.points);
+  if (record.no_advice.empty()) {
+    record.advice = advice_of(record.points);
+    record.aims = aims_of(record.points);
+  }
   record.left_out = run.sweeps().left_out;
   record.dropped = run.dropped();
   if (record.aims.empty()) {

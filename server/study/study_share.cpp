@@ -82,16 +82,17 @@ void StudyRun::share_time() {
   measure_bases();
   const std::size_t all = subject_.frames().frames.size();
   const StudyBudget budget = plan_of(std::max(0.0, until_clip_s() - seconds()));
+  // Points of fewer frames than an earlier plan's would not compare with those that it measured.
+  state_.frames = std::max(budget.frames, state_.settings ? state_.frames : 1);
   state_.settings.emplace();
   for (const StudySetting& setting : budget.settings) state_.settings->push_back(setting.name);
-  state_.frames = budget.frames;
   state_.minutes = options_.minutes;
   state_.combinations.reset();
   state_.dropped.clear();
   if (std::find(budget.dropped.begin(), budget.dropped.end(), "combinations") != budget.dropped.end())
     state_.dropped.emplace_back("combinations");
-  if (budget.frames < referenced_frames_)
-    state_.dropped.push_back(left_out_frames(budget.frames, referenced_frames_));
+  if (state_.frames < referenced_frames_)
+    state_.dropped.push_back(left_out_frames(state_.frames, referenced_frames_));
   if (referenced_frames_ < all) {
     state_.dropped.push_back(left_out_frames(referenced_frames_, all) +
                              ": their references would have taken more than half of the time");

@@ -11,7 +11,11 @@ void add_points_of_default(std::span<const StudySetting> of_default, std::vector
     });
     const bool is_there = std::any_of(points.begin(), points.end(),
                                       [&](const StudyPoint& point) { return point.name == setting.name; });
-    if (found == points.end() || is_there) continue;
+    // A sweep of the default alone would say nothing.
+    const bool is_swept = std::any_of(points.begin(), points.end(), [&](const StudyPoint& point) {
+      return point.knob == setting.knob && point.base == setting.base;
+    });
+    if (found == points.end() || is_there || !is_swept) continue;
     StudyPoint point = *found;
     point.name = setting.name, point.knob = setting.knob, point.value = setting.value, point.n = setting.n;
     point.of_default = true;

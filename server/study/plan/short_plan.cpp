@@ -102,9 +102,14 @@ std::vector<StudySetting> ends_first(const std::vector<StudySetting>& settings,
 
 std::vector<std::string> left_out_settings(const std::vector<StudySetting>& settings,
                                            const std::function<bool(const StudySetting&)>& stays) {
+  std::vector<std::string> lines;
   std::vector<std::pair<std::string, std::int64_t>> without;
   for (const StudySetting& setting : settings) {
     if (stays(setting)) continue;
+    if (setting.knob == "default") {
+      lines.push_back(setting.name);
+      continue;
+    }
     const auto same = std::find_if(without.begin(), without.end(),
                                    [&](const auto& one) { return one.first == setting.knob; });
     if (same == without.end()) {
@@ -113,7 +118,6 @@ std::vector<std::string> left_out_settings(const std::vector<StudySetting>& sett
       ++same->second;
     }
   }
-  std::vector<std::string> lines;
   for (const auto& [knob, count] : without)
     lines.push_back(knob + ": " + counted(count, "setting", "settings"));
   return lines;

@@ -27,7 +27,8 @@ struct SettingCost {
   double reference_s = 0;  // what making that takes
 };
 
-// "polar: 3 settings": of each sweep how many do not stay, in the order of `settings`.
+// "polar: 3 settings": of each sweep how many do not stay, in the order of `settings`; defaults before them
+// by their names.
 std::vector<std::string> left_out_settings(const std::vector<StudySetting>& settings,
                                            const std::function<bool(const StudySetting&)>& stays);
 

@@ -34,7 +34,8 @@ struct ReferencePicture {
 // Passes over pixels go on until the acuity-weighted error of the mean is 1/5 of that of spec.finest (less
 // its own share), there are 512, or `out_of_time` says so, from the third pass on, or `one_pass` after the
 // first (asked with the seconds since the start, and those of the pass in both halves); after spec.passes
-// only in tiles where the halves differ. Without spec.refined, and of seeds, they are spec.passes.
+// only in tiles where the halves differ. Where time ended these first passes the goal counts as missed, and
+// spec.finest is not rendered. Without spec.refined, and of seeds, they are spec.passes.
 ReferenceHalves render_halves(const ReferenceSpec& spec, const FrameInstant& instant,
                               const std::function<bool()>& out_of_time,
                               const std::function<bool(double so_far_s, double pass_s)>& one_pass = {});

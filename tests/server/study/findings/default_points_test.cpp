@@ -44,6 +44,11 @@ TEST(DefaultPoints, AreTheDefaultsUnderNamesOfTheirSweeps) {
   EXPECT_TRUE(added.of_default);
   EXPECT_FALSE(added.on_front || added.flicker);
   EXPECT_TRUE(points.front().on_front && points.front().flicker);
+  // Nothing else of this sweep was measured.
+  StudySetting other = edge("1", "N = 1");
+  other.knob = "filter", other.name = "filter 1, N = 1";
+  add_points_of_default(std::vector{other}, points);
+  EXPECT_EQ(points.size(), 3u);
   // Rows of an earlier program that measured it stay the point.
   add_points_of_default(of_default, points);
   EXPECT_EQ(points.size(), 3u);

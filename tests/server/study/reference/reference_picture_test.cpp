@@ -149,6 +149,16 @@ TEST_F(ReferencePictureTest, PassesGoOnOnlyWhereTheHalvesDiffer) {
   EXPECT_EQ(render_halves(spec(3, false), instant_, [] { return true; }).passes, 3);
 }
 
+// A frame of no rows cannot be rendered: where time ends the first passes, nothing tries to.
+TEST_F(ReferencePictureTest, TheFrameOfTheSmallestErrorIsNotRenderedWhereTimeEndsThePasses) {
+  ReferenceSpec hurried = spec(8, true);
+  hurried.finest.polar_height = 0;
+  EXPECT_EQ(render_halves(hurried, instant_, [] { return true; }).passes, 2);
+  const auto enough = [](double, double) { return true; };
+  EXPECT_EQ(render_halves(hurried, instant_, never, enough).passes, 1);
+  EXPECT_ANY_THROW(render_halves(hurried, instant_, never));
+}
+
 TEST_F(ReferencePictureTest, ACachedReferenceIsTheFreshOneBitForBit) {
   const TemporaryFolder folder;
   ReferenceCache cache(folder.path());
