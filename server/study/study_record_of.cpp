@@ -153,7 +153,8 @@ StudyRecord record_of(const StudyOptions& options, StudySubject& subject, StudyR
   record.remarks = std::move(fits.remarks);
   record.no_advice = run.no_advice();
   if (record.no_advice.empty()) {
-    record.advice = advice_of(record.points);
+    record.advice = advice_of(record.points, record.references);
+    record.advice_note = advice_note(options.profile_scale);
     record.aims = aims_of(record.points);
   }
   record.left_out = run.sweeps().left_out;

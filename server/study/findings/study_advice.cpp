@@ -52,31 +52,49 @@ double frame_time(const StudyPoint& point) {
   return point.time_ratio.estimate;
 }
 
-// "--polar 788x384; error 0.1000, time of the default times 0.50 [0.48, 0.52]".
-std::string words_of(const StudyPoint& point) {
+// What the picture that points are held against errs by; 0 without one.
+double error_of_reference(std::span<const StudyReference> references) {
+  return references.empty() ? 0 : references.front().error.at(Metric::acuity_rmse);
+}
+
+// " (as good as the default with N = 1 within the reference's error of 0.00860)": where the errors of both
+// differ by no more than that, neither is known to be the better one. Empty for the default itself.
+std::string doubt_of(const StudyPoint& point, const StudyPoint& of_default, double reference_error) {
+  const double difference = std::abs(acuity_error(point) - acuity_error(of_default));
+  if (point.flags == of_default.flags || !(difference <= reference_error)) return {};
+  return " (as good as the default with " + of_default.base + " within the reference's error of " +
+         error_text(reference_error) + ")";
+}
+
+// "--polar 788x384; error 0.1000, time of the default times 0.50 [0.48, 0.52]", with `doubt` after the error.
+std::string words_of(const StudyPoint& point, const std::string& doubt) {
   return (point.flags.empty() ? "the default" : point.flags) + "; error " + error_text(acuity_error(point)) +
-         (point.at_floor ? " (at the floor of the reference)" : "") + ", time of the default times " +
+         (point.at_floor ? " (at the floor of the reference)" : "") + doubt + ", time of the default times " +
          ratio_text(point.time_ratio);
 }
 
-StudyAdvice advise(std::span<const StudyPoint> points, double most_error, const std::string& reason) {
+// The fastest with at most `factor` times the error of the default, which is `words` that error.
+StudyAdvice advise(std::span<const StudyPoint> points, const StudyPoint& of_default, double factor,
+                   const std::string& words, double reference_error) {
   StudyAdvice advice;
+  const double most_error = factor * acuity_error(of_default);
   advice.most_error = most_error;
   const auto counts = [](const StudyPoint&) { return true; };
   const StudyPoint* best = fastest(points, most_error, counts, acuity_error, frame_time);
-  const std::string wish = "For an error of at most " + error_text(most_error) + " (" + reason + "): ";
+  const std::string wish = "For an error of at most " + error_text(most_error) + " (" + words +
+                           " the default with " + of_default.base + "): ";
   if (best == nullptr) {
     advice.sentence = wish + "nothing that was measured reaches it.";
     return advice;
   }
   advice.point = best->name;
-  advice.sentence = wish + "take " + words_of(*best) + ".";
+  advice.sentence = wish + "take " + words_of(*best, doubt_of(*best, of_default, reference_error)) + ".";
   return advice;
 }
 
 // Of the front the point with the smallest product of error and time (in logarithms where a line of slope -1
 // touches it): any other one with half its error takes at least twice its time, and the other way round.
-std::optional<StudyAdvice> knee_of(std::span<const StudyPoint> points) {
+std::optional<StudyAdvice> knee_of(std::span<const StudyPoint> points, double reference_error) {
   const StudyPoint *knee = nullptr, *quickest = nullptr, *most_exact = nullptr;
   std::size_t count = 0;
   const auto product = [](const StudyPoint& point) { return acuity_error(point) * frame_time(point); };
@@ -91,7 +109,9 @@ std::optional<StudyAdvice> knee_of(std::span<const StudyPoint> points) {
   StudyAdvice advice;
   advice.most_error = acuity_error(*knee);
   advice.point = knee->name;
-  advice.sentence = "At the knee of the front: take " + words_of(*knee) +
+  const StudyPoint* of_default = point_named(points, "default, N = 1");
+  advice.sentence = "At the knee of the front: take " +
+                    words_of(*knee, of_default ? doubt_of(*knee, *of_default, reference_error) : "") +
                     ". Nothing that was measured has half its error in less than twice its time, or takes "
                     "half its time with less than twice its error.";
   // An end of what was measured need not be the end of the front.
@@ -178,20 +198,27 @@ StudyAim against_paper(std::span<const StudyPoint> points, const StudyPoint& pap
 
 }  // namespace
 
-std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points) {
+std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points,
+                                   std::span<const StudyReference> references) {
+  const double reference_error = error_of_reference(references);
   std::vector<StudyAdvice> all;
-  if (std::optional<StudyAdvice> knee = knee_of(points)) all.push_back(std::move(*knee));
+  if (std::optional<StudyAdvice> knee = knee_of(points, reference_error)) all.push_back(std::move(*knee));
   for (const char* base : {"N = 1", "N = 64"}) {
     const StudyPoint* point = point_named(points, std::string("default, ") + base);
     if (point == nullptr) continue;
     for (const auto& [factor, words] :
          {std::pair{2.0, "twice that of"}, std::pair{1.0, "that of"}, std::pair{0.5, "half that of"},
           std::pair{0.25, "a quarter of that of"}}) {
-      all.push_back(
-          advise(points, factor * acuity_error(*point), std::string(words) + " the default with " + base));
+      all.push_back(advise(points, *point, factor, words, reference_error));
     }
   }
   return all;
+}
+
+std::string advice_note(double profile_scale) {
+  if (profile_scale == 1) return {};
+  return "Found at profile scale " + shortest_text(profile_scale) +
+         ", which sees less of the fine detail; confirm at full scale.";
 }
 
 std::vector<StudyAim> aims_of(std::span<const StudyPoint> points) {

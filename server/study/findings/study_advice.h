@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "server/study/report/study_record.h"
@@ -11,8 +12,13 @@ namespace herr {
 
 // The knee of the front first: of three points on it or more the one with the smallest product of error and
 // time. Then for twice, once, half and a quarter of the errors of the default with hard and with soft light:
-// the fastest point that is no worse.
-std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points);
+// the fastest point that is no worse. Where its error and that of the default differ by no more than
+// references.front() errs by, which points are held against, the sentence says so beside the error.
+std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points,
+                                   std::span<const StudyReference> references);
+
+// What holds for all advice: at which profile scale it was found; empty at full scale.
+std::string advice_note(double profile_scale);
 
 // Rays per pixel at the default's error, and at full scale, for each number of light samples; and for each of
 // the paper's settings one of ours with the same error (to 2 %), in the time that is not pixels. Errors with

@@ -234,6 +234,7 @@ nlohmann::ordered_json study_json(const StudyRecord& record) {
   if (record.timing) json["timing"] = timing_json(*record.timing);
   json["aims"] = array_json(record.aims, aim_json);
   json["advice"] = array_json(record.advice, advice_json);
+  if (!record.advice_note.empty()) put_text(json, "advice_note", record.advice_note);
   if (!record.no_advice.empty()) put_text(json, "no_advice", record.no_advice);
   json["frames"] = array_json(record.frames, study_frame_json);
   json["clip"] = array_json(record.clip, study_frame_json);

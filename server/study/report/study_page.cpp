@@ -52,7 +52,10 @@ std::string advice_part(const StudyRecord& record) {
         html_element("li", "", html_text(advice.sentence) + (flags ? " " + page_code(point->flags) : "")) +
         "\n";
   }
-  return items.empty() ? "" : html_element("ul", "class=\"lines\"", items) + "\n";
+  if (items.empty()) return {};
+  const std::string& note = record.advice_note;
+  return (note.empty() ? "" : html_element("p", "", html_text(note)) + "\n") +
+         html_element("ul", "class=\"lines\"", items) + "\n";
 }
 
 std::string plot_figure(const StudyPlot& plot, const std::string& title, const std::string& css) {

@@ -288,6 +288,7 @@ StudyRecord read_study(const nlohmann::json& document, const std::string& source
                      "timing",
                      "aims",
                      "advice",
+                     "advice_note",
                      "no_advice",
                      "frames",
                      "clip",
@@ -308,6 +309,7 @@ StudyRecord read_study(const nlohmann::json& document, const std::string& source
   record.points = read_rows<StudyPoint>(object, "points", read_point);
   record.fits = read_rows<StudyFit>(object, "fits", read_fit);
   record.advice = read_rows<StudyAdvice>(object, "advice", read_advice);
+  if (object.has("advice_note")) record.advice_note = bounded_text(object, "advice_note");
   if (object.has("no_advice")) record.no_advice = bounded_text(object, "no_advice");
   record.aims = read_rows<StudyAim>(object, "aims", read_aim);
   record.remarks = read_rows<StudyRemark>(object, "remarks", read_remark);

@@ -142,7 +142,8 @@ struct StudyRecord : ReportHead {
   std::vector<StudyPoint> points;
   std::vector<StudyFit> fits;
   std::vector<StudyAdvice> advice;
-  std::string no_advice;  // why there is none: too little was measured, and how much time it takes
+  std::string advice_note;  // what holds for all advice: found at less than full profile scale; mostly empty
+  std::string no_advice;    // why there is none: too little was measured, and how much time it takes
   std::vector<StudyAim> aims;
   std::vector<StudyRemark> remarks;
   std::vector<std::string> left_out;  // the scene has nothing for them: "reflections: no material reflects"

@@ -47,6 +47,7 @@ std::string text_section(const ReportTable& table) {
 
 std::string study_text(const StudyRecord& record) {
   std::vector<std::string> advice, remarks;
+  if (!record.advice.empty() && !record.advice_note.empty()) advice.push_back(record.advice_note);
   for (const StudyAdvice& line : record.advice) advice.push_back(line.sentence);
   for (const StudyRemark& remark : record.remarks) remarks.push_back(remark.knob + ": " + remark.text);
   std::string text = record.no_advice.empty() ? "" : text_line(record.no_advice) + "\n";

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
+
 #include "tests/server/study/report/study_records.h"
 
 namespace herr {
@@ -39,7 +42,7 @@ TEST(StudyAdvice, IsTheFastestPointThatIsNoWorse) {
   points.back().comparable = false;
   points.push_back(point("not measured", "polar", "N = 1", "", 0.001, 0.1));
   points.back().frames = 0;
-  const std::vector<StudyAdvice> advice = advice_of(points);
+  const std::vector<StudyAdvice> advice = advice_of(points, {});
   // 0.16, 0.08, 0.04, 0.02 of hard light, then 0.04, 0.02, 0.01, 0.005 of soft light.
   const std::vector<std::string> expected{"fast",   "default, N = 1", "middle", "middle",
                                           "middle", "middle",         "best",   "best"};
@@ -55,13 +58,50 @@ TEST(StudyAdvice, IsTheFastestPointThatIsNoWorse) {
 TEST(StudyAdvice, TellsThatNothingIsGoodEnough) {
   std::vector<StudyPoint> points = some_points();
   points.resize(2);
-  const std::vector<StudyAdvice> advice = advice_of(points);
+  const std::vector<StudyAdvice> advice = advice_of(points, {});
   EXPECT_EQ(advice.back().point, "");
   EXPECT_EQ(
       advice.back().sentence,
       "For an error of at most 0.00500 (a quarter of that of the default with N = 64): nothing that was "
       "measured reaches it.");
-  EXPECT_TRUE(advice_of({}).empty());
+  EXPECT_TRUE(advice_of({}, {}).empty());
+}
+
+// The default errs by 0.0347, the reference by 0.0086. 0.0336 is 0.0011 less, 0.0420 is 0.0073 more: neither
+// is told apart from the default; 0.0090 is 0.0257 less and is. Default with soft light: 0.0100, from which
+// 0.0090 is 0.0010 off. The default itself is not held against itself.
+TEST(StudyAdvice, SaysWhereTheReferenceErrsByMoreThanPointAndDefaultDiffer) {
+  const StudyReference reference{"endless effort", "", 2, 2, test::error_table(0.0086), false, 1};
+  std::vector<StudyPoint> points{point("default, N = 1", "default", "N = 1", "", 0.0347, 1),
+                                 point("same", "polar", "N = 1", "", 0.0336, 0.82),
+                                 point("worse", "polar", "N = 1", "", 0.0420, 0.5),
+                                 point("better", "polar", "N = 64", "", 0.0090, 4)};
+  const auto told = [&](double most_error) {
+    for (const StudyAdvice& advice : advice_of(points, std::span(&reference, 1))) {
+      if (std::abs(advice.most_error - most_error) < 1e-9) return advice.sentence;
+    }
+    return std::string();
+  };
+  const std::string doubt = " (as good as the default with N = 1 within the reference's error of 0.00860), ";
+  EXPECT_EQ(told(0.0347),
+            "For an error of at most 0.0347 (that of the default with N = 1): take --same; error 0.0336" +
+                doubt + "time of the default times 0.82 [0.80, 0.84].");
+  EXPECT_NE(told(0.0694).find("take --worse; error 0.0420" + doubt), std::string::npos) << told(0.0694);
+  EXPECT_NE(told(0.01735).find("take --better; error 0.00900, time"), std::string::npos) << told(0.01735);
+  for (const StudyAdvice& advice : advice_of(points, {})) {
+    EXPECT_EQ(advice.sentence.find("as good as"), std::string::npos) << advice.sentence;  // none that errs
+  }
+  points.push_back(point("default, N = 64", "default", "N = 64", "", 0.01, 6));
+  points.back().flags = "--light-samples 64";
+  EXPECT_NE(told(0.01).find("(as good as the default with N = 64 within"), std::string::npos) << told(0.01);
+  points.resize(1);
+  EXPECT_NE(told(0.0347).find("take the default; error 0.0347, time"), std::string::npos) << told(0.0347);
+}
+
+TEST(StudyAdvice, SaysAtWhichScaleItWasFound) {
+  EXPECT_EQ(advice_note(0.4),
+            "Found at profile scale 0.4, which sees less of the fine detail; confirm at full scale.");
+  EXPECT_EQ(advice_note(1), "");
 }
 
 // Errors times times: 0.05, 0.03, 0.04, 0.08. From `b` half of the error (`d`) takes 4 times its time, and a
@@ -73,7 +113,7 @@ TEST(StudyAdvice, TheKneeHasTheLeastProductOfErrorAndTimeOnTheFront) {
       point("c", "polar", "N = 64", "", 0.016, 2.5), point("d", "polar", "N = 64", "", 0.01, 8)};
   for (StudyPoint& one : points) one.on_front = true;
   points.push_back(point("off", "polar", "N = 1", "", 0.001, 0.1));
-  const std::vector<StudyAdvice> advice = advice_of(points);
+  const std::vector<StudyAdvice> advice = advice_of(points, {});
   ASSERT_EQ(advice.size(), 1u);  // no default, nothing else to say
   EXPECT_EQ(advice[0].point, "b");
   EXPECT_EQ(advice[0].most_error, 0.02);
@@ -84,7 +124,7 @@ TEST(StudyAdvice, TheKneeHasTheLeastProductOfErrorAndTimeOnTheFront) {
       "with less than twice its error.");
   // 0.05, 0.04: of two points one is no knee.
   points[1].on_front = points[3].on_front = false;
-  EXPECT_TRUE(advice_of(points).empty());
+  EXPECT_TRUE(advice_of(points, {}).empty());
 }
 
 TEST(StudyAdvice, SaysWhereTheKneeIsAnEndOfWhatWasMeasured) {
@@ -93,11 +133,12 @@ TEST(StudyAdvice, SaysWhereTheKneeIsAnEndOfWhatWasMeasured) {
                                  point("c", "polar", "N = 1", "", 0.01, 4)};
   for (StudyPoint& one : points) one.on_front = true;
   // 0.1, 0.095, 0.04.
-  EXPECT_NE(advice_of(points)[0].sentence.find(" It has the least error that was measured: "),
+  EXPECT_NE(advice_of(points, {})[0].sentence.find(" It has the least error that was measured: "),
             std::string::npos);
   points[1].time_ratio.estimate = 8, points[2].time_ratio.estimate = 100;  // 0.1, 0.4, 1
-  EXPECT_EQ(advice_of(points)[0].point, "a");
-  EXPECT_NE(advice_of(points)[0].sentence.find(" It is the quickest that was measured: "), std::string::npos);
+  EXPECT_EQ(advice_of(points, {})[0].point, "a");
+  EXPECT_NE(advice_of(points, {})[0].sentence.find(" It is the quickest that was measured: "),
+            std::string::npos);
 }
 
 // With soft light the number of their samples is free: what foveation buys is not to be flattered.

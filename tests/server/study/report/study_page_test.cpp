@@ -104,6 +104,8 @@ TEST(StudyPage, TellsWhatTheRecordHolds) {
         record.fits[0].theory, std::string("p = -0.74 [-0.80, -0.68]")}) {
     EXPECT_NE(page.find(html_text(text)), std::string::npos) << text;
   }
+  EXPECT_NE(page.find("Recommendation</h2>\n<p>" + html_text(record.advice_note) + "</p>\n<ul"),
+            std::string::npos);
   EXPECT_NE(page.find(base64_text(std::as_bytes(std::span(record.pictures[1].png)))), std::string::npos);
 }
 

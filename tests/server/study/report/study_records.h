@@ -141,6 +141,7 @@ inline StudyRecord rich_record() {
   mark_front(record);
   record.advice = {{0.02, record.points[1].name, "For an error of at most 0.02 take light-samples 1, N = 1."},
                    {0.0001, "", "No setting reaches an error of at most 0.0001."}};
+  record.advice_note = "Found at profile scale 0.4; confirm at full scale.";
   record.aims = {
       {"uniform is beaten at equal time", {1.9, 1.7, 2.2}, 1, true, true, "Ratio of errors."},
       {"N = 64 at full scale at least 8 times faster", {6.2, 5.9, 6.6}, 8, true, false, "Of 12 pairs."}};
@@ -199,6 +200,7 @@ inline StudyRecord hostile_record() {
   record.aims[0].aim = kNan;
   record.aims[1].name = record.aims[1].sentence = bad;
   record.advice[0].sentence = record.advice[1].sentence = bad;
+  record.advice_note = bad;
   record.advice[0].most_error = kNan;
   record.remarks[0] = {bad, bad};
   record.left_out = record.dropped = record.warnings = {bad, bad};

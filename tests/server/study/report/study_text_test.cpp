@@ -51,6 +51,17 @@ TEST(StudyText, BeginsWithWhatIsTooLittleForAdvice) {
   EXPECT_EQ(text.find("Recommendation"), std::string::npos) << text;
 }
 
+// Before the first recommendation, once; without any there is nothing that it holds for.
+TEST(StudyText, WhatHoldsForAllAdviceStandsAboveIt) {
+  StudyRecord record = test::rich_record();
+  const std::string text = study_text(record);
+  EXPECT_NE(text.find("\nRecommendation\n  " + record.advice_note + "\n  " + record.advice[0].sentence),
+            std::string::npos)
+      << text;
+  record.advice.clear();
+  EXPECT_EQ(study_text(record).find(record.advice_note), std::string::npos);
+}
+
 // By effort around each base, in whatever order they were measured; the default's point says what it is, and
 // is no setting that was measured.
 TEST(StudyText, SweepsAreInTheOrderOfTheirEffort) {
