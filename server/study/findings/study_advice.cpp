@@ -61,7 +61,8 @@ double error_of_reference(std::span<const StudyReference> references) {
 // differ by no more than that, neither is known to be the better one. Empty for the default itself.
 std::string doubt_of(const StudyPoint& point, const StudyPoint& of_default, double reference_error) {
   const double difference = std::abs(acuity_error(point) - acuity_error(of_default));
-  if (point.flags == of_default.flags || !(difference <= reference_error)) return {};
+  const bool told_apart = !(reference_error > 0 && difference <= reference_error);
+  if (point.flags == of_default.flags || told_apart) return {};
   return " (as good as the default with " + of_default.base + " within the reference's error of " +
          error_text(reference_error) + ")";
 }
@@ -92,34 +93,42 @@ StudyAdvice advise(std::span<const StudyPoint> points, const StudyPoint& of_defa
   return advice;
 }
 
+struct LeastProduct {
+  StudyAdvice advice;
+  bool knee = false;  // else an end of what was measured
+};
+
 // Of the front the point with the smallest product of error and time (in logarithms where a line of slope -1
 // touches it): any other one with half its error takes at least twice its time, and the other way round.
-std::optional<StudyAdvice> knee_of(std::span<const StudyPoint> points, double reference_error) {
-  const StudyPoint *knee = nullptr, *quickest = nullptr, *most_exact = nullptr;
+// At an end of what was measured, which need not be the end of the front, this tells nothing of what lies
+// beyond.
+std::optional<LeastProduct> least_product(std::span<const StudyPoint> points, double reference_error) {
+  const StudyPoint *least = nullptr, *quickest = nullptr, *most_exact = nullptr;
   std::size_t count = 0;
   const auto product = [](const StudyPoint& point) { return acuity_error(point) * frame_time(point); };
   for (const StudyPoint& point : points) {
     if (!point.on_front || !(product(point) > 0)) continue;
     ++count;
-    if (knee == nullptr || product(point) < product(*knee)) knee = &point;
+    if (least == nullptr || product(point) < product(*least)) least = &point;
     if (quickest == nullptr || frame_time(point) < frame_time(*quickest)) quickest = &point;
     if (most_exact == nullptr || acuity_error(point) < acuity_error(*most_exact)) most_exact = &point;
   }
   if (count < kFewestForAKnee) return {};
-  StudyAdvice advice;
-  advice.most_error = acuity_error(*knee);
-  advice.point = knee->name;
   const StudyPoint* of_default = point_named(points, "default, N = 1");
-  advice.sentence = "At the knee of the front: take " +
-                    words_of(*knee, of_default ? doubt_of(*knee, *of_default, reference_error) : "") +
-                    ". Nothing that was measured has half its error in less than twice its time, or takes "
-                    "half its time with less than twice its error.";
-  // An end of what was measured need not be the end of the front.
-  if (knee == quickest)
-    advice.sentence += " It is the quickest that was measured: quicker ones may pay, too.";
-  if (knee == most_exact)
-    advice.sentence += " It has the least error that was measured: more effort may pay.";
-  return advice;
+  const std::string choice =
+      "take " + words_of(*least, of_default ? doubt_of(*least, *of_default, reference_error) : "") + ".";
+  LeastProduct found;
+  found.advice.most_error = acuity_error(*least);
+  found.advice.point = least->name;
+  found.knee = least != quickest && least != most_exact;
+  found.advice.sentence =
+      found.knee ? "At the knee of the front: " + choice +
+                       " Nothing that was measured has half its error in less than twice its time, or takes "
+                       "half its time with less than twice its error."
+                 : "For the least product of error and time, at an end of what was measured: " + choice;
+  if (least == quickest) found.advice.sentence += " It is the quickest: quicker ones may pay, too.";
+  if (least == most_exact) found.advice.sentence += " It has the least error: more effort may pay.";
+  return found;
 }
 
 StudyAim uniform_at_same_error(std::span<const StudyPoint> points, const StudyPoint& ours) {
@@ -202,16 +211,18 @@ std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points,
                                    std::span<const StudyReference> references) {
   const double reference_error = error_of_reference(references);
   std::vector<StudyAdvice> all;
-  if (std::optional<StudyAdvice> knee = knee_of(points, reference_error)) all.push_back(std::move(*knee));
+  const std::optional<LeastProduct> least = least_product(points, reference_error);
+  if (least && least->knee) all.push_back(least->advice);
   for (const char* base : {"N = 1", "N = 64"}) {
     const StudyPoint* point = point_named(points, std::string("default, ") + base);
     if (point == nullptr) continue;
     for (const auto& [factor, words] :
-         {std::pair{2.0, "twice that of"}, std::pair{1.0, "that of"}, std::pair{0.5, "half that of"},
+         {std::pair{1.0, "that of"}, std::pair{2.0, "twice that of"}, std::pair{0.5, "half that of"},
           std::pair{0.25, "a quarter of that of"}}) {
       all.push_back(advise(points, *point, factor, words, reference_error));
     }
   }
+  if (least && !least->knee) all.push_back(least->advice);
   return all;
 }
 

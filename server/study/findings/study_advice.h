@@ -11,8 +11,9 @@
 namespace herr {
 
 // The knee of the front first: of three points on it or more the one with the smallest product of error and
-// time. Then for twice, once, half and a quarter of the errors of the default with hard and with soft light:
-// the fastest point that is no worse. Where its error and that of the default differ by no more than
+// time. Then for once, twice, half and a quarter of the errors of the default with hard and with soft light:
+// the fastest point that is no worse. The smallest product at an end of the front is no knee: it comes last,
+// with what was not measured beyond it. Where its error and that of the default differ by no more than
 // references.front() errs by, which points are held against, the sentence says so beside the error.
 std::vector<StudyAdvice> advice_of(std::span<const StudyPoint> points,
                                    std::span<const StudyReference> references);

@@ -43,16 +43,16 @@ TEST(StudyAdvice, IsTheFastestPointThatIsNoWorse) {
   points.push_back(point("not measured", "polar", "N = 1", "", 0.001, 0.1));
   points.back().frames = 0;
   const std::vector<StudyAdvice> advice = advice_of(points, {});
-  // 0.16, 0.08, 0.04, 0.02 of hard light, then 0.04, 0.02, 0.01, 0.005 of soft light.
-  const std::vector<std::string> expected{"fast",   "default, N = 1", "middle", "middle",
-                                          "middle", "middle",         "best",   "best"};
+  // 0.08, 0.16, 0.04, 0.02 of hard light, then 0.02, 0.04, 0.01, 0.005 of soft light.
+  const std::vector<std::string> expected{"default, N = 1", "fast",   "middle", "middle",
+                                          "middle",         "middle", "best",   "best"};
   ASSERT_EQ(advice.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(advice[i].point, expected[i]) << i;
   EXPECT_EQ(
-      advice[0].sentence,
+      advice[1].sentence,
       "For an error of at most 0.1600 (twice that of the default with N = 1): take --fast; error 0.1000, "
       "time of the default times 0.50 [0.48, 0.52].");
-  EXPECT_NE(advice[1].sentence.find(": take the default; error 0.0800"), std::string::npos);
+  EXPECT_NE(advice[0].sentence.find(": take the default; error 0.0800"), std::string::npos);
 }
 
 TEST(StudyAdvice, TellsThatNothingIsGoodEnough) {
@@ -127,18 +127,39 @@ TEST(StudyAdvice, TheKneeHasTheLeastProductOfErrorAndTimeOnTheFront) {
   EXPECT_TRUE(advice_of(points, {}).empty());
 }
 
-TEST(StudyAdvice, SaysWhereTheKneeIsAnEndOfWhatWasMeasured) {
-  std::vector<StudyPoint> points{point("a", "polar", "N = 1", "", 0.1, 1),
-                                 point("b", "polar", "N = 1", "", 0.05, 1.9),
-                                 point("c", "polar", "N = 1", "", 0.01, 4)};
-  for (StudyPoint& one : points) one.on_front = true;
-  // 0.1, 0.095, 0.04.
-  EXPECT_NE(advice_of(points, {})[0].sentence.find(" It has the least error that was measured: "),
-            std::string::npos);
-  points[1].time_ratio.estimate = 8, points[2].time_ratio.estimate = 100;  // 0.1, 0.4, 1
-  EXPECT_EQ(advice_of(points, {})[0].point, "a");
-  EXPECT_NE(advice_of(points, {})[0].sentence.find(" It is the quickest that was measured: "),
-            std::string::npos);
+// Products of a, b, c: 0.1, 0.095, 0.04, the least where the error is; then 0.1, 0.4, 1, the least where the
+// time is; then 0.1, 0.05, 0.4, the least between both. The default (product 0.2) is not on the front; at
+// most its error, 0.1, has `a`.
+TEST(StudyAdvice, AnEndOfWhatWasMeasuredIsNoKneeAndComesLast) {
+  std::vector<StudyPoint> points{
+      point("a", "polar", "N = 1", "", 0.1, 1), point("b", "polar", "N = 1", "", 0.05, 1.9),
+      point("c", "polar", "N = 1", "", 0.01, 4), point("default, N = 1", "default", "N = 1", "", 0.1, 2)};
+  for (std::size_t i = 0; i < 3; ++i) points[i].on_front = true;
+  const auto expect = [&](const std::string& least, const std::string& remark) {
+    const std::vector<StudyAdvice> advice = advice_of(points, {});
+    ASSERT_EQ(advice.size(), 5u);
+    EXPECT_EQ(advice.front().sentence,
+              "For an error of at most 0.1000 (that of the default with N = 1): take --a; error 0.1000, time "
+              "of the default times 1.00 [0.97, 1.03].");
+    EXPECT_EQ(advice.back().point, least);
+    EXPECT_EQ(
+        advice.back().sentence.rfind(
+            "For the least product of error and time, at an end of what was measured: take --" + least, 0),
+        0u)
+        << advice.back().sentence;
+    EXPECT_NE(advice.back().sentence.find(remark), std::string::npos) << advice.back().sentence;
+    for (const StudyAdvice& line : advice)
+      EXPECT_EQ(line.sentence.find("knee"), std::string::npos) << line.sentence;
+  };
+  expect("c", " It has the least error: more effort may pay.");
+  points[1].time_ratio.estimate = 8, points[2].time_ratio.estimate = 100;
+  expect("a", " It is the quickest: quicker ones may pay, too.");
+  points[1].error = test::error_table(0.04), points[1].time_ratio.estimate = 1.25;
+  points[2].time_ratio.estimate = 40;
+  const std::vector<StudyAdvice> advice = advice_of(points, {});
+  ASSERT_EQ(advice.size(), 5u);
+  EXPECT_EQ(advice.front().sentence.rfind("At the knee of the front: take --b;", 0), 0u);
+  EXPECT_EQ(advice[1].most_error, 0.1);
 }
 
 // With soft light the number of their samples is free: what foveation buys is not to be flattered.
