@@ -104,8 +104,9 @@ void add_sweep_flags(CLI::App& app, StudyOptions& options) {
         options.resume = true;
         took("--resume");
       },
-      "go on with the study in that folder; its rows and references stay, and more --minutes than before are "
-      "shared out anew");
+      "go on with the study in that folder; its rows and references stay. --minutes counts the time of all "
+      "runs together, those before included: to add 5 to a study of 10 give 15; more than before are shared "
+      "out anew");
 }
 
 void check_stability_options(const StudyOptions& options) {
