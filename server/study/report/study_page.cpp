@@ -94,7 +94,7 @@ std::string knobs_part(const StudyRecord& record) {
 std::string points_part(const StudyRecord& record) {
   std::string tables;
   for (const ReportTable& table : point_tables(record)) tables += page_table(table);
-  return tables;
+  return tables.empty() ? "" : tables + html_element("p", "class=\"note\"", html_text(kTimesNote)) + "\n";
 }
 
 std::string metrics_part() {

@@ -19,6 +19,10 @@ ReportTable reference_table(const StudyRecord& record);
 ReportTable front_table(const StudyRecord& record);
 // One for each knob.
 std::vector<ReportTable> point_tables(const StudyRecord& record);
+// Stands below these: why their two columns of time can contradict.
+inline constexpr const char* kTimesNote =
+    "Times: ms is the median of this run's moment; time / default is of pairs timed side by side. On a busy "
+    "machine the two can contradict: compare settings by time / default.";
 // Of the default and the front: by band, and by all metrics.
 ReportTable band_table(const StudyRecord& record);
 ReportTable metric_table(const StudyRecord& record);

@@ -54,6 +54,7 @@ std::string study_text(const StudyRecord& record) {
   text += subject_lines(record) + text_list("Aims", aim_lines(record)) + text_list("Recommendation", advice) +
           text_section(front_table(record));
   for (const ReportTable& table : point_tables(record)) text += text_section(table);
+  if (!record.points.empty()) text += wrapped_text(kTimesNote, kTerminalColumns) + "\n\n";
   text += text_section(fit_table(record)) + text_section(reference_table(record)) +
           text_section(flicker_table(record));
   return text + text_list("Dropped for want of time", record.dropped) +

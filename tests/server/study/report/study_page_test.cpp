@@ -106,6 +106,7 @@ TEST(StudyPage, TellsWhatTheRecordHolds) {
   }
   EXPECT_NE(page.find("Recommendation</h2>\n<p>" + html_text(record.advice_note) + "</p>\n<ul"),
             std::string::npos);
+  EXPECT_EQ(times_in(page, "<p class=\"note\">Times: ms is the median"), 1u);
   EXPECT_NE(page.find(base64_text(std::as_bytes(std::span(record.pictures[1].png)))), std::string::npos);
 }
 

@@ -62,6 +62,16 @@ TEST(StudyText, WhatHoldsForAllAdviceStandsAboveIt) {
   EXPECT_EQ(study_text(record).find(record.advice_note), std::string::npos);
 }
 
+TEST(StudyText, SaysOnceBelowTheSettingsWhyTheirTimesCanContradict) {
+  const std::string text = study_text(test::rich_record());
+  const std::size_t at = text.find("Times: ms is the median");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(text.find("Times: ms is the median", at + 1), std::string::npos);
+  EXPECT_GT(at, text.find("\nedge\n"));  // the last sweep
+  EXPECT_LT(at, text.find("\nFits"));
+  EXPECT_EQ(study_text(test::minimal_record()).find("Times: ms"), std::string::npos);  // no settings
+}
+
 // By effort around each base, in whatever order they were measured; the default's point says what it is, and
 // is no setting that was measured.
 TEST(StudyText, SweepsAreInTheOrderOfTheirEffort) {
