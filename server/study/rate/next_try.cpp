@@ -10,10 +10,18 @@ namespace {
 
 constexpr int kLeastColumns = 64, kLeastRows = 64;  // of a --polar that is worth asking for
 
+// Of a stage that two flags leave out, the scene may have what only one of them is for.
+bool has_something_for(const FramePlan& plan, const std::string& setting) {
+  if (setting == "reflections") return plan.mirror_rays;
+  if (setting == "refraction") return plan.refraction;
+  return true;
+}
+
 // Those that `asked` does not have yet: what bounces is lit without probes, too.
-SettingChanges new_ones(const RenderSettings& asked, const SettingChanges& changes) {
+SettingChanges new_ones(const RenderSettings& asked, const FramePlan& plan, const SettingChanges& changes) {
   SettingChanges left;
   for (const auto& change : changes) {
+    if (!has_something_for(plan, change.first)) continue;
     if (!changes_between(asked, with_changes(asked, {change})).empty()) left.push_back(change);
   }
   return left;
@@ -21,12 +29,13 @@ SettingChanges new_ones(const RenderSettings& asked, const SettingChanges& chang
 
 }  // namespace
 
-NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, bool has_feed, double period_ms) {
+NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, const FramePlan& plan,
+                 double period_ms) {
   const LongestStage longest = longest_stage(smallest.trials);
   const bool pixels = longest.stage == Stage::viewports;
   NextTry next;
-  next.changes = new_ones(asked, changes_without_long_stages(mean_stages(smallest.trials)));
-  if (pixels && has_feed && asked.camera) next.changes = merged(std::move(next.changes), {{"camera", "off"}});
+  next.changes = new_ones(asked, plan, changes_without_long_stages(mean_stages(smallest.trials)));
+  if (pixels && plan.camera && asked.camera) next.changes = merged(std::move(next.changes), {{"camera", "off"}});
   if (!next.changes.empty()) {
     next.words = "without what flags leave out";
     return next;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/frame_plan.h"
 #include "server/study/plan/study_setting.h"
 #include "server/study/rate/rate_run.h"
 
@@ -16,9 +17,10 @@ struct NextTry {
   std::string words;         // "without what flags leave out"
 };
 
-// The flags of all long stages that `asked` does not have yet, and --no-camera where viewports take most and
-// `has_feed`; without any half of the --polar of `asked`; where that is the least, or viewports alone take
+// The flags of all long stages that `asked` does not have yet and `plan`, of `asked`, has something to leave
+// out for, and --no-camera where viewports take most over a camera feed; without any half of the --polar of `asked`; where that is the least, or viewports alone take
 // longer than the period, the rate that `smallest` is enough for, in whole Hz where it is 1 or more.
-NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, bool has_feed, double period_ms);
+NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, const FramePlan& plan,
+                 double period_ms);
 
 }  // namespace herr

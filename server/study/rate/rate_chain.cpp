@@ -29,7 +29,7 @@ std::optional<RateChain> run_rate_chain(const RenderSettings& asked, const AskRa
     chain.steps.push_back({changes, rate->answer});
     const RateAnswer& answer = rate->answer;
     if (answer.held || answer.open > 0 || !answer.refused) return chain;
-    chain.next = next_try(*answer.refused, settings, rate->has_feed, answer.period_ms);
+    chain.next = next_try(*answer.refused, settings, rate->plan, answer.period_ms);
     chain.to_try = true;
     if (chain.next.changes.empty()) return chain;  // a lower rate is another question
     chain.ended_early = time_is_up && time_is_up();

@@ -34,7 +34,7 @@ struct RateChain {
 
 struct AskedRate {
   RateAnswer answer;
-  bool has_feed = false;  // camera pictures are shown
+  FramePlan plan;  // of the settings that were asked for
 };
 // None: it was asked to stop.
 using AskRate = std::function<std::optional<AskedRate>(const RenderSettings&)>;

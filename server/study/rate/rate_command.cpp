@@ -84,7 +84,7 @@ class RateAsking {
         [&](const RateSetting& setting, const RateTrial& trial) { progress.tell(setting, trial); },
         [this] { return time_is_up(); });
     if (!answer) return std::nullopt;
-    return AskedRate{*answer, subject.report().plan.camera};
+    return AskedRate{*answer, subject.report().plan};
   }
 
   const StudyOptions& options_;

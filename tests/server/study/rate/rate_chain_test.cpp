@@ -39,7 +39,9 @@ struct Machine {
     const auto answer = run_rate_search(
         ladder, kPeriod_ms, [&](const RateSetting& setting, bool) { return trial(render, setting); },
         [](const RateSetting&, const RateTrial&) {});
-    return AskedRate{*answer, feed_ms > 0 && render.camera};
+    FramePlan plan;
+    plan.camera = feed_ms > 0 && render.camera;
+    return AskedRate{*answer, plan};
   }
   std::optional<RateChain> run(const RateTimeIsUp& time_is_up = {}) {
     return run_rate_chain(
@@ -98,7 +100,7 @@ TEST(RateChain, EndsWhereNothingIsLeftToLeaveOut) {
   const auto chain = run_rate_chain(
       {},
       [&](const RenderSettings& render) {
-        return AskedRate{pixels.ask(render)->answer, false};
+        return AskedRate{pixels.ask(render)->answer, {}};
       },
       [](const MeasuredRate&, const NextTry&) { FAIL() << "there is no step"; });
   ASSERT_EQ(chain->steps.size(), 1u);
