@@ -1,11 +1,13 @@
 // Stage: ambient occlusion. A few short rays per hit, cosine-weighted about the normal; the share that meets
-// nothing within the radius multiplies indirect light. All hits of a 4x4 block of samples turn the same local
-// directions into their own frames: rays of a packet then stay together, which makes them twice as fast as
-// directions of their own, at the price of noise that is the same over the block. Three by three blocks
-// divide strata of directions among them, and each hit takes the mean over such a group
-// (occlusion_smoothing-inl.h). Source of that: Keller and Heidrich, "Interleaved Sampling", 2001.
+// nothing within the radius multiplies indirect light. All hits of half a 4x4 block of samples turn the same
+// local directions into their own frames: rays of a packet then stay together, which makes them twice as fast
+// as directions of their own, at the price of noise that is the same over the half. The halves of three by
+// three blocks, wherever they stand, have all strata of directions between them, and each hit takes the mean
+// over such a group (occlusion_smoothing-inl.h). Source of that: Keller and Heidrich, "Interleaved Sampling",
+// 2001.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "renderer/lighting/direct_light-inl.h"
@@ -21,7 +23,7 @@ constexpr float kTurnsOver = -0.3104f;
 
 // A vector in the frame of each normal (Duff et al., "Building an Orthonormal Basis,
 // Revisited", 2017); z = along it.
-HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
+HWY_INLINE V3 from_local(const V3& n, const V3& local) {
   const VF one = set(1.0f);
   const VF sign = hn::IfThenElse(hn::Gt(n.z, set(kTurnsOver)), one, set(-1.0f));
   const VF a = hn::Div(set(-1.0f), hn::Add(sign, n.z));
@@ -29,47 +31,63 @@ HWY_INLINE V3 from_local(const V3& n, const float local[3]) {
   const V3 right{hn::MulAdd(hn::Mul(sign, hn::Mul(n.x, n.x)), a, one), hn::Mul(sign, b),
                  hn::Neg(hn::Mul(sign, n.x))};
   const V3 up{b, hn::MulAdd(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)};
-  return mul_add(set(local[0]), right, mul_add(set(local[1]), up, scale(n, set(local[2]))));
+  return mul_add(local.x, right, mul_add(local.y, up, scale(n, local.z)));
 }
 
-// Where a 4x4 block stands: it takes one of the nine strata into which three by three blocks divide each
-// ray's.
-struct OcclusionBlock {
+// What tells the directions of half a block (4x2 samples) from those of others.
+struct OcclusionHalf {
   std::uint32_t random = 0;  // key of its own random numbers
-  std::uint32_t group = 0;   // key of those of three by three blocks
+  std::uint32_t frame = 0;   // key of those that all of a frame and eye share
   int stratum = 0;           // of kOcclusionStrata
 };
-constexpr int kOcclusionStrata = 9;
+constexpr int kOcclusionStrata = 9 * kBlockHalves;
 
 // Direction `ray` of `rays`, cosine-distributed (Malley's method): radii stratified, with a random place in
-// each stratum; angles by the golden ratio, turned by a random number of the group.
-HWY_INLINE void local_direction(const OcclusionBlock& block, int ray, int rays, float local[3]) {
+// each stratum; angles by the golden ratio, turned by a random number of the frame. Were it one of the group,
+// windows that lie across groups would hold angles that leave gaps.
+HWY_INLINE std::array<float, 3> local_direction(const OcclusionHalf& half, int ray, int rays) {
   const auto random = [](std::uint32_t key, std::uint32_t counter)
                           HWY_ATTR { return hn::GetLane(unit_float(hash(hn::Set(kU, key), counter))); };
   constexpr float kGolden = 0.618033989f, kTwoPi = 6.28318531f;
-  const auto place = static_cast<float>(kOcclusionStrata * ray + block.stratum);
-  const float area = (place + random(block.random, 1)) / static_cast<float>(kOcclusionStrata * rays);
-  const float turn = random(block.group, 2) + kGolden * place;
+  const auto place = static_cast<float>(kOcclusionStrata * ray + half.stratum);
+  const float area = (place + random(half.random, 1)) / static_cast<float>(kOcclusionStrata * rays);
+  const float turn = random(half.frame, 2) + kGolden * place;
   const float radius = std::sqrt(area);
-  local[0] = radius * std::cos(kTwoPi * turn);
-  local[1] = radius * std::sin(kTwoPi * turn);
-  local[2] = std::sqrt(std::max(0.0f, 1.0f - area));
+  return {radius * std::cos(kTwoPi * turn), radius * std::sin(kTwoPi * turn),
+          std::sqrt(std::max(0.0f, 1.0f - area))};
 }
 
-// Which stratum a block has changes from frame to frame, so that each block sees all directions in time.
-HWY_INLINE OcclusionBlock occlusion_block(const TileJob& job, std::size_t packet) {
-  const int column = job.scratch->packet_x[packet] / 4, row = job.scratch->packet_y[packet] / 4;
-  const std::uint32_t frame = job.grid->key;
-  const auto key_of = [frame](int x, int y, std::uint32_t spread) {
-    return frame ^ ((static_cast<std::uint32_t>(y << 16) | static_cast<std::uint32_t>(x)) * spread);
-  };
+// The half block whose first sample is (x, y). Which stratum it has changes from frame to frame, so that each
+// sees all directions in time.
+HWY_INLINE OcclusionHalf occlusion_half(std::uint32_t frame, int x, int y) {
+  constexpr int kDown = 3 * kBlockHalves;
+  const int column = x / 4, row = y / kHalfRows;
   const float first = hn::GetLane(unit_float(hash(hn::Set(kU, frame), 3)));
-  const int place = column % 3 + 3 * (row % 3);
-  OcclusionBlock block;
-  block.random = key_of(column, row, 0x9e3779b9u);
-  block.group = key_of(column / 3, row / 3, 0x85ebca6bu);
-  block.stratum = (place + static_cast<int>(kOcclusionStrata * first)) % kOcclusionStrata;
-  return block;
+  const int place = column % 3 + 3 * (row % kDown);
+  OcclusionHalf half;
+  half.random =
+      frame ^ ((static_cast<std::uint32_t>(row << 16) | static_cast<std::uint32_t>(column)) * 0x9e3779b9u);
+  half.frame = frame;
+  half.stratum = (place + static_cast<int>(kOcclusionStrata * first)) % kOcclusionStrata;
+  return half;
+}
+
+// Direction `ray` of each hit of a packet, which may hold both halves of a block.
+HWY_INLINE V3 local_directions(const TileJob& job, std::size_t packet, int ray) {
+  const int x = job.scratch->packet_x[packet], y = job.scratch->packet_y[packet];
+  const auto of_row = [&](int row) HWY_ATTR {
+    return local_direction(occlusion_half(job.grid->key, x, row), ray, job.shading->occlusion_rays);
+  };
+  const std::array<float, 3> first = of_row(y);
+  if constexpr (kBlockRows <= kHalfRows) {
+    return V3{set(first[0]), set(first[1]), set(first[2])};
+  } else {
+    const std::array<float, 3> second = of_row(y + kHalfRows);
+    const MF upper = hn::FirstN(kF, 4 * kHalfRows);
+    const auto both = [&](std::size_t axis)
+                          HWY_ATTR { return hn::IfThenElse(upper, set(first[axis]), set(second[axis])); };
+    return V3{both(0), both(1), both(2)};
+  }
 }
 
 // One ray per hit of first hits [0, count), into the queue. A direction that the interpolated normal bends
@@ -84,12 +102,9 @@ HWY_INLINE void queue_occlusion_rays(const TileJob& job, int ray, int packets) {
     const int slot = p * kLanes;
     const MF surface = hn::Or(of_kind(hits, slot, HitKind::object), of_kind(hits, slot, HitKind::catcher));
     if (hn::AllFalse(kF, surface)) continue;
-    float local[3];
-    local_direction(occlusion_block(job, static_cast<std::size_t>(p)), ray, job.shading->occlusion_rays,
-                    local);
     const V3 n = load3(hits.normal, slot);
     const V3 g = load3(hits.geometric_normal, slot);
-    const V3 direction = from_local(n, local);
+    const V3 direction = from_local(n, local_directions(job, static_cast<std::size_t>(p), ray));
     const MF above = hn::And(surface, hn::Gt(dot(direction, g), hn::Zero(kF)));
     push(scratch.queue, ray_origin(hits, slot), scale(direction, radius), hn::Add(lane, hn::Set(kI, slot)),
          above);
