@@ -1,10 +1,10 @@
 // Stage: ambient occlusion. A few short rays per hit, cosine-weighted about the normal; the share that meets
 // nothing within the radius multiplies indirect light. All hits of half a 4x4 block of samples turn the same
-// local directions into their own frames: rays of a packet then stay together, which makes them twice as fast
-// as directions of their own, at the price of noise that is the same over the half. The halves of three by
-// three blocks, wherever they stand, have all strata of directions between them, and each hit takes the mean
-// over such a group (occlusion_smoothing-inl.h). Source of that: Keller and Heidrich, "Interleaved Sampling",
-// 2001.
+// local directions into their own frames: rays of a packet of 8 then stay together, which makes them twice as
+// fast as directions of their own, at the price of noise that is the same over the half. The halves of three
+// by three blocks, wherever they stand, have all strata of directions between them, and each hit takes the
+// mean over such a group (occlusion_smoothing-inl.h). Source of that: Keller and Heidrich, "Interleaved
+// Sampling", 2001.
 #pragma once
 
 #include <array>

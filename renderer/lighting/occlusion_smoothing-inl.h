@@ -1,10 +1,9 @@
 // Each hit's open share as the mean over three by three blocks of 4x4 samples, whose halves' short rays have
 // all strata of directions between them: of the hits at the same place of each half, those on the same
-// surface.
-// Same surface: of the same kind, turned and raised little against the hit, and within half the rays' length.
-// At the border of a tile the group is the outermost whole one. Before: ambient_occlusion has traced the
-// rays. After: what is lit from all sides. Source: Segovia et al., "Non-interleaved Deferred Shading of
-// Interleaved Sample Patterns", 2006.
+// surface: of the same kind, turned and raised little against the hit, and within half the rays' length. At
+// the border of a tile the group is the outermost whole one. Before: ambient_occlusion has traced the rays.
+// After: what is lit from all sides. Source: Segovia et al., "Non-interleaved Deferred Shading of Interleaved
+// Sample Patterns", 2006.
 #pragma once
 
 #include <algorithm>
