@@ -35,7 +35,8 @@ NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, cons
   const bool pixels = longest.stage == Stage::viewports;
   NextTry next;
   next.changes = new_ones(asked, plan, changes_without_long_stages(mean_stages(smallest.trials)));
-  if (pixels && plan.camera && asked.camera) next.changes = merged(std::move(next.changes), {{"camera", "off"}});
+  if (pixels && plan.camera && asked.camera)
+    next.changes = merged(std::move(next.changes), {{"camera", "off"}});
   if (!next.changes.empty()) {
     next.words = "without what flags leave out";
     return next;

@@ -18,8 +18,9 @@ struct NextTry {
 };
 
 // The flags of all long stages that `asked` does not have yet and `plan`, of `asked`, has something to leave
-// out for, and --no-camera where viewports take most over a camera feed; without any half of the --polar of `asked`; where that is the least, or viewports alone take
-// longer than the period, the rate that `smallest` is enough for, in whole Hz where it is 1 or more.
+// out for, and --no-camera where viewports take most over a camera feed; without any half of the --polar of
+// `asked`; where that is the least, or viewports alone take longer than the period, the rate that `smallest`
+// is enough for, in whole Hz where it is 1 or more.
 NextTry next_try(const MeasuredRate& smallest, const RenderSettings& asked, const FramePlan& plan,
                  double period_ms);
 
