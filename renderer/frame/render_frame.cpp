@@ -13,6 +13,7 @@
 #include "renderer/broken_on_purpose.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
+#include "renderer/lighting/shading_points.h"
 #include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
 
@@ -248,6 +249,8 @@ void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& q
   shading.scene = geometry->top();
   shading.instances = geometry->instances();
   shading.lights = lights;
+  shading_points(lights, light_points);
+  shading.points = light_points;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
   shading.occlusion_smoothing = settings.occlusion_smoothing;

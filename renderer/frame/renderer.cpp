@@ -72,6 +72,7 @@ Renderer::Impl::Impl(const Scene& scene_in, const DisplayProfile& profile_in,
     first_strip.push_back(first_strip.back() + (v.height_px + kStripRows - 1) / kStripRows);
   }
   lights.reserve(scene.lights.size());
+  light_points.reserve(scene.lights.size());
 
   const auto workers = static_cast<std::size_t>(threads.count());
   for (std::size_t w = 0; w < workers; ++w) {

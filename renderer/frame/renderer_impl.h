@@ -59,6 +59,7 @@ struct Renderer::Impl {
   std::vector<int> first_tile;                             // of each grid, then the total
   std::vector<std::uint8_t> covered_tiles;                 // 1: not traced; empty where all are
   std::vector<LightRecord> lights;
+  std::vector<ShadingPoints> light_points;  // one of each light
   ShadingInputs shading;
   std::vector<ViewportJob> viewport_jobs;     // one per viewport
   std::vector<int> first_strip;               // of each viewport, then the total

@@ -1,7 +1,9 @@
 // Light samples spent only where they matter. The first few are traced for every hit, the others only in 4x4
 // blocks whose first samples disagree (refinement where samples differ: Mitchell 1987). There, samples run
 // from a coarse lattice of strata to the finer ones, and a stratum whose neighbours all agree is not asked:
-// only those along the edge of what hides the light are.
+// only those along the edge of what hides the light are. Light is split from what hides it: that of a few points
+// is multiplied by what is seen of their samples; highlights that these cannot resolve, lamps on the horizon and
+// near ones are shaded sample by sample.
 #pragma once
 
 #include <algorithm>
@@ -161,30 +163,32 @@ HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord&
   find_visibility(job, light, hits, kind);
 }
 
-// Writes down what each hit saw of sample `s`.
-HWY_NOINLINE inline void note_seen(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                                   int count) {
+// Writes down what each hit saw of sample `s`: for predictions and decisions, and for the light of its point.
+HWY_NOINLINE inline void note_seen(const TileJob& job, const LightRecord& light, int point, int s,
+                                   const HitBatch& hits, int count) {
   TileScratch& scratch = *job.scratch;
-  std::uint8_t* saw = scratch.adaptive->saw[static_cast<std::size_t>(s)].data();
-  std::uint8_t* saw_without = scratch.adaptive->saw_without[static_cast<std::size_t>(s)].data();
+  AdaptiveLight& adaptive = *scratch.adaptive;
+  std::uint8_t* saw = adaptive.saw[static_cast<std::size_t>(s)].data();
+  std::uint8_t* saw_without = adaptive.saw_without[static_cast<std::size_t>(s)].data();
+  Lane<float>& of_point = adaptive.of_point[static_cast<std::size_t>(point)];
+  Lane<float>& of_point_without = adaptive.of_point_without[static_cast<std::size_t>(point)];
+  const bool first = s < light.first_samples;
   const hn::Rebind<std::uint8_t, I> bytes;
   const auto put = [&](VF share, std::uint8_t* to)
                        HWY_ATTR { hn::StoreU(hn::DemoteTo(bytes, hn::ConvertTo(kI, share)), bytes, to); };
   for (int slot = 0; slot < count; slot += kLanes) {
     const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
-    put(hn::IfThenElseZero(lit, load(&scratch.visible[slot])), saw + slot);
-    put(hn::IfThenElseZero(lit, load(&scratch.visible_without[slot])), saw_without + slot);
+    const VF seen = hn::IfThenElseZero(lit, load(&scratch.visible[slot]));
+    const VF without = hn::IfThenElseZero(lit, load(&scratch.visible_without[slot]));
+    put(seen, saw + slot);
+    put(without, saw_without + slot);
+    add_to(of_point, slot, seen);
+    add_to(of_point_without, slot, without);
+    if (!first) continue;
+    add_to(adaptive.faced, slot, hn::IfThenElseZero(lit, set(1.0f)));
+    add_to(adaptive.seen, slot, seen);
+    add_to(adaptive.seen_without, slot, without);
   }
-}
-
-// Adds up how many of the samples so far a hit faces and sees.
-HWY_INLINE void count_seen(const TileJob& job, const LightRecord& light, int s, const HitBatch& hits,
-                           int slot) {
-  TileScratch& scratch = *job.scratch;
-  const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
-  add_to(scratch.adaptive->faced, slot, hn::IfThenElseZero(lit, set(1.0f)));
-  add_to(scratch.adaptive->seen, slot, hn::IfThenElseZero(lit, load(&scratch.visible[slot])));
-  add_to(scratch.adaptive->seen_without, slot, hn::IfThenElseZero(lit, load(&scratch.visible_without[slot])));
 }
 
 // Decides for each hit, from the first samples, whether it sees all of the light, nothing of it, or
@@ -210,12 +214,86 @@ HWY_NOINLINE inline void decide(const HitBatch& hits, int count, AdaptiveLight& 
   }
 }
 
+// Hits that are near the lamp, or of which some of it lies below the horizon and not all.
+HWY_INLINE MF needs_places(const LightRecord& light, const ShadingPoints& points, const HitBatch& hits,
+                           int slot) {
+  const V3 way = sub(set3(light.centre), load3(hits.position, slot));
+  const V3 half{set(0.5f * light.size[0]), set(0.5f * light.size[1]), set(0.5f * light.size[2])};
+  const auto cut = [&](const V3& n) HWY_ATTR {
+    const VF reach = dot(V3{hn::Abs(n.x), hn::Abs(n.y), hn::Abs(n.z)}, half);
+    return hn::Le(hn::Abs(dot(n, way)), reach);
+  };
+  const MF near = hn::Lt(dot(way, way), set(points.nearest2));
+  return hn::Or(near, hn::Or(cut(load3(hits.normal, slot)), cut(load3(hits.geometric_normal, slot))));
+}
+
+// Finds hits that are shaded sample by sample: those, and highlights that the points do not resolve.
+// `use`: of the lamp itself; `of_points`: of its points.
+template <Lobe kLobe>
+HWY_NOINLINE void find_by_samples(const LightRecord& light, const ShadingPoints& points,
+                                  const HighlightUse& use, const HighlightUse& of_points,
+                                  const HitBatch& hits, int count, AdaptiveLight& adaptive) {
+  for (int slot = 0; slot < count; slot += kLanes) {
+    MF by_samples = hn::Or(is_glossy(hits, slot), needs_places(light, points, hits, slot));
+    for (const HighlightUse* one : {&use, &of_points}) {
+      if (one->shares_base) by_samples = hn::Or(by_samples, used_as(one->base, slot, kShared));
+      if (one->shares_coat) by_samples = hn::Or(by_samples, used_as(one->coat, slot, kShared));
+    }
+    hn::Store(hn::IfThenElseZero(by_samples, set(1.0f)), kF, &adaptive.by_samples[slot]);
+  }
+}
+
+// Of hits that are shaded sample by sample, the light of sample `s`.
+template <Lobe kLobe>
+HWY_NOINLINE void shade_sample(const TileJob& job, const LightRecord& light, int s, const HighlightUse& use,
+                               HitBatch& hits, int count) {
+  TileScratch& scratch = *job.scratch;
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const MF lanes = hn::Gt(load(&scratch.adaptive->by_samples[slot]), hn::Zero(kF));
+    if (hn::AllFalse(kF, lanes)) continue;
+    for (Lane<float>* share : {&scratch.visible, &scratch.visible_without})
+      hn::Store(hn::IfThenElseZero(lanes, load(&(*share)[slot])), kF, &(*share)[slot]);
+    add_sample<kLobe>(job, light, s, use, hits, slot);
+  }
+}
+
+// Of all other hits, the light of the points, each times what is seen of its samples.
+template <Lobe kLobe>
+HWY_NOINLINE void shade_points(const TileJob& job, const ShadingPoints& points, const HighlightUse& use,
+                               HitBatch& hits, int count) {
+  TileScratch& scratch = *job.scratch;
+  const AdaptiveLight& adaptive = *scratch.adaptive;
+  const VF per_sample = set(1.0f / points.samples_each);
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const MF lanes = hn::Eq(load(&adaptive.by_samples[slot]), hn::Zero(kF));
+    if (hn::AllFalse(kF, lanes)) continue;
+    const auto share_of = [&](const Lane<float>& seen)
+                              HWY_ATTR { return hn::IfThenElseZero(lanes, hn::Mul(load(&seen[slot]), per_sample)); };
+    for (int point = 0; point < points.light.samples; ++point) {
+      const auto i = static_cast<std::size_t>(point);
+      hn::Store(share_of(adaptive.of_point[i]), kF, &scratch.visible[slot]);
+      hn::Store(share_of(adaptive.of_point_without[i]), kF, &scratch.visible_without[slot]);
+      add_sample<kLobe>(job, points.light, point, use, hits, slot);
+    }
+  }
+}
+
+HWY_NOINLINE inline void begin(int count, AdaptiveLight& adaptive) {
+  for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
+  for (Lane<float>& lane : adaptive.of_point) clear(lane, count);
+  for (Lane<float>& lane : adaptive.of_point_without) clear(lane, count);
+}
+
 // One light at hits [0, count) of a batch.
 template <Lobe kLobe>
-HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, const HighlightUse& use,
-                                 HitBatch& hits, int count, RayKind kind) {
+HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, const ShadingPoints& points,
+                                 const HighlightUse& use, HitBatch& hits, int count, RayKind kind) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
-  for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
+  begin(count, adaptive);
+  HighlightUse of_points;
+  find_use<kLobe>(points.light, hits, count, of_points);
+  find_by_samples<kLobe>(light, points, use, of_points, hits, count, adaptive);
+  of_points.shares_base = of_points.shares_coat = false;  // those hits are shaded by samples
   find_pairs(hits, count, adaptive);
   for (int s = 0; s < light.samples; ++s) {
     if (s < light.first_samples) {
@@ -225,12 +303,10 @@ HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, c
       predict(job, light, s, count);
       later_visibility(job, light, s, hits, count, kind);
     }
-    note_seen(job, light, s, hits, count);
-    for (int slot = 0; slot < count; slot += kLanes) {
-      if (s < light.first_samples) count_seen(job, light, s, hits, slot);
-      add_sample<kLobe>(job, light, s, use, hits, slot);
-    }
+    note_seen(job, light, points.of_sample[static_cast<std::size_t>(s)], s, hits, count);
+    shade_sample<kLobe>(job, light, s, use, hits, count);
   }
+  shade_points<kLobe>(job, points, of_points, hits, count);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -34,7 +34,8 @@ HWY_NOINLINE void direct_light(const TileJob& job, HitBatch& hits, int count, Ra
     HighlightUse use;
     find_use<kLobe>(light, hits, count, use);
     if (light.first_samples < light.samples) {
-      adaptive_light<kLobe>(job, light, use, hits, count, kind);
+      const auto number = static_cast<std::size_t>(&light - job.shading->lights.data());
+      adaptive_light<kLobe>(job, light, job.shading->points[number], use, hits, count, kind);
     } else {
       for (int s = 0; s < light.samples; ++s) {
         queue_shadow_rays(job, light, s, hits, count);

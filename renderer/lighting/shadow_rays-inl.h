@@ -20,7 +20,7 @@ HWY_INLINE int stratum_of(const LightRecord& light, int s) {
 }
 
 // The way from each hit to the point that light sample `s` of it aims at, not normalised: to the centre of
-// the light, or to a jittered place in one stratum. A sun's lies outside the scene.
+// the light, or to a jittered place in one stratum, or to its middle. A sun's lies outside the scene.
 HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits, int slot) {
   if (light.kind == LightKind::sun) {
     return scale(set3(light.direction), set(-light.reach));
@@ -33,7 +33,8 @@ HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits
   const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
   VF point[3];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const VF jitter = unit_float(hash(key, light.key + 3 * static_cast<std::uint32_t>(stratum) + axis));
+    const std::uint32_t number = light.key + 3 * static_cast<std::uint32_t>(stratum) + axis;
+    const VF jitter = light.in_middles ? set(0.5f) : unit_float(hash(key, number));
     const float width =
         light.stratified ? light.size[axis] / static_cast<float>(light.strata[axis]) : light.size[axis];
     const float lower =

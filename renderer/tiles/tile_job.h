@@ -115,6 +115,8 @@ struct alignas(64) AdaptiveLight {
   // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
   std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
   Lane<std::uint8_t> sum, sum_without;  // of neighbouring samples seen
+  Lane<float> by_samples;               // 1: shaded sample by sample; 0: by points
+  std::array<Lane<float>, kMostShadingPoints> of_point, of_point_without;  // of each point's samples seen
 };
 
 // What the layers of blended surfaces add up to, front to back, per first hit.
@@ -184,6 +186,7 @@ struct ShadingInputs {
   RTCScene scene = nullptr;
   std::span<const InstanceRecord> instances;
   std::span<const LightRecord> lights;
+  std::span<const ShadingPoints> points;  // one of each light
   const ProbeView* probes = nullptr;          // null without probes
   const ProbeView* catcher_probes = nullptr;  // what catchers alone send to one another; null without
   float ambient[3] = {};
