@@ -48,38 +48,38 @@ HWY_INLINE KnownNeighbours known_neighbours(const LightRecord& light, int s) {
   return known;
 }
 
-// Fills `sum` with how many of the neighbours each hit sees.
-HWY_INLINE void sum_seen(const std::array<Lane<std::uint8_t>, kMostOrderedSamples>& saw,
-                         const KnownNeighbours& known, int count, Lane<std::uint8_t>& sum) {
-  const hn::CappedTag<std::uint8_t, kMaxLanes> bytes;  // lanes have room for this many beyond the last hit
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); i += hn::Lanes(bytes)) {
-    auto total = hn::Zero(bytes);
-    for (int n = 0; n < known.count; ++n) {
-      const std::size_t sample = known.sample[static_cast<std::size_t>(n)];
-      total = hn::Add(total, hn::LoadU(bytes, saw[sample].data() + i));
-    }
-    hn::StoreU(total, bytes, sum.data() + i);
+// Of the neighbours, how many each hit of a vector sees.
+HWY_INLINE VI sum_seen(const std::array<Lane<std::uint8_t>, kMostOrderedSamples>& saw,
+                       const KnownNeighbours& known, int slot) {
+  const hn::Rebind<std::uint8_t, I> bytes;
+  auto total = hn::Zero(bytes);
+  for (int n = 0; n < known.count; ++n) {
+    const std::size_t sample = known.sample[static_cast<std::size_t>(n)];
+    total = hn::Add(total, hn::LoadU(bytes, saw[sample].data() + slot));
   }
+  return hn::PromoteTo(kI, total);
 }
 
 // Foretells sample `s` of undecided hits where all the strata around it that are known agree: the edge of
 // what hides the light does not pass there. Takes three of them at least. Elsewhere undecided hits ask.
-HWY_NOINLINE inline void predict(const TileJob& job, const LightRecord& light, int s, int count) {
+HWY_NOINLINE inline void predict(const TileJob& job, const LightRecord& light, int s) {
   AdaptiveLight& adaptive = *job.scratch->adaptive;
   const bool catchers = job.shading->plan->catchers_occlude && !light.is_virtual;
   const KnownNeighbours known = known_neighbours(light, s);
-  Lane<std::uint8_t>&sum = adaptive.sum, &sum_without = adaptive.sum_without;
-  sum_seen(adaptive.saw, known, count, sum);
-  if (catchers) sum_seen(adaptive.saw_without, known, count, sum_without);
-  const auto same = [&](std::uint8_t seen) { return seen == 0 || seen == known.count; };
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    adaptive.asks[i] = 0.0f;
-    if (adaptive.undecided[i] == 0) continue;
-    const bool predicted =
-        adaptive.glossy[i] == 0 && known.count >= 3 && same(sum[i]) && (!catchers || same(sum_without[i]));
-    adaptive.asks[i] = predicted ? 0.0f : 1.0f;
-    adaptive.agreed[i] = sum[i] != 0 ? 1.0f : 0.0f;
-    adaptive.agreed_without[i] = !catchers || sum_without[i] != 0 ? 1.0f : 0.0f;
+  const VF one = set(1.0f), zero = hn::Zero(kF);
+  const VI none = hn::Zero(kI), all = hn::Set(kI, known.count);
+  const auto as_float = [&](auto lanes) HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(kF, lanes), one); };
+  for (const int slot : adaptive.open()) {
+    const MF undecided = hn::Gt(load(&adaptive.undecided[slot]), zero);
+    const VI sum = sum_seen(adaptive.saw, known, slot);
+    const VI without = catchers ? sum_seen(adaptive.saw_without, known, slot) : all;
+    const auto same = [&](VI seen) HWY_ATTR { return hn::Or(hn::Eq(seen, none), hn::Eq(seen, all)); };
+    MF predicted = hn::And(hn::RebindMask(kF, hn::And(same(sum), same(without))),
+                           hn::Eq(load(&adaptive.glossy[slot]), zero));
+    if (known.count < 3) predicted = first_lanes(0);
+    hn::Store(hn::IfThenElseZero(hn::AndNot(predicted, undecided), one), kF, &adaptive.asks[slot]);
+    store_lanes(as_float(hn::Ne(sum, none)), undecided, &adaptive.agreed[slot]);
+    store_lanes(catchers ? as_float(hn::Ne(without, none)) : one, undecided, &adaptive.agreed_without[slot]);
   }
 }
 
@@ -146,11 +146,11 @@ HWY_NOINLINE inline void first_visibility(const TileJob& job, const LightRecord&
 
 // Finds what hits see of a later sample: by a ray where a hit asks, else by what was decided or predicted.
 HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord& light, int s,
-                                          const HitBatch& hits, int count, RayKind kind) {
+                                          const HitBatch& hits, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
   begin_light_rays(scratch.queue, light, s);
-  for (int slot = 0; slot < count; slot += kLanes) {
+  for (const int slot : adaptive.open()) {
     const MF asks = hn::Gt(load(&adaptive.asks[slot]), hn::Zero(kF));
     const VF one = set(1.0f);
     hn::Store(hn::IfThenElse(asks, one, load(&adaptive.agreed[slot])), kF, &scratch.visible[slot]);
@@ -165,7 +165,7 @@ HWY_NOINLINE inline void later_visibility(const TileJob& job, const LightRecord&
 
 // Writes down what each hit saw of sample `s`: for predictions and decisions, and for the light of its point.
 HWY_NOINLINE inline void note_seen(const TileJob& job, const LightRecord& light, int point, int s,
-                                   const HitBatch& hits, int count) {
+                                   const HitBatch& hits) {
   TileScratch& scratch = *job.scratch;
   AdaptiveLight& adaptive = *scratch.adaptive;
   std::uint8_t* saw = adaptive.saw[static_cast<std::size_t>(s)].data();
@@ -176,7 +176,7 @@ HWY_NOINLINE inline void note_seen(const TileJob& job, const LightRecord& light,
   const hn::Rebind<std::uint8_t, I> bytes;
   const auto put = [&](VF share, std::uint8_t* to)
                        HWY_ATTR { hn::StoreU(hn::DemoteTo(bytes, hn::ConvertTo(kI, share)), bytes, to); };
-  for (int slot = 0; slot < count; slot += kLanes) {
+  for (const int slot : adaptive.open()) {
     const MF lit = facing(hits, slot, way_to_light(light, s, hits, slot));
     const VF seen = hn::IfThenElseZero(lit, load(&scratch.visible[slot]));
     const VF without = hn::IfThenElseZero(lit, load(&scratch.visible_without[slot]));
@@ -246,9 +246,9 @@ HWY_NOINLINE void find_by_samples(const LightRecord& light, const ShadingPoints&
 // Of hits that are shaded sample by sample, the light of sample `s`.
 template <Lobe kLobe>
 HWY_NOINLINE void shade_sample(const TileJob& job, const LightRecord& light, int s, const HighlightUse& use,
-                               HitBatch& hits, int count) {
+                               HitBatch& hits) {
   TileScratch& scratch = *job.scratch;
-  for (int slot = 0; slot < count; slot += kLanes) {
+  for (const int slot : scratch.adaptive->open()) {
     const MF lanes = hn::Gt(load(&scratch.adaptive->by_samples[slot]), hn::Zero(kF));
     if (hn::AllFalse(kF, lanes)) continue;
     for (Lane<float>* share : {&scratch.visible, &scratch.visible_without})
@@ -263,25 +263,43 @@ HWY_NOINLINE void shade_points(const TileJob& job, const ShadingPoints& points, 
                                HitBatch& hits, int count) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
-  const VF per_sample = set(1.0f / points.samples_each);
+  const VF per_sample = set(1.0f / points.samples_each), zero = hn::Zero(kF);
   for (int slot = 0; slot < count; slot += kLanes) {
-    const MF lanes = hn::Eq(load(&adaptive.by_samples[slot]), hn::Zero(kF));
+    const MF lanes = hn::Eq(load(&adaptive.by_samples[slot]), zero);
     if (hn::AllFalse(kF, lanes)) continue;
-    const auto share_of = [&](const Lane<float>& seen)
-                              HWY_ATTR { return hn::IfThenElseZero(lanes, hn::Mul(load(&seen[slot]), per_sample)); };
+    const MF undecided = hn::Gt(load(&adaptive.undecided[slot]), zero);
+    const auto share_of = [&](const Lane<float>& first, const Lane<float>& seen) HWY_ATTR {
+      const VF decided = hn::IfThenElseZero(hn::Gt(load(&first[slot]), zero), set(1.0f));
+      return hn::IfThenElseZero(lanes, hn::IfThenElse(undecided, hn::Mul(load(&seen[slot]), per_sample), decided));
+    };
     for (int point = 0; point < points.light.samples; ++point) {
       const auto i = static_cast<std::size_t>(point);
-      hn::Store(share_of(adaptive.of_point[i]), kF, &scratch.visible[slot]);
-      hn::Store(share_of(adaptive.of_point_without[i]), kF, &scratch.visible_without[slot]);
+      hn::Store(share_of(adaptive.seen, adaptive.of_point[i]), kF, &scratch.visible[slot]);
+      hn::Store(share_of(adaptive.seen_without, adaptive.of_point_without[i]), kF, &scratch.visible_without[slot]);
       add_sample<kLobe>(job, points.light, point, use, hits, slot);
     }
   }
 }
 
 HWY_NOINLINE inline void begin(int count, AdaptiveLight& adaptive) {
+  adaptive.open_count = 0;
+  for (int slot = 0; slot < count; slot += kLanes)
+    adaptive.open_slots[adaptive.open_count++] = static_cast<std::int16_t>(slot);
   for (Lane<float>* lane : {&adaptive.faced, &adaptive.seen, &adaptive.seen_without}) clear(*lane, count);
   for (Lane<float>& lane : adaptive.of_point) clear(lane, count);
   for (Lane<float>& lane : adaptive.of_point_without) clear(lane, count);
+}
+
+// Leaves those vectors open of which some hit is undecided or shaded by samples; of all others it is known what
+// further samples would say.
+HWY_NOINLINE inline void close_decided(int count, AdaptiveLight& adaptive) {
+  adaptive.open_count = 0;
+  const VF zero = hn::Zero(kF);
+  for (int slot = 0; slot < count; slot += kLanes) {
+    const VF wanted = hn::Max(load(&adaptive.undecided[slot]), load(&adaptive.by_samples[slot]));
+    if (hn::AllFalse(kF, hn::And(hn::Gt(wanted, zero), first_lanes(count - slot)))) continue;
+    adaptive.open_slots[adaptive.open_count++] = static_cast<std::int16_t>(slot);
+  }
 }
 
 // One light at hits [0, count) of a batch.
@@ -299,12 +317,15 @@ HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, c
     if (s < light.first_samples) {
       first_visibility(job, light, s, hits, count, kind);
     } else {
-      if (s == light.first_samples) decide(hits, count, adaptive);
-      predict(job, light, s, count);
-      later_visibility(job, light, s, hits, count, kind);
+      if (s == light.first_samples) {
+        decide(hits, count, adaptive);
+        close_decided(count, adaptive);
+      }
+      predict(job, light, s);
+      later_visibility(job, light, s, hits, kind);
     }
-    note_seen(job, light, points.of_sample[static_cast<std::size_t>(s)], s, hits, count);
-    shade_sample<kLobe>(job, light, s, use, hits, count);
+    note_seen(job, light, points.of_sample[static_cast<std::size_t>(s)], s, hits);
+    shade_sample<kLobe>(job, light, s, use, hits);
   }
   shade_points<kLobe>(job, points, of_points, hits, count);
 }

@@ -114,9 +114,13 @@ struct alignas(64) AdaptiveLight {
   Lane<float> agreed, agreed_without;  // what is taken where no ray is needed: 0 or 1
   // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
   std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
-  Lane<std::uint8_t> sum, sum_without;  // of neighbouring samples seen
   Lane<float> by_samples;               // 1: shaded sample by sample; 0: by points
   std::array<Lane<float>, kMostShadingPoints> of_point, of_point_without;  // of each point's samples seen
+  // Where the vectors begin that samples are still looked at for: all, then those with a hit that is undecided or
+  // shaded by samples.
+  std::array<std::int16_t, kTileRays / 4 + 1> open_slots;
+  std::size_t open_count = 0;
+  std::span<const std::int16_t> open() const { return std::span(open_slots).first(open_count); }
 };
 
 // What the layers of blended surfaces add up to, front to back, per first hit.
