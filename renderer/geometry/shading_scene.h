@@ -138,7 +138,7 @@ struct LightRecord {
 // A lamp as few points stand for it, each for as many samples (lighting/shading_points.h).
 inline constexpr int kMostShadingPoints = 8;
 struct ShadingPoints {
-  LightRecord light;  // as the lamp, with the points for its samples
+  LightRecord light;                                          // as the lamp, with the points for its samples
   std::array<std::uint8_t, kMostOrderedSamples> of_sample{};  // which point's each sample is
   float samples_each = 1;
   float nearest2 = 0;  // squared distance below which a lamp is too near for its points

@@ -1,9 +1,9 @@
 // Light samples spent only where they matter. The first few are traced for every hit, the others only in 4x4
 // blocks whose first samples disagree (refinement where samples differ: Mitchell 1987). There, samples run
 // from a coarse lattice of strata to the finer ones, and a stratum whose neighbours all agree is not asked:
-// only those along the edge of what hides the light are. Light is split from what hides it: that of a few points
-// is multiplied by what is seen of their samples; highlights that these cannot resolve, lamps on the horizon and
-// near ones are shaded sample by sample.
+// only those along the edge of what hides the light are. Light is split from what hides it: that of a few
+// points is multiplied by what is seen of their samples; highlights that these cannot resolve, lamps on the
+// horizon and near ones are shaded sample by sample.
 #pragma once
 
 #include <algorithm>
@@ -68,7 +68,8 @@ HWY_NOINLINE inline void predict(const TileJob& job, const LightRecord& light, i
   const KnownNeighbours known = known_neighbours(light, s);
   const VF one = set(1.0f), zero = hn::Zero(kF);
   const VI none = hn::Zero(kI), all = hn::Set(kI, known.count);
-  const auto as_float = [&](auto lanes) HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(kF, lanes), one); };
+  const auto as_float = [&](auto lanes)
+                            HWY_ATTR { return hn::IfThenElseZero(hn::RebindMask(kF, lanes), one); };
   for (const int slot : adaptive.open()) {
     const MF undecided = hn::Gt(load(&adaptive.undecided[slot]), zero);
     const VI sum = sum_seen(adaptive.saw, known, slot);
@@ -270,12 +271,14 @@ HWY_NOINLINE void shade_points(const TileJob& job, const ShadingPoints& points, 
     const MF undecided = hn::Gt(load(&adaptive.undecided[slot]), zero);
     const auto share_of = [&](const Lane<float>& first, const Lane<float>& seen) HWY_ATTR {
       const VF decided = hn::IfThenElseZero(hn::Gt(load(&first[slot]), zero), set(1.0f));
-      return hn::IfThenElseZero(lanes, hn::IfThenElse(undecided, hn::Mul(load(&seen[slot]), per_sample), decided));
+      return hn::IfThenElseZero(lanes,
+                                hn::IfThenElse(undecided, hn::Mul(load(&seen[slot]), per_sample), decided));
     };
     for (int point = 0; point < points.light.samples; ++point) {
       const auto i = static_cast<std::size_t>(point);
       hn::Store(share_of(adaptive.seen, adaptive.of_point[i]), kF, &scratch.visible[slot]);
-      hn::Store(share_of(adaptive.seen_without, adaptive.of_point_without[i]), kF, &scratch.visible_without[slot]);
+      hn::Store(share_of(adaptive.seen_without, adaptive.of_point_without[i]), kF,
+                &scratch.visible_without[slot]);
       add_sample<kLobe>(job, points.light, point, use, hits, slot);
     }
   }
@@ -290,8 +293,8 @@ HWY_NOINLINE inline void begin(int count, AdaptiveLight& adaptive) {
   for (Lane<float>& lane : adaptive.of_point_without) clear(lane, count);
 }
 
-// Leaves those vectors open of which some hit is undecided or shaded by samples; of all others it is known what
-// further samples would say.
+// Leaves those vectors open of which some hit is undecided or shaded by samples; of all others it is known
+// what further samples would say.
 HWY_NOINLINE inline void close_decided(int count, AdaptiveLight& adaptive) {
   adaptive.open_count = 0;
   const VF zero = hn::Zero(kF);

@@ -1,7 +1,7 @@
-// A lamp's light split from what hides it: unshadowed light comes from a few points in the middles of larger
-// strata, each times the share of the samples in it that are seen (ratio estimators: Heitz, Hill & McGuire,
-// "Combining Analytic Direct Illumination and Stochastic Shadows", 2018). Before: light records. After:
-// adaptive_light-inl.h.
+// A lamp's light split from what hides it: unshadowed light comes from a few points near the middles of
+// larger strata, each times the share of the samples in it that are seen (ratio estimators: Heitz, Hill &
+// McGuire, "Combining Analytic Direct Illumination and Stochastic Shadows", 2018). Before: light records.
+// After: adaptive_light-inl.h.
 #pragma once
 
 #include <span>

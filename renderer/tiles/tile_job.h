@@ -114,10 +114,10 @@ struct alignas(64) AdaptiveLight {
   Lane<float> agreed, agreed_without;  // what is taken where no ray is needed: 0 or 1
   // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
   std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
-  Lane<float> by_samples;               // 1: shaded sample by sample; 0: by points
+  Lane<float> by_samples;  // 1: shaded sample by sample; 0: by points
   std::array<Lane<float>, kMostShadingPoints> of_point, of_point_without;  // of each point's samples seen
-  // Where the vectors begin that samples are still looked at for: all, then those with a hit that is undecided or
-  // shaded by samples.
+  // Where the vectors begin that samples are still looked at for: all, then those with a hit that is
+  // undecided or shaded by samples.
   std::array<std::int16_t, kTileRays / 4 + 1> open_slots;
   std::size_t open_count = 0;
   std::span<const std::int16_t> open() const { return std::span(open_slots).first(open_count); }
@@ -190,7 +190,7 @@ struct ShadingInputs {
   RTCScene scene = nullptr;
   std::span<const InstanceRecord> instances;
   std::span<const LightRecord> lights;
-  std::span<const ShadingPoints> points;  // one of each light
+  std::span<const ShadingPoints> points;      // one of each light
   const ProbeView* probes = nullptr;          // null without probes
   const ProbeView* catcher_probes = nullptr;  // what catchers alone send to one another; null without
   float ambient[3] = {};

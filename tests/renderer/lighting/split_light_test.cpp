@@ -1,0 +1,106 @@
+// Adaptive samples split a lamp's light from what hides it: which samples are whose point's, and light that
+// nothing hides against a quadrature in double.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <vector>
+
+#include "renderer/lighting/light_records.h"
+#include "renderer/lighting/shading_points.h"
+#include "tests/renderer/lighting/scalar_light.h"
+#include "tests/renderer/penumbra_scene.h"
+#include "tests/renderer/rendered_frames.h"
+#include "tests/renderer/test_scenes.h"
+
+namespace herr {
+namespace {
+
+LightRecord lamp_of(const glm::vec3& size, int samples, int first) {
+  const std::vector<AreaLight> lamps{test::light_at({0, 2, 0}, glm::vec3{1.0f}, size)};
+  std::vector<LightRecord> records;
+  light_records(lamps, glm::dvec3{0.0}, {samples, first, true}, {}, records);
+  return records.at(0);
+}
+
+TEST(ShadingPointsTest, EachStandsForAsManySamplesAndForStrataThatTouch) {
+  for (const glm::vec3& size : {glm::vec3{0.4f, 0.1f, 0.4f}, glm::vec3{1, 0, 1}, glm::vec3{0, 2, 0}}) {
+    for (const int samples : {12, 64, 250}) {
+      const LightRecord light = lamp_of(size, samples, 4);
+      std::vector<ShadingPoints> points;
+      shading_points(std::vector<LightRecord>{light}, points);
+      const LightRecord& few = points.at(0).light;
+      EXPECT_LE(few.samples, kMostShadingPoints);
+      EXPECT_EQ(static_cast<float>(few.samples) * points[0].samples_each, static_cast<float>(samples));
+      std::vector<int> of_point(static_cast<std::size_t>(few.samples));
+      std::array<std::array<int, 2>, 3> unknown;
+      unknown.fill({1 << 20, -1});
+      std::vector<std::array<std::array<int, 2>, 3>> reach(of_point.size(), unknown);
+      for (std::size_t s = 0; s < static_cast<std::size_t>(samples); ++s) {
+        const std::size_t point = points[0].of_sample[s];
+        ++of_point.at(point);
+        const int nx = light.strata[0], ny = light.strata[1], stratum = light.stratum_of[s];
+        const std::array<int, 3> cell{stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          reach[point][axis][0] = std::min(reach[point][axis][0], cell[axis]);
+          reach[point][axis][1] = std::max(reach[point][axis][1], cell[axis]);
+        }
+      }
+      for (std::size_t point = 0; point < of_point.size(); ++point) {
+        EXPECT_EQ(of_point[point] * few.samples, samples);
+        // A box of strata without a gap.
+        int strata = 1;
+        for (const std::array<int, 2>& along : reach[point]) strata *= along[1] - along[0] + 1;
+        EXPECT_EQ(strata, of_point[point]);
+      }
+    }
+  }
+}
+
+// Two points along an axis are Gauss's, at 1 / sqrt(3) of the half edge: 0.2 / sqrt(3) = 0.11547 of 0.4 m.
+TEST(ShadingPointsTest, TwoAlongAnAxisAreGausssPoints) {
+  std::vector<ShadingPoints> points;
+  shading_points(std::vector<LightRecord>{lamp_of({0.4f, 0.4f, 0.4f}, 64, 4)}, points);
+  const LightRecord& few = points.at(0).light;
+  ASSERT_EQ(few.samples, 8);
+  for (int axis = 0; axis < 3; ++axis) {
+    ASSERT_EQ(few.strata[axis], 2);
+    EXPECT_NEAR(few.lower[axis] + 0.25f * few.size[axis], few.centre[axis] - 0.11547f, 1e-5);
+  }
+}
+
+// Unlike samples, points have no noise. Of 0.4 m and less for each at 2 m their error is about 0.2^4, 0.0016
+// of the light; halves round to 0.0005.
+TEST(SplitLightTest, LightThatNothingHidesIsThatOfTheWholeLamp) {
+  const DisplayProfile profile = test::penumbra_view(48, 12);
+  RenderSettings settings = test::planar_settings();
+  settings.light_samples = 64;
+  settings.adaptive_min_samples = 8;
+  for (const glm::vec3& size :
+       {glm::vec3{0.5f, 0.4f, 0.5f}, glm::vec3{0.8f, 0.1f, 0.8f}, glm::vec3{1, 0, 0}}) {
+    for (const float roughness : {1.0f, 0.6f}) {
+      Scene scene;
+      Material material = test::matte(glm::vec3{0.8f});
+      material.roughness = roughness;
+      test::add(scene, test::floor_quad(50), material);
+      scene.lights = {test::light_at({0.3, test::kLightHeight_m, 0.2}, glm::vec3{10.0f}, size)};
+      const RenderedFrame frame = test::render(scene, profile, settings, test::penumbra_sample());
+      const glm::dvec3 eye{0, test::kEyeHeight_m, 0};
+      double worst = 0;
+      test::for_each_pixel(frame.viewports[0], [&](int x, int y, const test::Pixel& pixel) {
+        const glm::dvec3 d = test::direction_of_pixel(profile.viewports[0], x, y);
+        const glm::dvec3 at{test::kEyeHeight_m * d.x / -d.z, 0, -test::kEyeHeight_m * d.y / -d.z};
+        const test::SurfacePoint point{at, {0, 1, 0}, glm::normalize(eye - at)};
+        const double exact = test::radiance_from_box(material, point, scene.lights[0]).x;
+        worst = std::max(worst, std::abs(pixel[0] / exact - 1));
+      });
+      std::cout << size.x << " x " << size.y << " x " << size.z << ", roughness " << roughness << ": "
+                << worst << "\n";
+      EXPECT_LE(worst, 0.002);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace herr
