@@ -13,7 +13,6 @@
 #include "renderer/broken_on_purpose.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/lighting/light_records.h"
-#include "renderer/lighting/shading_points.h"
 #include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
 
@@ -236,21 +235,11 @@ void Renderer::Impl::choose_details() {
       [this](std::size_t i, std::uint32_t mesh) { geometry->show_mesh(i, mesh); });
 }
 
-LightReach Renderer::Impl::light_reach() const {
-  double eyes_m = 0;
-  for (const EyeView& eye : eyes) eyes_m = std::max(eyes_m, glm::length(eye.anchored_from_eye.position));
-  return {beyond_scene_m, eyes_m};
-}
-
 void Renderer::Impl::update_scene(const SceneState& state, const FrameQuality& quality) {
-  light_records(state.lights, geometry->anchor(), plan.light_sampling(quality.light_samples), light_reach(),
-                lights);
+  update_lights(state, quality);
   shading.plan = &plan;
   shading.scene = geometry->top();
   shading.instances = geometry->instances();
-  shading.lights = lights;
-  shading_points(lights, light_points);
-  shading.points = light_points;
   shading.occlusion_rays = settings.occlusion_rays;
   shading.occlusion_radius_m = static_cast<float>(settings.occlusion_radius_m);
   shading.occlusion_smoothing = settings.occlusion_smoothing;

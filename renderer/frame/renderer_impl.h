@@ -99,6 +99,7 @@ struct Renderer::Impl {
   void choose_details();
   LightReach light_reach() const;  // of lights, for this frame
   void update_scene(const SceneState& state, const FrameQuality& quality);
+  void update_lights(const SceneState& state, const FrameQuality& quality);
   void update_probes(const FrameSample& sample, const SceneState& state, RenderedFrame& out);
   // Columns at this frame's full quality: of an eye, of the eye that needs the most; of an eye where that one
   // has `polar_width`.
