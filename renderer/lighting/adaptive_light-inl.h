@@ -1,8 +1,8 @@
 // Light samples spent only where they matter. The first few are traced for every hit, the others only in 4x4
 // blocks whose first samples disagree (refinement where samples differ: Mitchell 1987). There, samples run
 // from a coarse lattice of strata to the finer ones, and a stratum whose neighbours all agree is not asked:
-// only those along the edge of what hides the light are. What is seen multiplies
-// the light of points (light_of_points-inl.h).
+// only those along the edge of what hides the light are. What is seen multiplies the light of points
+// (light_of_points-inl.h).
 #pragma once
 
 #include <algorithm>
@@ -234,7 +234,6 @@ HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, c
   HighlightUse of_points;
   find_use<kLobe>(points.light, hits, count, of_points);
   find_by_samples<kLobe>(light, points, use, of_points, hits, count, adaptive);
-  of_points.shares_base = of_points.shares_coat = false;  // those hits are shaded by samples
   find_pairs(hits, count, adaptive);
   for (int s = 0; s < light.samples; ++s) {
     if (s < light.first_samples) {

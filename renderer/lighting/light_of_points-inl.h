@@ -2,6 +2,8 @@
 // sample instead. Before: shading_points, adaptive_light-inl.h says what is seen. After: direct light.
 #pragma once
 
+#include <algorithm>
+
 #include "renderer/lighting/light_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,8 +29,35 @@ HWY_INLINE MF needs_places(const LightRecord& light, const ShadingPoints& points
     const VF reach = dot(V3{hn::Abs(n.x), hn::Abs(n.y), hn::Abs(n.z)}, half);
     return hn::Le(hn::Abs(dot(n, way)), reach);
   };
-  const MF near = hn::Lt(dot(way, way), set(points.nearest2));
+  const auto beyond = [](VF across, VF half_edge)
+                          HWY_ATTR { return hn::Max(hn::Sub(hn::Abs(across), half_edge), hn::Zero(kF)); };
+  const V3 gap{beyond(way.x, half.x), beyond(way.y, half.y), beyond(way.z, half.z)};
+  const MF near = hn::Lt(dot(gap, gap), set(points.nearest2));
   return hn::Or(near, hn::Or(cut(load3(hits.normal, slot)), cut(load3(hits.geometric_normal, slot))));
+}
+
+// Highlights that the points do not resolve, of a lamp that no direction can be drawn to (draws() knows of
+// others): narrower than what half vectors turn from point to point.
+template <Lobe kLobe>
+HWY_INLINE MF narrower_than_points(const LightRecord& few, const HitBatch& hits, int slot, Highlight which) {
+  const V3 v = load3(hits.viewer, slot);
+  const VF n_v = dot(lobe_normal(hits, slot, which), v);
+  const V3 way = sub(set3(few.centre), load3(hits.position, slot));
+  const VF distance2 = hn::Max(dot(way, way), set(std::max(few.min_distance2, 1e-30f)));
+  const VF l_h = hn::Max(dot(v, normalise(add(normalise(way), v))), set(0.05f));
+  const VF step = hn::Div(set(few.half_turn_m), hn::Mul(hn::Sqrt(distance2), l_h));
+  const VF resolved2 = hn::Mul(set(kResolvedAlpha2), hn::Mul(step, step));
+  return hn::Lt(drawn_alpha2(hits, slot, which, n_v), resolved2);
+}
+template <Lobe kLobe>
+HWY_INLINE MF narrower_than_points(const LightRecord& few, const HitBatch& hits, int slot) {
+  if constexpr (kLobe == Lobe::none) return first_lanes(0);
+  MF narrow = narrower_than_points<kLobe>(few, hits, slot, Highlight::base);
+  if constexpr (kLobe == Lobe::layered) {
+    const MF coated = hn::Gt(load(&hits.lobes->coat[slot]), hn::Zero(kF));
+    narrow = hn::Or(narrow, hn::And(coated, narrower_than_points<kLobe>(few, hits, slot, Highlight::coat)));
+  }
+  return narrow;
 }
 
 // Finds hits that are shaded sample by sample: those, and highlights that the points do not resolve.
@@ -43,6 +72,8 @@ HWY_NOINLINE void find_by_samples(const LightRecord& light, const ShadingPoints&
       if (one->shares_base) by_samples = hn::Or(by_samples, used_as(one->base, slot, kShared));
       if (one->shares_coat) by_samples = hn::Or(by_samples, used_as(one->coat, slot, kShared));
     }
+    if (!meets_directions(points.light))
+      by_samples = hn::Or(by_samples, narrower_than_points<kLobe>(points.light, hits, slot));
     hn::Store(hn::IfThenElseZero(by_samples, set(1.0f)), kF, &adaptive.by_samples[slot]);
   }
 }

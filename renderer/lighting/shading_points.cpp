@@ -6,26 +6,24 @@
 namespace herr {
 namespace {
 
-// In edges of a point's stratum: light of all points errs by about the fourth power of edge over distance.
-constexpr float kLeastDistances = 4;
+// Least distances from a lamp, in edges of a point's stratum. Along an axis of two points or more light errs
+// by about the fourth power of edge over distance; along one of a single point by an eighth of its square.
+constexpr float kOfSeveral = 4, kOfOne = 12;
 
-int smallest_factor(int n) {
-  for (int factor = 2; factor * factor <= n; ++factor) {
-    if (n % factor == 0) return factor;
-  }
-  return n;
-}
-
-// Neighbouring strata come together along the axis where they are narrowest.
+// The divisors of the lamp's strata that leave at most kMostShadingPoints, as near to cubes as may be.
 void join_strata(const LightRecord& light, int (&strata)[3]) {
-  std::copy(light.strata, light.strata + 3, strata);
-  while (strata[0] * strata[1] * strata[2] > kMostShadingPoints) {
-    int narrowest = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto width = [&](int a) { return light.size[a] / static_cast<float>(strata[a]); };
-      if (strata[axis] > 1 && (narrowest < 0 || width(axis) < width(narrowest))) narrowest = axis;
+  double best = 1e300;
+  for (int x = 1; x <= light.strata[0]; ++x) {
+    for (int y = 1; y <= light.strata[1]; ++y) {
+      for (int z = 1; z <= light.strata[2]; ++z) {
+        const bool divides = light.strata[0] % x == 0 && light.strata[1] % y == 0 && light.strata[2] % z == 0;
+        if (!divides || x * y * z > kMostShadingPoints) continue;
+        const double a = double{light.size[0]} / x, b = double{light.size[1]} / y,
+                     c = double{light.size[2]} / z;
+        const double misfit = a * a + b * b + c * c;
+        if (misfit < best * (1 - 1e-12)) best = misfit, strata[0] = x, strata[1] = y, strata[2] = z;
+      }
     }
-    strata[narrowest] /= smallest_factor(strata[narrowest]);
   }
 }
 
@@ -48,12 +46,15 @@ ShadingPoints points_of(const LightRecord& light) {
   join_strata(light, few.strata);
   few.samples = few.first_samples = few.strata[0] * few.strata[1] * few.strata[2];
   few.in_middles = true;
-  float widest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    widest = std::max(widest, few.size[axis] / static_cast<float>(few.strata[axis]));
+  float widest = 0, nearest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float width = few.size[axis] / static_cast<float>(few.strata[axis]);
+    widest = std::max(widest, width);
+    nearest = std::max(nearest, (few.strata[axis] > 1 ? kOfSeveral : kOfOne) * width);
+  }
   few.half_turn_m = 0.5f * widest;
   spread_middles(few);
-  points.nearest2 = kLeastDistances * kLeastDistances * widest * widest;
+  points.nearest2 = nearest * nearest;
   points.samples_each = static_cast<float>(light.samples / few.samples);
   for (int point = 0; point < few.samples; ++point)
     few.stratum_of[static_cast<std::size_t>(point)] = static_cast<std::uint16_t>(point);

@@ -9,7 +9,8 @@ namespace herr {
 inline constexpr int kTileSide = 32;
 inline constexpr int kTileRays = kTileSide * kTileSide;
 inline constexpr int kMaxLanes = 16;
-// Blocks of 4x4 samples: neighbours that share decisions and directions on every instruction set.
+// Blocks of 4x4 samples: neighbours that decide together, halves of which share directions, on every
+// instruction set.
 inline constexpr int kBlocksAlong = kTileSide / 4;
 inline constexpr std::size_t kBlocksInTile = kBlocksAlong * kBlocksAlong;
 

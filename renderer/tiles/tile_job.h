@@ -105,7 +105,8 @@ struct alignas(64) RayQueue {
   std::uint32_t salt = 0;  // tells their random numbers from those of other rays of the same hits
 };
 
-// What is known of a light at each hit while its samples are adaptive. Half a megabyte: only where asked for.
+// What is known of a light at each hit while its samples are adaptive. Two thirds of a megabyte: only where
+// asked for.
 struct alignas(64) AdaptiveLight {
   Lane<float> faced, seen, seen_without;  // numbers of the first samples
   Lane<float> undecided, asks;  // 1: needs more than the first samples; needs a ray for the one in work

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <vector>
 
@@ -100,6 +101,56 @@ TEST(SplitLightTest, LightThatNothingHidesIsThatOfTheWholeLamp) {
       EXPECT_LE(worst, 0.002);
     }
   }
+}
+
+// 36 = 6 x 6 strata: six points, 2 x 3, and none along which a single one stands for all.
+TEST(ShadingPointsTest, SpreadAlongAllAxesThatTheirNumberAllows) {
+  std::vector<ShadingPoints> points;
+  shading_points(std::vector<LightRecord>{lamp_of({1, 0, 1}, 36, 4)}, points);
+  const LightRecord& few = points.at(0).light;
+  EXPECT_EQ(few.samples, 6);
+  EXPECT_EQ(std::max(few.strata[0], few.strata[2]), 3);
+  EXPECT_EQ(few.strata[1], 1);
+}
+
+// What all samples give, and adaptive ones with nothing in the way.
+std::array<RenderedFrame, 2> all_and_adaptive(const Scene& scene) {
+  RenderSettings settings = test::planar_settings();
+  settings.light_samples = 64;
+  const DisplayProfile profile = test::penumbra_view(96, 24);
+  std::array<RenderedFrame, 2> frames;
+  frames[0] = test::render(scene, profile, settings, test::penumbra_sample());
+  settings.adaptive_min_samples = 8;
+  frames[1] = test::render(scene, profile, settings, test::penumbra_sample());
+  return frames;
+}
+
+// A tube of 1.2 m, 3 cm above the floor: eight points of 0.15 m each would miss what is between them and the
+// cosine at its ends. All of the view (0.6 m to both sides) is nearer than 4 x 0.15 m.
+TEST(SplitLightTest, NearALampEachSampleIsShaded) {
+  Scene scene;
+  test::add(scene, test::floor_quad(50), test::matte(glm::vec3{0.8f}));
+  scene.lights = {test::light_at({0, 0.03, 0}, glm::vec3{0.1f}, {1.2f, 0, 0})};
+  const auto frames = all_and_adaptive(scene);
+  test::expect_same_bits(frames[0], frames[1]);
+}
+
+// Glossy plastic under a tube: its reflection is as narrow and as bright as with all samples, though no
+// direction can be drawn towards a tube.
+TEST(SplitLightTest, TheReflectionOfATubeStaysAsItIs) {
+  Scene scene;
+  Material plastic = test::matte(glm::vec3{0.05f});
+  plastic.roughness = 0.142f;
+  test::add(scene, test::floor_quad(50), plastic);
+  scene.lights = {test::light_at({0, test::kLightHeight_m, 0}, glm::vec3{10.0f}, {0, 0, 1.2f})};
+  const auto frames = all_and_adaptive(scene);
+  double brightest = 0, worst = 0;
+  test::for_each_pixel(frames[0].viewports[0], [&](int x, int y, const test::Pixel& all) {
+    brightest = std::max(brightest, all[0]);
+    worst = std::max(worst, std::abs(all[0] - test::pixel_at(frames[1].viewports[0], x, y)[0]));
+  });
+  std::cout << "differs by " << worst << " of " << brightest << "\n";
+  EXPECT_LE(worst, 0.01 * brightest);
 }
 
 }  // namespace
