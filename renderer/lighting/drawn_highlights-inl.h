@@ -81,19 +81,33 @@ HWY_INLINE LobeCounts lobe_counts(const LightRecord& light) {
 // Highlights with less than this of (alpha / what half vectors turn by across a stratum)^2 are drawn from.
 constexpr float kResolvedAlpha2 = 8.0f;
 
+// The half vector of the light's middle, and what half vectors turn by for each metre across the light: half
+// of what its places turn, and more off the plane of incidence.
+struct HalfVector {
+  V3 h;
+  VF per_metre;
+};
+HWY_INLINE HalfVector half_vector(const LightRecord& light, const HitBatch& hits, int slot) {
+  const V3 v = load3(hits.viewer, slot);
+  const V3 way = sub(set3(light.centre), load3(hits.position, slot));
+  const VF distance2 = hn::Max(dot(way, way), set(std::max(light.min_distance2, 1e-30f)));
+  const V3 h = normalise(add(normalise(way), v));
+  const VF l_h = hn::Max(dot(v, h), set(0.05f));
+  return {h, hn::Div(set(1.0f), hn::Mul(hn::Sqrt(distance2), l_h))};
+}
+HWY_INLINE VF turn2_across_stratum(const LightRecord& light, const HalfVector& half) {
+  const VF turn = hn::Mul(half.per_metre, set(light.half_turn_m));
+  return hn::Mul(turn, turn);
+}
+
 // Hits whose highlight of a light is drawn from: narrower than its strata resolve, and its middle so near to
 // the light that these see more than its tail, which changes little from one to the next.
 template <Lobe kLobe>
 HWY_INLINE MF draws(const LightRecord& light, const HitBatch& hits, int slot, Highlight which, VF n_v) {
   constexpr float kTail = 4.0f;
-  const V3 n = lobe_normal(hits, slot, which), v = load3(hits.viewer, slot);
-  const V3 way = sub(set3(light.centre), load3(hits.position, slot));
-  const VF distance2 = hn::Max(dot(way, way), set(std::max(light.min_distance2, 1e-30f)));
-  const V3 h = normalise(add(normalise(way), v));
-  // Half vectors turn by half of what the light's places turn, and by more off the plane of incidence.
-  const VF l_h = hn::Max(dot(v, h), set(0.05f));
-  const VF per_metre = hn::Div(set(1.0f), hn::Mul(hn::Sqrt(distance2), l_h));
-  const VF step = hn::Mul(per_metre, set(light.half_turn_m)), step2 = hn::Mul(step, step);
+  const V3 n = lobe_normal(hits, slot, which);
+  const HalfVector half = half_vector(light, hits, slot);
+  const VF step2 = turn2_across_stratum(light, half);
   const VF alpha2 = drawn_alpha2(hits, slot, which, n_v);
   MF lanes = hn::And(hn::Gt(n_v, set(kLeastViewerCosine)),
                      hn::RebindMask(kF, hn::Eq(hn::Load(kI, &hits.kind[slot]),
@@ -111,8 +125,8 @@ HWY_INLINE MF draws(const LightRecord& light, const HitBatch& hits, int slot, Hi
   }
   const float radius = 0.5f * std::sqrt(light.size[0] * light.size[0] + light.size[1] * light.size[1] +
                                         light.size[2] * light.size[2]);
-  const VF reach = hn::MulAdd(per_metre, set(0.5f * radius), hn::Mul(set(kTail), hn::Sqrt(wide2)));
-  const V3 off = cross(n, h);
+  const VF reach = hn::MulAdd(half.per_metre, set(0.5f * radius), hn::Mul(set(kTail), hn::Sqrt(wide2)));
+  const V3 off = cross(n, half.h);
   return hn::And(lanes, hn::Lt(dot(off, off), hn::Mul(reach, reach)));
 }
 

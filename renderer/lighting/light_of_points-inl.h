@@ -2,8 +2,6 @@
 // sample instead. Before: shading_points, adaptive_light-inl.h says what is seen. After: direct light.
 #pragma once
 
-#include <algorithm>
-
 #include "renderer/lighting/light_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -38,24 +36,18 @@ HWY_INLINE MF needs_places(const LightRecord& light, const ShadingPoints& points
 
 // Highlights that the points do not resolve, of a lamp that no direction can be drawn to (draws() knows of
 // others): narrower than what half vectors turn from point to point.
-template <Lobe kLobe>
 HWY_INLINE MF narrower_than_points(const LightRecord& few, const HitBatch& hits, int slot, Highlight which) {
-  const V3 v = load3(hits.viewer, slot);
-  const VF n_v = dot(lobe_normal(hits, slot, which), v);
-  const V3 way = sub(set3(few.centre), load3(hits.position, slot));
-  const VF distance2 = hn::Max(dot(way, way), set(std::max(few.min_distance2, 1e-30f)));
-  const VF l_h = hn::Max(dot(v, normalise(add(normalise(way), v))), set(0.05f));
-  const VF step = hn::Div(set(few.half_turn_m), hn::Mul(hn::Sqrt(distance2), l_h));
-  const VF resolved2 = hn::Mul(set(kResolvedAlpha2), hn::Mul(step, step));
-  return hn::Lt(drawn_alpha2(hits, slot, which, n_v), resolved2);
+  const VF n_v = dot(lobe_normal(hits, slot, which), load3(hits.viewer, slot));
+  const VF turn2 = turn2_across_stratum(few, half_vector(few, hits, slot));
+  return hn::Lt(drawn_alpha2(hits, slot, which, n_v), hn::Mul(set(kResolvedAlpha2), turn2));
 }
 template <Lobe kLobe>
 HWY_INLINE MF narrower_than_points(const LightRecord& few, const HitBatch& hits, int slot) {
   if constexpr (kLobe == Lobe::none) return first_lanes(0);
-  MF narrow = narrower_than_points<kLobe>(few, hits, slot, Highlight::base);
+  MF narrow = narrower_than_points(few, hits, slot, Highlight::base);
   if constexpr (kLobe == Lobe::layered) {
     const MF coated = hn::Gt(load(&hits.lobes->coat[slot]), hn::Zero(kF));
-    narrow = hn::Or(narrow, hn::And(coated, narrower_than_points<kLobe>(few, hits, slot, Highlight::coat)));
+    narrow = hn::Or(narrow, hn::And(coated, narrower_than_points(few, hits, slot, Highlight::coat)));
   }
   return narrow;
 }

@@ -7,15 +7,17 @@ namespace herr {
 namespace {
 
 // Least distances from a lamp, in edges of a point's stratum. Along an axis of two points or more light errs
-// by about the fourth power of edge over distance; along one of a single point by an eighth of its square.
+// by about the fourth power of edge over distance; along one of a single point by an eighth to a quarter of
+// its square.
 constexpr float kOfSeveral = 4, kOfOne = 12;
 
 // The divisors of the lamp's strata that leave at most kMostShadingPoints, as near to cubes as may be.
 void join_strata(const LightRecord& light, int (&strata)[3]) {
+  const auto most = [&](int axis) { return std::min(light.strata[axis], kMostShadingPoints); };
   double best = 1e300;
-  for (int x = 1; x <= light.strata[0]; ++x) {
-    for (int y = 1; y <= light.strata[1]; ++y) {
-      for (int z = 1; z <= light.strata[2]; ++z) {
+  for (int x = 1; x <= most(0); ++x) {
+    for (int y = 1; y <= most(1); ++y) {
+      for (int z = 1; z <= most(2); ++z) {
         const bool divides = light.strata[0] % x == 0 && light.strata[1] % y == 0 && light.strata[2] % z == 0;
         if (!divides || x * y * z > kMostShadingPoints) continue;
         const double a = double{light.size[0]} / x, b = double{light.size[1]} / y,
