@@ -7,8 +7,8 @@
 
 #include "renderer/bench/bare_pixels.h"
 #include "renderer/bench/bare_rays.h"
+#include "renderer/direct_light/light_records.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/lighting/light_records.h"
 #include "renderer/timing.h"
 
 namespace herr {

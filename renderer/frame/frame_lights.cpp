@@ -2,9 +2,9 @@
 // where the eyes and the scene are. After: tiles.
 #include <algorithm>
 
+#include "renderer/direct_light/light_records.h"
+#include "renderer/direct_light/shading_points.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/lighting/light_records.h"
-#include "renderer/lighting/shading_points.h"
 
 namespace herr {
 

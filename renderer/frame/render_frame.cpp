@@ -11,8 +11,8 @@
 #include <string>
 
 #include "renderer/broken_on_purpose.h"
+#include "renderer/direct_light/light_records.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/lighting/light_records.h"
 #include "renderer/threads/cpu_use.h"
 #include "renderer/tiles/finite_lanes.h"
 

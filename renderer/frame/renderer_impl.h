@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "renderer/detail/detail_levels.h"
+#include "renderer/direct_light/light_records.h"
 #include "renderer/environment/filtered_environment.h"
 #include "renderer/foveation/ray_grids.h"
 #include "renderer/geometry/embree_scene.h"
 #include "renderer/geometry/instance_boxes.h"
-#include "renderer/lighting/light_records.h"
 #include "renderer/outside/outside_work.h"
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probes/probe_motion.h"

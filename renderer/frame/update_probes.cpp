@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "renderer/direct_light/light_records.h"
 #include "renderer/environment/sky_of_rays.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/lighting/light_records.h"
 #include "renderer/memory_use.h"
 #include "renderer/probes/probe_placement.h"
 #include "renderer/tiles/finite_lanes.h"

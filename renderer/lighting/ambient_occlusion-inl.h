@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/lighting/direct_light-inl.h"
+#include "renderer/direct_light/direct_light-inl.h"
 #include "renderer/lighting/occlusion_smoothing-inl.h"
 
 HWY_BEFORE_NAMESPACE();

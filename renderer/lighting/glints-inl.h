@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/lighting/light_samples-inl.h"
+#include "renderer/direct_light/light_samples-inl.h"
 #include "renderer/reflectance/interfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();

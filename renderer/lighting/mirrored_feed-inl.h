@@ -4,9 +4,9 @@
 // After: direct_light lights its hits, among them those catchers.
 #pragma once
 
+#include "renderer/direct_light/shadow_rays-inl.h"
 #include "renderer/environment/environment-inl.h"
 #include "renderer/feed/feed_texels-inl.h"
-#include "renderer/lighting/shadow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -5,8 +5,8 @@
 
 #include <bit>
 
+#include "renderer/direct_light/shadow_rays-inl.h"
 #include "renderer/environment/environment-inl.h"
-#include "renderer/lighting/shadow_rays-inl.h"
 #include "renderer/probes/probe_view.h"
 #include "renderer/simd/simd_types-inl.h"
 

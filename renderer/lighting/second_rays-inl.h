@@ -4,9 +4,9 @@
 
 #include <cstring>
 
+#include "renderer/direct_light/direct_light-inl.h"
 #include "renderer/environment/environment-inl.h"
 #include "renderer/lighting/catcher_ratio-inl.h"
-#include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/mirrored_feed-inl.h"
 #include "renderer/lighting/outgoing-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "renderer/direct_light/direct_light-inl.h"
 #include "renderer/environment/environment-inl.h"
-#include "renderer/lighting/direct_light-inl.h"
 #include "renderer/lighting/probe_lookup-inl.h"
 #include "renderer/probe_updates/probe_job.h"
 #include "renderer/probe_updates/probe_update-inl.h"

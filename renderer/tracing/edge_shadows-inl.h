@@ -3,7 +3,7 @@
 // smooth_edges.
 #pragma once
 
-#include "renderer/lighting/shadow_rays-inl.h"
+#include "renderer/direct_light/shadow_rays-inl.h"
 #include "renderer/tracing/edge_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();

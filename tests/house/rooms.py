@@ -7,7 +7,7 @@ ROOMS = {
                  "import/stamps", "import", "import/cameras", "import/presets", "import/check/roles", "import/check"),
     "scenes": ("model", "animation", "gltf/format", "gltf/file", "gltf", "voxels", "detail", "environment", "document", "changes"),
     "renderer": ("settings", "simd", "threads", "feed", "foveation", "embree", "voxels", "geometry", "detail", "probes", "tiles", "environment",
-                 "surfaces", "highlights", "reflectance", "lighting", "tracing", "probe_updates", "viewports", "outside", "frame", "bench"),
+                 "surfaces", "highlights", "reflectance", "direct_light", "lighting", "tracing", "probe_updates", "viewports", "outside", "frame", "bench"),
     "server": ("text", "diagrams", "process", "quality", "settings", "statistics", "output", "results", "frames/warnings", "frames", "http",
                "replay", "serve", "bench", "check/statistics", "check/report", "check/measure", "check",
                "inspect/acuity", "inspect/probes", "inspect", "look", "synth", "convert", "study/error", "study/statistics",

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "tests/renderer/lighting/scalar_light.h"
+#include "tests/renderer/direct_light/scalar_light.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 

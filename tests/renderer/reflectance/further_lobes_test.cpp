@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/reflectance/reflectance-inl.h"
-#include "tests/renderer/lighting/scalar_light.h"
+#include "tests/renderer/direct_light/scalar_light.h"
 #include "tests/renderer/test_scenes.h"
 
 namespace herr {

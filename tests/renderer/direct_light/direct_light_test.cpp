@@ -5,8 +5,8 @@
 #include <iostream>
 #include <numeric>
 
-#include "renderer/lighting/light_records.h"
-#include "tests/renderer/lighting/scalar_light.h"
+#include "renderer/direct_light/light_records.h"
+#include "tests/renderer/direct_light/scalar_light.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <vector>
 
-#include "renderer/lighting/light_records.h"
+#include "renderer/direct_light/light_records.h"
 #include "tests/renderer/penumbra_scene.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"

@@ -8,9 +8,9 @@
 #include <iostream>
 #include <vector>
 
-#include "renderer/lighting/light_records.h"
-#include "renderer/lighting/shading_points.h"
-#include "tests/renderer/lighting/scalar_light.h"
+#include "renderer/direct_light/light_records.h"
+#include "renderer/direct_light/shading_points.h"
+#include "tests/renderer/direct_light/scalar_light.h"
 #include "tests/renderer/penumbra_scene.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "renderer/lighting/light_of_points-inl.h"
+#include "renderer/direct_light/light_of_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

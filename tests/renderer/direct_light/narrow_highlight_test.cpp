@@ -7,7 +7,7 @@
 #include <iostream>
 #include <vector>
 
-#include "tests/renderer/lighting/scalar_light.h"
+#include "tests/renderer/direct_light/scalar_light.h"
 #include "tests/renderer/rendered_frames.h"
 #include "tests/renderer/test_scenes.h"
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/lighting/light_samples-inl.h"
+#include "renderer/direct_light/light_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

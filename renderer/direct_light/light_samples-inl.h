@@ -1,8 +1,8 @@
 // One sample of a light at the hits of a batch: its shadow rays, and its light where they pass.
 #pragma once
 
-#include "renderer/lighting/drawn_highlights-inl.h"
-#include "renderer/lighting/shadow_rays-inl.h"
+#include "renderer/direct_light/drawn_highlights-inl.h"
+#include "renderer/direct_light/shadow_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

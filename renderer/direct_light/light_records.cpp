@@ -1,4 +1,4 @@
-#include "renderer/lighting/light_records.h"
+#include "renderer/direct_light/light_records.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // strata also by directions drawn from them.
 #pragma once
 
-#include "renderer/lighting/adaptive_light-inl.h"
-#include "renderer/lighting/lobe_samples-inl.h"
+#include "renderer/direct_light/adaptive_light-inl.h"
+#include "renderer/direct_light/lobe_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {

@@ -1,4 +1,4 @@
-#include "renderer/lighting/shading_points.h"
+#include "renderer/direct_light/shading_points.h"
 
 #include <algorithm>
 #include <cmath>

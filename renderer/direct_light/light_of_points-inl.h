@@ -2,7 +2,7 @@
 // sample instead. Before: shading_points, adaptive_light-inl.h says what is seen. After: direct light.
 #pragma once
 
-#include "renderer/lighting/light_samples-inl.h"
+#include "renderer/direct_light/light_samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
