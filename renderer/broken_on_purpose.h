@@ -11,7 +11,7 @@ enum class Fault : std::uint8_t {
   none,
   singular_falloff,         // lights grow without end towards their middle, however large they are
   dropped_anchor,           // places are rounded to float before the anchor is taken off
-  biased_adaptive_samples,  // first light samples come from one end of the light
+  biased_adaptive_samples,  // adaptive light samples come from one end of the light
   euler_hysteresis,         // probes forget by Euler's rule, 1 - dt / tau
   samples_keyed_by_thread,  // random numbers depend on which thread traces a tile
 };

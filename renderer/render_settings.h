@@ -52,8 +52,8 @@ struct RenderSettings {
   // 200 / (theta + 1) samples per degree everywhere on the display.
   bool polar_acuity = false;
   int light_samples = 1;  // per light and hit; 1 = centre of the light, hard shadows
-  // Adaptive light samples: this many strata are traced for every hit, the others only where those disagree;
-  // 0: all strata everywhere.
+  // Adaptive light samples: this many strata are traced for every hit, more only where they disagree
+  // (direct_light/adaptive_light-inl.h); of at most kMostAdaptiveSamples. 0: all for every hit.
   int adaptive_min_samples = 0;
   // random: independent places on the light, what strata are measured against.
   LightSampler light_sampler = LightSampler::jittered;

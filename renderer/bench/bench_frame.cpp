@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <numeric>
 
 #include "renderer/bench/bare_pixels.h"
 #include "renderer/bench/bare_rays.h"
-#include "renderer/direct_light/light_records.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/timing.h"
 
@@ -16,6 +16,13 @@ namespace {
 
 // Of the jobs of 16 probes one in four is recorded: there are 128 of them in the default grid.
 constexpr int kProbeJobStride = 4;
+
+// i * spreading_stride(n) mod n visits each of n numbers once, and any few in a row lie far apart.
+int spreading_stride(int n) {
+  int stride = std::max(1, static_cast<int>(std::lround(0.6180339887 * n)));
+  while (std::gcd(stride, n) != 1) ++stride;
+  return stride;
+}
 
 // One frame's own rays and pixels, recorded from its last render.
 class BareSide {

@@ -2,7 +2,7 @@
 // sample instead. Before: shading_points, adaptive_light-inl.h says what is seen. After: direct light.
 #pragma once
 
-#include "renderer/direct_light/light_samples-inl.h"
+#include "renderer/direct_light/rotated_strata-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace herr {
@@ -70,43 +70,95 @@ HWY_NOINLINE void find_by_samples(const LightRecord& light, const ShadingPoints&
   }
 }
 
-// Of hits that are shaded sample by sample, the light of sample `s`.
+// What is seen of a lamp, as it changes evenly across it: the mean, and the slope along each axis over the
+// root mean square of the lamp's places. Light that itself changes evenly is so right in the mean.
+struct VisibleFit {
+  VF mean;
+  std::array<VF, 3> slope;
+
+  // Of `rays` to places that add up to `all_places`, of which those blocked number and add up to so much.
+  HWY_INLINE VisibleFit(VF rays, const std::array<VF, 3>& all_places, VF blocked,
+                        const std::array<VF, 3>& blocked_places) {
+    const VF per_ray = hn::Div(set(1.0f), rays), share = hn::Mul(blocked, per_ray);
+    mean = hn::Sub(set(1.0f), share);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      slope[axis] = hn::Mul(per_ray, hn::Sub(hn::Mul(share, all_places[axis]), blocked_places[axis]));
+  }
+  HWY_INLINE VF at(const ShadingPoints& points, int point) const {
+    VF seen = mean;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      seen = hn::MulAdd(slope[axis], set(points.point_at[axis][static_cast<std::size_t>(point)]), seen);
+    return seen;
+  }
+};
+
+// Sample `s` of hits that are shaded by samples: traced where they ask, elsewhere as decided.
 template <Lobe kLobe>
 HWY_NOINLINE void shade_sample(const TileJob& job, const LightRecord& light, int s, const HighlightUse& use,
-                               HitBatch& hits) {
-  TileScratch& scratch = *job.scratch;
-  for (const int slot : scratch.adaptive->open()) {
-    const MF lanes = hn::Gt(load(&scratch.adaptive->by_samples[slot]), hn::Zero(kF));
-    if (hn::AllFalse(kF, lanes)) continue;
-    for (Lane<float>* share : {&scratch.visible, &scratch.visible_without})
-      hn::Store(hn::IfThenElseZero(lanes, load(&(*share)[slot])), kF, &(*share)[slot]);
-    add_sample<kLobe>(job, light, s, use, hits, slot);
-  }
-}
-
-// Of all other hits, the light of the points, each times what is seen of its samples.
-template <Lobe kLobe>
-HWY_NOINLINE void shade_points(const TileJob& job, const ShadingPoints& points, const HighlightUse& use,
-                               HitBatch& hits, int count) {
+                               HitBatch& hits, RayKind kind) {
   TileScratch& scratch = *job.scratch;
   const AdaptiveLight& adaptive = *scratch.adaptive;
-  const VF per_sample = set(1.0f / points.samples_each), zero = hn::Zero(kF);
+  const VF zero = hn::Zero(kF), one = set(1.0f);
+  begin_light_rays(scratch.queue, light, s);
+  for (const int slot : adaptive.open()) {
+    const MF lanes = hn::Gt(load(&adaptive.by_samples[slot]), zero),
+             asks = hn::And(lanes, hn::Gt(load(&adaptive.asks[slot]), zero));
+    const auto known = [&](const Lane<float>& seen) HWY_ATTR {
+      return hn::IfThenElseZero(hn::And(lanes, hn::Or(asks, hn::Gt(load(&seen[slot]), zero))), one);
+    };
+    hn::Store(known(adaptive.seen), kF, &scratch.visible[slot]);
+    hn::Store(known(adaptive.seen_without), kF, &scratch.visible_without[slot]);
+    if (hn::AllFalse(kF, asks)) continue;
+    const V3 to_light = way_to_light(light, s, hits, slot);
+    push_shadow_rays(scratch.queue, hits, slot, to_light, hn::And(asks, facing(hits, slot, to_light)));
+  }
+  find_visibility(job, light, hits, kind);
+  for (const int slot : adaptive.open()) add_sample<kLobe>(job, light, s, use, hits, slot);
+}
+
+HWY_INLINE void keep_positive(Lane3& light, int slot) {
+  const VF zero = hn::Zero(kF);
+  const V3 sum = load3(light, slot);
+  store3({hn::Max(sum.x, zero), hn::Max(sum.y, zero), hn::Max(sum.z, zero)}, light, slot);
+}
+
+// Of all other hits, the light of the points, each times what is seen of the lamp there; of hits that
+// decided, all or nothing. `rays` and `sums`: of hits that asked. What is seen at a point may be below 0, the
+// light of all is not.
+template <Lobe kLobe>
+HWY_NOINLINE void shade_points(const TileJob& job, const ShadingPoints& points, const HighlightUse& use,
+                               int rays, const PlaceSums& sums, HitBatch& hits, int count) {
+  TileScratch& scratch = *job.scratch;
+  const AdaptiveLight& adaptive = *scratch.adaptive;
+  const VF zero = hn::Zero(kF), one = set(1.0f);
   for (int slot = 0; slot < count; slot += kLanes) {
     const MF lanes = hn::Eq(load(&adaptive.by_samples[slot]), zero);
     if (hn::AllFalse(kF, lanes)) continue;
-    const MF undecided = hn::Gt(load(&adaptive.undecided[slot]), zero);
-    const auto share_of = [&](const Lane<float>& first, const Lane<float>& seen) HWY_ATTR {
-      const VF decided = hn::IfThenElseZero(hn::Gt(load(&first[slot]), zero), set(1.0f));
-      return hn::IfThenElseZero(lanes,
-                                hn::IfThenElse(undecided, hn::Mul(load(&seen[slot]), per_sample), decided));
+    const MF mixed = hn::Gt(load(&adaptive.mixed[slot]), zero);
+    std::array<VF, 3> all_places;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      all_places[axis] = hn::GatherIndex(kF, sums.of_axis[axis].data(), start_of(adaptive, slot));
+    const auto fit_of = [&](const Lane<float>& first, const BlockedSums<Lane<float>>& blocked) HWY_ATTR {
+      const MF smoothed = hn::Gt(load(&adaptive.smoothed[slot]), zero);
+      const std::array<VF, 3> places{load(&blocked.places[0][slot]), load(&blocked.places[1][slot]),
+                                     load(&blocked.places[2][slot])};
+      const VF blocked_count = load(&blocked.count[slot]);
+      VisibleFit fit(set(static_cast<float>(rays)), all_places, blocked_count, places);
+      const VF decided = hn::IfThenElseZero(hn::Gt(load(&first[slot]), zero), one);
+      fit.mean = hn::IfThenElse(mixed, hn::IfThenElse(smoothed, blocked_count, fit.mean), decided);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        fit.slope[axis] = hn::IfThenElseZero(mixed, hn::IfThenElse(smoothed, places[axis], fit.slope[axis]));
+      return fit;
     };
+    const VisibleFit with = fit_of(adaptive.seen, adaptive.blocked),
+                     without = fit_of(adaptive.seen_without, adaptive.blocked_without);
     for (int point = 0; point < points.light.samples; ++point) {
-      const auto i = static_cast<std::size_t>(point);
-      hn::Store(share_of(adaptive.seen, adaptive.of_point[i]), kF, &scratch.visible[slot]);
-      hn::Store(share_of(adaptive.seen_without, adaptive.of_point_without[i]), kF,
-                &scratch.visible_without[slot]);
+      hn::Store(hn::IfThenElseZero(lanes, with.at(points, point)), kF, &scratch.visible[slot]);
+      hn::Store(hn::IfThenElseZero(lanes, without.at(points, point)), kF, &scratch.visible_without[slot]);
       add_sample<kLobe>(job, points.light, point, use, hits, slot);
     }
+    keep_positive(hits.direct, slot);
+    if (job.shading->plan->catchers) keep_positive(hits.direct_without, slot);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "renderer/broken_on_purpose.h"
+#include "renderer/direct_light/strata_order.h"
 
 namespace herr {
 
@@ -28,37 +29,6 @@ std::array<int, 3> strata_for(const glm::vec3& size, int samples) {
     }
   }
   return best;
-}
-
-int spreading_stride(int n) {
-  // Near the golden ratio of the count, and without a common factor: consecutive samples lie far apart.
-  int stride = std::max(1, static_cast<int>(std::lround(0.6180339887 * n)));
-  while (std::gcd(stride, n) != 1) ++stride;
-  return stride;
-}
-
-void order_strata(LightRecord& light) {
-  // Strata by the parity of their coordinates x, y, z: even ones first, a lattice of every other
-  // stratum, then those between four or eight of the lattice, then the rest. Within a class the
-  // golden ratio spreads them out.
-  constexpr std::array<int, 8> kClasses{0b000, 0b111, 0b011, 0b101, 0b110, 0b001, 0b010, 0b100};
-  const int stride = spreading_stride(light.samples);
-  const int nx = light.strata[0], ny = light.strata[1];
-  std::size_t sample = 0;
-  if constexpr (kFault == Fault::biased_adaptive_samples) {
-    std::iota(light.stratum_of.begin(), light.stratum_of.end(), std::uint16_t{0});
-    std::iota(light.sample_of.begin(), light.sample_of.end(), std::uint16_t{0});
-    return;
-  }
-  for (const int parity : kClasses) {
-    for (int i = 0; i < light.samples; ++i) {
-      const int stratum = i * stride % light.samples;
-      const int x = stratum % nx, y = stratum / nx % ny, z = stratum / (nx * ny);
-      if (((x & 1) | (y & 1) << 1 | (z & 1) << 2) != parity) continue;
-      light.sample_of[static_cast<std::size_t>(stratum)] = static_cast<std::uint16_t>(sample);
-      light.stratum_of[sample++] = static_cast<std::uint16_t>(stratum);
-    }
-  }
 }
 
 namespace {
@@ -122,7 +92,7 @@ void light_records(std::span<const AreaLight> lights, const glm::dvec3& anchor, 
       const float stratum = record.size[axis] / static_cast<float>(strata[axis]);
       record.half_turn_m = std::max(record.half_turn_m, across * stratum);
     }
-    if (record.samples <= kMostOrderedSamples) order_strata(record);
+    if (record.first_samples < record.samples) order_strata(record);
     record.key = static_cast<std::uint32_t>(&light - lights.data())
                  << 20;  // 3 numbers for each of 4096 samples
     out.push_back(record);

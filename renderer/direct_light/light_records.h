@@ -16,12 +16,6 @@ namespace herr {
 // no thickness (all of them on x when the box is a point).
 std::array<int, 3> strata_for(const glm::vec3& size, int samples);
 
-// i * spreading_stride(n) mod n visits each of n numbers once, and any few in a row lie far apart.
-int spreading_stride(int n);
-
-// Fills stratum_of and sample_of of a light of at most kMostOrderedSamples samples.
-void order_strata(LightRecord& light);
-
 // Fills `out` (its storage is kept) with the lights that shine, relative to `anchor`.
 struct LightReach {
   double beyond_scene_m = 0;  // leaves the scene from any place in it

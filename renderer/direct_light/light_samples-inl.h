@@ -10,8 +10,8 @@ namespace HWY_NAMESPACE {
 
 // The way from hits to the middle of the stratum that light sample `s` lies in, unit.
 HWY_INLINE V3 towards_stratum(const LightRecord& light, int s, const HitBatch& hits, int slot) {
-  const int nx = light.strata[0], ny = light.strata[1], stratum = stratum_of(light, s);
-  const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
+  const int nx = light.strata[0], ny = light.strata[1];
+  const int cell[3] = {s % nx, s / nx % ny, s / (nx * ny)};
   float middle[3];
   for (int axis = 0; axis < 3; ++axis) {
     const float width = light.size[axis] / static_cast<float>(light.strata[axis]);
@@ -44,8 +44,9 @@ HWY_INLINE void add_sample(const TileJob& job, const LightRecord& light, int s, 
   const V3 to_light = way_to_light(light, s, hits, slot);
   const VF visible = load(&scratch.visible[slot]);
   const bool counts_twice = job.shading->plan->catchers && !light.is_virtual;
-  const VF counts = counts_twice ? hn::Max(visible, load(&scratch.visible_without[slot])) : visible;
-  const MF lit = hn::And(facing(hits, slot, to_light), hn::Gt(counts, hn::Zero(kF)));
+  MF counts = hn::Ne(visible, hn::Zero(kF));
+  if (counts_twice) counts = hn::Or(counts, hn::Ne(load(&scratch.visible_without[slot]), hn::Zero(kF)));
+  const MF lit = hn::And(facing(hits, slot, to_light), counts);
   if (hn::AllFalse(kF, lit)) return;
   const VF distance2 = hn::Max(dot(to_light, to_light), set(1e-36f));
   const VF per_distance = hn::Div(set(1.0f), hn::Sqrt(distance2));

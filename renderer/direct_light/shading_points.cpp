@@ -41,6 +41,28 @@ void spread_middles(LightRecord& few) {
   }
 }
 
+// Where the middle of stratum `cell` of `strata` lies along an edge that light comes from evenly.
+float place_along(float edge_over_whole, int cell, int strata) {
+  const float from_middle = (static_cast<float>(cell) + 0.5f) / static_cast<float>(strata) - 0.5f;
+  return std::sqrt(12.0f) * edge_over_whole * from_middle;
+}
+
+void place_strata(const LightRecord& light, ShadingPoints& points) {
+  const LightRecord& few = points.light;
+  const auto place = [](const LightRecord& of, std::size_t axis, int stratum, float edge_over_whole) {
+    const int nx = of.strata[0], ny = of.strata[1];
+    const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
+    return of.strata[axis] == 1 ? 0.0f : place_along(edge_over_whole, cell[axis], of.strata[axis]);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int stratum = 0; stratum < light.samples; ++stratum)
+      points.stratum_at[axis][static_cast<std::size_t>(stratum)] = place(light, axis, stratum, 1);
+    const float spread = light.size[axis] > 0 ? few.size[axis] / light.size[axis] : 1;
+    for (int point = 0; point < few.samples; ++point)
+      points.point_at[axis][static_cast<std::size_t>(point)] = place(few, axis, point, spread);
+  }
+}
+
 ShadingPoints points_of(const LightRecord& light) {
   ShadingPoints points;
   LightRecord& few = points.light;
@@ -57,17 +79,7 @@ ShadingPoints points_of(const LightRecord& light) {
   few.half_turn_m = 0.5f * widest;
   spread_middles(few);
   points.nearest2 = nearest * nearest;
-  points.samples_each = static_cast<float>(light.samples / few.samples);
-  for (int point = 0; point < few.samples; ++point)
-    few.stratum_of[static_cast<std::size_t>(point)] = static_cast<std::uint16_t>(point);
-  const int nx = light.strata[0], ny = light.strata[1];
-  for (int stratum = 0; stratum < light.samples; ++stratum) {
-    const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
-    int at[3];
-    for (int axis = 0; axis < 3; ++axis) at[axis] = cell[axis] * few.strata[axis] / light.strata[axis];
-    const int point = at[0] + few.strata[0] * (at[1] + few.strata[1] * at[2]);
-    points.of_sample[light.sample_of[static_cast<std::size_t>(stratum)]] = static_cast<std::uint8_t>(point);
-  }
+  place_strata(light, points);
   return points;
 }
 

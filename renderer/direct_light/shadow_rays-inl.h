@@ -14,11 +14,6 @@ HWY_INLINE MF of_kind(const HitBatch& hits, int slot, HitKind kind) {
                         hn::Eq(hn::Load(kI, &hits.kind[slot]), hn::Set(kI, static_cast<std::int32_t>(kind))));
 }
 
-// The stratum of light sample `s`: x + nx (y + ny z).
-HWY_INLINE int stratum_of(const LightRecord& light, int s) {
-  return light.samples <= kMostOrderedSamples ? light.stratum_of[static_cast<std::size_t>(s)] : s;
-}
-
 // The way from each hit to the point that light sample `s` of it aims at, not normalised: to the centre of
 // the light, or to a jittered place in one stratum, or to its middle. A sun's lies outside the scene.
 HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits, int slot) {
@@ -29,11 +24,10 @@ HWY_INLINE V3 way_to_light(const LightRecord& light, int s, const HitBatch& hits
   if (light.samples == 1) return sub(set3(light.centre), p);
   const VU key = hn::Load(kU, &hits.key[slot]);
   const int nx = light.strata[0], ny = light.strata[1];
-  const int stratum = stratum_of(light, s);
-  const int cell[3] = {stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
+  const int cell[3] = {s % nx, s / nx % ny, s / (nx * ny)};
   VF point[3];
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const std::uint32_t number = light.key + 3 * static_cast<std::uint32_t>(stratum) + axis;
+    const std::uint32_t number = light.key + 3 * static_cast<std::uint32_t>(s) + axis;
     const VF jitter = light.in_middles ? set(0.5f) : unit_float(hash(key, number));
     const float width =
         light.stratified ? light.size[axis] / static_cast<float>(light.strata[axis]) : light.size[axis];

@@ -130,17 +130,18 @@ struct LightRecord {
   int strata[3] = {1, 1, 1};  // per axis
   bool stratified = true;     // false: every sample lies anywhere on the light
   bool in_middles = false;    // samples lie in the middles of their strata
-  // Which stratum each sample takes, and its inverse; in use where samples <= kMostOrderedSamples. A sample
-  // comes after those strata around it that lie on a coarser lattice.
-  std::array<std::uint16_t, kMostOrderedSamples> stratum_of{}, sample_of{};
+  // With first_samples < samples: strata as adaptive samples look at them (direct_light/strata_order.h).
+  std::array<std::int32_t, kMostOrderedSamples> order{};
 };
 
-// A lamp as few points stand for it, each for as many samples (lighting/shading_points.h).
+// A lamp as few points stand for it (direct_light/shading_points.h).
 inline constexpr int kMostShadingPoints = 8;
 struct ShadingPoints {
-  LightRecord light;                                          // as the lamp, with the points for its samples
-  std::array<std::uint8_t, kMostOrderedSamples> of_sample{};  // which point's each sample is
-  float samples_each = 1;
+  LightRecord light;  // as the lamp, with the points for its samples
+  // Along each axis, where strata and points lie: from the lamp's middle, over the root mean square of its
+  // light.
+  std::array<std::array<float, kMostOrderedSamples>, 3> stratum_at{};
+  std::array<std::array<float, kMostShadingPoints>, 3> point_at{};
   float nearest2 = 0;  // squared distance below which a lamp is too near for its points
 };
 

@@ -99,7 +99,9 @@ HWY_NOINLINE void trace_second_rays(const TileJob& job, RayKind kind, std::uint3
     surface_of_packet<kDetail>(packet, lanes, *job.shading, true, second.hits, start);
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(queue.count); ++i) {
-    second.hits.block[i] = scratch.first.block[static_cast<std::size_t>(second.sender[i])];
+    const auto sender = static_cast<std::size_t>(second.sender[i]);
+    second.hits.block[i] = scratch.first.block[sender];
+    second.hits.rank[i] = scratch.first.rank[sender];
   }
   if (job.grid->feed != nullptr) show_feed(job, queue.count);
 }

@@ -73,12 +73,12 @@ std::vector<Setting> of_rays(RenderSettings& s) {
           [&s] { return where(!is_foveated(s), kNoPolarBuffer); }),
       {"light_samples", "--light-samples", "", Group::rays, Effect::error_for_time,
        "shadow rays per light and hit; 1: hard shadows", whole(s.light_samples, 1, kMostLightSamples)},
-      idle_beside({"first_light_samples", "--first-light-samples", "", Group::rays, Effect::error_for_time,
-                   "adaptive, up to 256 light samples: trace N, the rest only where they disagree; loses the "
-                   "outermost part "
-                   "of penumbrae on one side, up to 0.15 of the light; 0: all",
-                   whole(s.adaptive_min_samples, 0, kMostLightSamples)},
-                  [&s] { return adaptive_beside(s); }),
+      idle_beside(
+          {"first_light_samples", "--first-light-samples", "", Group::rays, Effect::error_for_time,
+           "adaptive, up to 256 light samples: trace N (4 serves well), more only where they disagree, 32 "
+           "at most unless N asks for more; right in the mean; 0: all",
+           whole(s.adaptive_min_samples, 0, kMostLightSamples)},
+          [&s] { return adaptive_beside(s); }),
       idle_beside(
           {"edge_samples", "--edge-samples", "", Group::rays, Effect::error_for_time,
            "further rays through polar samples at edges of surfaces and hard shadows, half as many where the "

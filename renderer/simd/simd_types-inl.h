@@ -106,11 +106,18 @@ HWY_INLINE MF traceable(const V3& origin, const V3& direction) {
 }
 
 // 32 random bits per lane from a key and a counter: the "lowbias32" integer hash (Chris Wellons, 2018).
-HWY_INLINE VU hash(VU key, std::uint32_t counter) {
-  VU h = hn::Xor(key, hn::Set(kU, counter * 0x9e3779b9u + 0x85ebca6bu));
+HWY_INLINE VU hashed(VU h) {
   h = hn::Mul(hn::Xor(h, hn::ShiftRight<16>(h)), hn::Set(kU, 0x7feb352du));
   h = hn::Mul(hn::Xor(h, hn::ShiftRight<15>(h)), hn::Set(kU, 0x846ca68bu));
   return hn::Xor(h, hn::ShiftRight<16>(h));
+}
+HWY_INLINE VU hash(VU key, std::uint32_t counter) {
+  return hashed(hn::Xor(key, hn::Set(kU, counter * 0x9e3779b9u + 0x85ebca6bu)));
+}
+// The same with a counter of each lane's own.
+HWY_INLINE VU hash(VU key, VU counter) {
+  const VU spread = hn::Add(hn::Mul(counter, hn::Set(kU, 0x9e3779b9u)), hn::Set(kU, 0x85ebca6bu));
+  return hashed(hn::Xor(key, spread));
 }
 // [0, 1) from the upper 24 bits.
 HWY_INLINE VF unit_float(VU bits) {

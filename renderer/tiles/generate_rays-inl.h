@@ -2,6 +2,7 @@
 // Polar samples that no viewport can see (outside every frustum by more than a sample's reach) are left out.
 #pragma once
 
+#include "renderer/tiles/place_ranks.h"
 #include "renderer/tiles/ray_packets-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -100,6 +101,10 @@ HWY_NOINLINE inline int generate_rays(const TileJob& job) {
                 kI, scratch.first.kind.data() + count * kLanes);
       const auto block = static_cast<std::uint8_t>((y - job.y0) / 4 * kBlocksAlong + (x - job.x0) / 4);
       std::fill_n(scratch.first.block.begin() + count * kLanes, kLanes, block);
+      for (int i = 0; i < kLanes; ++i) {
+        scratch.first.rank[static_cast<std::size_t>(count * kLanes + i)] =
+            rank_of_place(x + i % 4, y + i / 4);
+      }
       ++count;
     }
   }

@@ -93,6 +93,7 @@ struct alignas(64) HitBatch {
   // Which 4x4 block of the tile the sample lies in. Last of the lanes: bytes would leave those behind
   // unaligned.
   Lane<std::uint8_t> block;
+  Lane<std::uint8_t> rank;              // of 16, by its place in the block (rank_of_place)
   std::unique_ptr<FurtherLobes> lobes;  // where the plan has further lobes
   std::unique_ptr<Gloss> gloss;         // where the plan has gloss
 };
@@ -105,23 +106,45 @@ struct alignas(64) RayQueue {
   std::uint32_t salt = 0;  // tells their random numbers from those of other rays of the same hits
 };
 
-// What is known of a light at each hit while its samples are adaptive. Two thirds of a megabyte: only where
-// asked for.
+// What rays to a lamp's strata saw: how many were blocked, and the sums of the places of those (of each axis,
+// ShadingPoints::stratum_at). Lane: a value per hit, or per place of a tile.
+template <typename LaneType>
+struct BlockedSums {
+  LaneType count;
+  std::array<LaneType, 3> places;
+};
+
+// What adaptive samples know of the hits of a tile, where these lie in it, with a margin without hits.
+struct TilePlaces {
+  static constexpr int kMargin = 1, kStride = kTileSide + 2 * kMargin;
+  using Plane = std::array<float, static_cast<std::size_t>(kStride* kStride + kMaxLanes)>;
+  static std::size_t place(int x, int y) {
+    return static_cast<std::size_t>((y + kMargin) * kStride + x + kMargin);
+  }
+  Plane kind;            // HitKind; 0 where there is none, or none whose rays others may take
+  Plane wanted, enough;  // 1: takes the rays of its window; finds enough there
+  std::array<Plane, 3> position, normal;
+  std::array<Plane, 3> all_places;  // the sums of the places of all rays
+  BlockedSums<Plane> blocked, blocked_without;
+  BlockedSums<Plane> seen, seen_without;  // VisibleFit
+};
+
+// What is known of a light at each hit while its samples are adaptive. Only where asked for.
 struct alignas(64) AdaptiveLight {
-  Lane<float> faced, seen, seen_without;  // numbers of the first samples
-  Lane<float> undecided, asks;  // 1: needs more than the first samples; needs a ray for the one in work
-  Lane<float> paired;           // 1: may share its first samples with its neighbour
-  Lane<float> glossy;           // 1: highlights come from few strata, none of which is guessed
-  Lane<float> agreed, agreed_without;  // what is taken where no ray is needed: 0 or 1
-  // Per sample and hit: 1 where it is seen. A sample that the hit does not face counts as not seen.
-  std::array<Lane<std::uint8_t>, kMostOrderedSamples> saw, saw_without;
-  Lane<float> by_samples;  // 1: shaded sample by sample; 0: by points
-  std::array<Lane<float>, kMostShadingPoints> of_point, of_point_without;  // of each point's samples seen
-  // Where the vectors begin that samples are still looked at for: all, then those with a hit that is
-  // undecided or shaded by samples.
+  Lane<std::int32_t> start;               // at which strata it begins (direct_light/rotated_strata-inl.h)
+  Lane<float> faced, seen, seen_without;  // numbers of the first rays
+  Lane<float> faces;                      // 1: has a ray in the round in work
+  Lane<float> mixed;                      // 1: the first rays of its block disagree
+  Lane<float> asks;                       // 1: needs more rays of its own
+  Lane<float> smoothed;                   // 1: takes the rays of its window
+  Lane<float> shiny;                      // 1: has a highlight that outshines matte surfaces
+  Lane<float> by_samples;                 // 1: shaded sample by sample; 0: by points
+  BlockedSums<Lane<float>> blocked, blocked_without;  // of all rays; of smoothed hits the window's fit
+  // Where the vectors begin that are looked at.
   std::array<std::int16_t, kTileRays / 4 + 1> open_slots;
   std::size_t open_count = 0;
   std::span<const std::int16_t> open() const { return std::span(open_slots).first(open_count); }
+  TilePlaces places;
 };
 
 // What the layers of blended surfaces add up to, front to back, per first hit.

@@ -5,6 +5,7 @@
 // Graphics", 1993.
 #pragma once
 
+#include "renderer/tiles/place_ranks.h"
 #include "renderer/tracing/alpha_layers-inl.h"
 #include "renderer/tracing/edge_shadows-inl.h"
 #include "renderer/tracing/find_edges-inl.h"
@@ -168,11 +169,15 @@ HWY_NOINLINE inline int queue_anew(const TileJob& job) {
     hn::Store(hn::IfThenElseZero(hn::RebindMask(kI, used), miss), kI, &hits.kind[slot]);
     hn::Store(hn::Zero(kF), kF, &hits.cone_width[slot]);
     hn::Store(spread_at(*job.grid, x), kF, &hits.cone_spread[slot]);
-    alignas(64) std::int32_t block[kMaxLanes];
+    alignas(64) std::int32_t block[kMaxLanes], place_x[kMaxLanes], place_y[kMaxLanes];
     hn::Store(hn::Add(hn::Mul(hn::ShiftRight<2>(row), hn::Set(kI, kBlocksAlong)), hn::ShiftRight<2>(column)),
               kI, block);
-    for (int i = 0; i < kLanes; ++i)
+    hn::Store(column, kI, place_x);
+    hn::Store(row, kI, place_y);
+    for (int i = 0; i < kLanes; ++i) {
       hits.block[static_cast<std::size_t>(slot + i)] = static_cast<std::uint8_t>(block[i]);
+      hits.rank[static_cast<std::size_t>(slot + i)] = rank_of_place(place_x[i], place_y[i]);
+    }
     // Debug colours alone ask where packets lie: near enough.
     scratch.packet_x[static_cast<std::size_t>(p)] = hn::GetLane(x) & ~3;
     scratch.packet_y[static_cast<std::size_t>(p)] = hn::GetLane(y) & ~3;

@@ -25,7 +25,9 @@ LightRecord lamp_of(const glm::vec3& size, int samples, int first) {
   return records.at(0);
 }
 
-TEST(ShadingPointsTest, EachStandsForAsManySamplesAndForStrataThatTouch) {
+// Of strata and of points, places have the mean 0; squared, those of points have the mean 1, those of the
+// middles of n strata 1 - 1 / n^2.
+TEST(ShadingPointsTest, PlacesOfPointsVaryAsTheLampsLight) {
   for (const glm::vec3& size : {glm::vec3{0.4f, 0.1f, 0.4f}, glm::vec3{1, 0, 1}, glm::vec3{0, 2, 0}}) {
     for (const int samples : {12, 64, 250}) {
       const LightRecord light = lamp_of(size, samples, 4);
@@ -33,27 +35,20 @@ TEST(ShadingPointsTest, EachStandsForAsManySamplesAndForStrataThatTouch) {
       shading_points(std::vector<LightRecord>{light}, points);
       const LightRecord& few = points.at(0).light;
       EXPECT_LE(few.samples, kMostShadingPoints);
-      EXPECT_EQ(static_cast<float>(few.samples) * points[0].samples_each, static_cast<float>(samples));
-      std::vector<int> of_point(static_cast<std::size_t>(few.samples));
-      std::array<std::array<int, 2>, 3> unknown;
-      unknown.fill({1 << 20, -1});
-      std::vector<std::array<std::array<int, 2>, 3>> reach(of_point.size(), unknown);
-      for (std::size_t s = 0; s < static_cast<std::size_t>(samples); ++s) {
-        const std::size_t point = points[0].of_sample[s];
-        ++of_point.at(point);
-        const int nx = light.strata[0], ny = light.strata[1], stratum = light.stratum_of[s];
-        const std::array<int, 3> cell{stratum % nx, stratum / nx % ny, stratum / (nx * ny)};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          reach[point][axis][0] = std::min(reach[point][axis][0], cell[axis]);
-          reach[point][axis][1] = std::max(reach[point][axis][1], cell[axis]);
-        }
-      }
-      for (std::size_t point = 0; point < of_point.size(); ++point) {
-        EXPECT_EQ(of_point[point] * few.samples, samples);
-        // A box of strata without a gap.
-        int strata = 1;
-        for (const std::array<int, 2>& along : reach[point]) strata *= along[1] - along[0] + 1;
-        EXPECT_EQ(strata, of_point[point]);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto moments = [](const auto& places, int count) {
+          std::array<double, 2> sums{};
+          for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+            sums[0] += double{places[i]} / count, sums[1] += double{places[i]} * places[i] / count;
+          return sums;
+        };
+        const auto of_points = moments(points[0].point_at[axis], few.samples);
+        const auto of_strata = moments(points[0].stratum_at[axis], samples);
+        const double n = light.strata[axis];
+        EXPECT_NEAR(of_points[0], 0, 1e-5);
+        EXPECT_NEAR(of_points[1], few.strata[axis] > 1 ? 1 : 0, 1e-5);
+        EXPECT_NEAR(of_strata[0], 0, 1e-5);
+        EXPECT_NEAR(of_strata[1], 1 - 1 / (n * n), 1e-5);
       }
     }
   }
