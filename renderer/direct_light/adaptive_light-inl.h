@@ -46,7 +46,8 @@ HWY_INLINE void open_vectors(int count, AdaptiveLight& adaptive, const Wants& wa
 template <Lobe kLobe>
 HWY_INLINE MF is_shiny(const HitBatch& hits, int slot) {
   const V3 f0 = load3(hits.f0, slot);
-  const MF base = hn::Gt(hn::Max(f0.x, hn::Max(f0.y, f0.z)), load(&hits.alpha2[slot]));
+  const MF base = hn::AndNot(of_kind(hits, slot, HitKind::catcher),
+                             hn::Gt(hn::Max(f0.x, hn::Max(f0.y, f0.z)), load(&hits.alpha2[slot])));
   if constexpr (kLobe != Lobe::layered) return base;
   const VF of_coat = hn::Mul(set(kCoatF0), load(&hits.lobes->coat[slot]));
   return hn::Or(base, hn::Gt(of_coat, load(&hits.lobes->coat_alpha2[slot])));
@@ -127,6 +128,27 @@ HWY_NOINLINE inline void look_further(const TileJob& job, const LightRecord& lig
   for (int round = from; round < to; ++round) look_at_strata(job, light, points, round, hits, kind, wants);
 }
 
+// What follows the first rounds: more rays of mixed hits, which then take those of their neighbours or ask
+// on. `places`: of all rays of hits that ask.
+HWY_NOINLINE inline void look_where_mixed(const TileJob& job, const LightRecord& light,
+                                          const ShadingPoints& points, const LightRounds& rounds,
+                                          const HitBatch& hits, int count, RayKind kind, PlaceSums& places) {
+  AdaptiveLight& adaptive = *job.scratch->adaptive;
+  BlockSurfaces blocks;
+  if (!find_mixed(light, hits, count, blocks, adaptive)) return clear(adaptive.asks, count);
+  look_further(job, light, points, rounds.first, rounds.mixed, adaptive.mixed, hits, count, kind);
+  places.add(light, points, job.grid->key, 0, rounds.mixed);
+  // Only first hits lie in places: what mirrors show has no neighbours, further hits at edges share places.
+  if (kind == RayKind::shadow && !(job.scratch->edges && job.scratch->edges->lights_anew)) {
+    find_lonely(hits, count, static_cast<float>(rounds.mixed), blocks, adaptive);
+    smooth_shares(job, hits, (count + kLanes - 1) / kLanes, rounds.mixed, places);
+  } else {
+    std::copy_n(adaptive.mixed.begin(), count, adaptive.asks.begin());
+  }
+  look_further(job, light, points, rounds.mixed, rounds.own, adaptive.asks, hits, count, kind);
+  places.add(light, points, job.grid->key, rounds.mixed, rounds.own);
+}
+
 // One light at hits [0, count) of a batch.
 template <Lobe kLobe>
 HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, const ShadingPoints& points,
@@ -141,20 +163,8 @@ HWY_NOINLINE void adaptive_light(const TileJob& job, const LightRecord& light, c
   const LightRounds rounds(light);
   for (int round = 0; round < rounds.first; ++round) look_first(job, light, points, round, hits, kind);
 
-  BlockSurfaces blocks;
-  find_mixed(light, hits, count, blocks, adaptive);
-  look_further(job, light, points, rounds.first, rounds.mixed, adaptive.mixed, hits, count, kind);
   PlaceSums places;
-  places.add(light, points, job.grid->key, 0, rounds.mixed);
-  // Only first hits lie in places: what mirrors show has no neighbours, further hits at edges share places.
-  if (kind == RayKind::shadow && !(job.scratch->edges && job.scratch->edges->lights_anew)) {
-    find_lonely(hits, count, static_cast<float>(rounds.mixed), blocks, adaptive);
-    smooth_shares(job, hits, (count + kLanes - 1) / kLanes, rounds.mixed, places);
-  } else {
-    std::copy_n(adaptive.mixed.begin(), count, adaptive.asks.begin());
-  }
-  look_further(job, light, points, rounds.mixed, rounds.own, adaptive.asks, hits, count, kind);
-  places.add(light, points, job.grid->key, rounds.mixed, rounds.own);
+  look_where_mixed(job, light, points, rounds, hits, count, kind, places);
   shade_points<kLobe>(job, points, of_points, rounds.own, places, hits, count);
 
   open_vectors(count, adaptive, [&](int slot) HWY_ATTR {

@@ -116,10 +116,11 @@ HWY_NOINLINE void shade_sample(const TileJob& job, const LightRecord& light, int
   for (const int slot : adaptive.open()) add_sample<kLobe>(job, light, s, use, hits, slot);
 }
 
-HWY_INLINE void keep_positive(Lane3& light, int slot) {
-  const VF zero = hn::Zero(kF);
+// Light so far, where a lamp's own fell below 0. What is not a number stays so: the second operand is taken
+// then.
+HWY_INLINE void keep_at_least(const V3& before, Lane3& light, int slot) {
   const V3 sum = load3(light, slot);
-  store3({hn::Max(sum.x, zero), hn::Max(sum.y, zero), hn::Max(sum.z, zero)}, light, slot);
+  store3({hn::Max(before.x, sum.x), hn::Max(before.y, sum.y), hn::Max(before.z, sum.z)}, light, slot);
 }
 
 // Of all other hits, the light of the points, each times what is seen of the lamp there; of hits that
@@ -152,13 +153,14 @@ HWY_NOINLINE void shade_points(const TileJob& job, const ShadingPoints& points, 
     };
     const VisibleFit with = fit_of(adaptive.seen, adaptive.blocked),
                      without = fit_of(adaptive.seen_without, adaptive.blocked_without);
+    const V3 before = load3(hits.direct, slot), before_without = load3(hits.direct_without, slot);
     for (int point = 0; point < points.light.samples; ++point) {
       hn::Store(hn::IfThenElseZero(lanes, with.at(points, point)), kF, &scratch.visible[slot]);
       hn::Store(hn::IfThenElseZero(lanes, without.at(points, point)), kF, &scratch.visible_without[slot]);
       add_sample<kLobe>(job, points.light, point, use, hits, slot);
     }
-    keep_positive(hits.direct, slot);
-    if (job.shading->plan->catchers) keep_positive(hits.direct_without, slot);
+    keep_at_least(before, hits.direct, slot);
+    if (job.shading->plan->catchers) keep_at_least(before_without, hits.direct_without, slot);
   }
 }
 

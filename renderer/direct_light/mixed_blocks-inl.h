@@ -1,5 +1,5 @@
 // Where the first rays of a 4x4 block disagree, its hits are in a penumbra. Hits of one block decide together
-// where they lie on one surface. Scalar, and the same on every instruction set. Before: adaptive_light-inl.h
+// where they lie on one surface. Scalar. Before: adaptive_light-inl.h
 // has traced the first rounds. After: share_smoothing-inl.h.
 #pragma once
 
@@ -114,8 +114,9 @@ inline bool beside_part(const HitBatch& hits, const BlockSurfaces& blocks, std::
          (row > 0 && there(block - kBlocksAlong)) || (row + 1 < kBlocksAlong && there(block + kBlocksAlong));
 }
 
-// Fills `mixed` of hits [0, count), after the first rounds.
-HWY_NOINLINE inline void find_mixed(const LightRecord& light, const HitBatch& hits, int count,
+// Fills `mixed` of hits [0, count), after the first rounds; false: none is. The blocks of edge rays and of
+// glass may lie in several batches, of which each decides for itself.
+HWY_NOINLINE inline bool find_mixed(const LightRecord& light, const HitBatch& hits, int count,
                                     BlockSurfaces& blocks, AdaptiveLight& adaptive) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     if (adaptive.faced[i] == 0) continue;
@@ -130,10 +131,14 @@ HWY_NOINLINE inline void find_mixed(const LightRecord& light, const HitBatch& hi
           surface.sees_part() || surface.first.asked < fewest || beside_part(hits, blocks, block, surface);
     }
   }
+  bool any = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const BlockSurface* surface = blocks.of_hit[i];
-    adaptive.mixed[i] = adaptive.faced[i] > 0 && (surface == nullptr || surface->mixed) ? 1.0f : 0.0f;
+    const bool mixed = adaptive.faced[i] > 0 && (surface == nullptr || surface->mixed);
+    adaptive.mixed[i] = mixed ? 1.0f : 0.0f;
+    any = any || mixed;
   }
+  return any;
 }
 
 // Fills `asks` of hits [0, count): those that are mixed, and not to take the rays of others. `rounds`: how

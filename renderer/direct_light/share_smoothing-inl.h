@@ -114,8 +114,7 @@ HWY_INLINE Window window_around(const TilePlaces& places, std::size_t middle) {
   for (int dy = 0; dy <= 1; ++dy) {
     for (int dx = dy == 0 ? 1 : -1; dx <= 1; ++dx) {
       const float weight = (dy == 0 ? 1.0f : 0.5f) * (dx == 0 ? 1.0f : 0.5f);
-      const auto step =
-          static_cast<std::size_t>(dy * TilePlaces::kStride + dx);  // wraps where it is negative
+      const auto step = static_cast<std::size_t>(dy * TilePlaces::kStride + dx);
       const std::size_t ahead = middle + step, behind = middle - step;
       const MF both = hn::And(on_surface_of(places, middle, ahead), on_surface_of(places, middle, behind));
       if (hn::AllFalse(kF, both)) continue;

@@ -142,7 +142,7 @@ FloorFits floors_of(const char* name, const glm::vec3& true_size, const std::vec
   return fits;
 }
 
-// A light that is drawn a tenth too small: its penumbra ends 7 mm too early on both sides. That bias is no
+// A light that is drawn by 4 % too small: its penumbra ends 6 mm too early on both sides. That bias is no
 // noise, and more samples do not take it away.
 TEST(SamplerFitsTest, ABiasedSettingIsCaughtByItsFloor) {
   const std::vector<double> samples{16, 36, 64, 100, 144, 256};
