@@ -42,7 +42,7 @@ HWY_INLINE void open_vectors(int count, AdaptiveLight& adaptive, const Wants& wa
 }
 
 // Highlights whose peak, F0 / (pi alpha^2), outshines a white matte surface: what is wrong with what is seen
-// of a lamp shows there most.
+// of a lamp shows there most. Catchers have none.
 template <Lobe kLobe>
 HWY_INLINE MF is_shiny(const HitBatch& hits, int slot) {
   const V3 f0 = load3(hits.f0, slot);

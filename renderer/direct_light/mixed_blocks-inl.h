@@ -1,6 +1,6 @@
 // Where the first rays of a 4x4 block disagree, its hits are in a penumbra. Hits of one block decide together
-// where they lie on one surface. Scalar. Before: adaptive_light-inl.h
-// has traced the first rounds. After: share_smoothing-inl.h.
+// where they lie on one surface. Scalar. Before: adaptive_light-inl.h has traced the first rounds. After:
+// share_smoothing-inl.h.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,6 @@ struct SeenRays {
 struct BlockSurface {
   std::size_t first_hit = 0;
   SeenRays first, left, right, upper, lower;
-
   bool mixed = false;
 
   bool sees_part() const {

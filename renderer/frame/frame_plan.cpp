@@ -175,12 +175,12 @@ FramePlan plan_frame(const Scene& scene, const RenderSettings& settings, bool se
                                                        : " independent places per light"),
          "one sample: the light's centre");
   plan.light_sampler = settings.light_sampler;
-  // Where surfaces blend, what is seen of a sample is no yes or no that its neighbours could predict; places
-  // anywhere on the light have no neighbours.
+  // Where surfaces blend, a sample may be seen in part, so that no block would agree; places anywhere on the
+  // light are no strata that hits could take in turn.
   plan.adaptive_min_samples =
       plan.alpha_blend || settings.light_sampler == LightSampler::random ? 0 : settings.adaptive_min_samples;
   decide(adaptive, plan.light_sampling(settings.light_samples).adaptive(), "adaptive light samples",
-         std::to_string(settings.adaptive_min_samples) + " strata first, the rest where they disagree",
+         std::to_string(settings.adaptive_min_samples) + " strata first, more where they disagree",
          settings.adaptive_min_samples > 0 && settings.light_samples > kMostOrderedSamples
              ? "more than " + std::to_string(kMostOrderedSamples) + " samples are all traced"
          : many && plan.alpha_blend ? "blended surfaces let shares of the light pass"

@@ -278,14 +278,14 @@ void Sweeps::add_paper() {
   }
 }
 
-// Adaptive samples against the number of all: what they lose shows as a floor.
+// Adaptive samples against all: hits of penumbrae look at no more than some strata, whose noise stays.
 void Sweeps::add_adaptive() {
   RenderSettings trial = with_changes(defaults_, {{"light_samples", "64"}, {"first_light_samples", "8"}});
   if (!plan_of_(trial).light_sampling(64).adaptive()) return;
   const Knob knob{"adaptive_samples",
                   "adaptive light samples",
                   "samples per light",
-                  "as all samples, without a floor",
+                  "as all samples up to 32, of which hits trace no more in penumbrae",
                   1,
                   2};
   out_.knobs.push_back(knob);

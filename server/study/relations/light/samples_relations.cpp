@@ -214,9 +214,9 @@ double noise_beyond_half(const SeedRows& few, const SeedRows& many, const Varian
 }
 
 Relation adaptive_mean(const RelationCase& subject) {
-  Relation relation = unbiased(
-      "mean with adaptive light samples",
-      "a few strata first and the rest where they disagree: the mean of all strata, on matte surfaces");
+  Relation relation =
+      unbiased("mean with adaptive light samples",
+               "a few strata first and more where they disagree: the mean of all strata, on matte surfaces");
   if (subject.settings.adaptive_min_samples == 0) relation.option = "adaptive light samples";
   return relation;
 }
